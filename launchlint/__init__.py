@@ -1,0 +1,3 @@
+"""launchlint: a static checker for robot launch files."""
+
+__version__ = "0.1.0"

@@ -1,0 +1,112 @@
+"""Findings: what is told to people.
+
+A finding is flat and self-contained (no tree, no source): it can be pickled by a worker, kept in the cache, sorted and
+printed without any file being opened again.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import NamedTuple
+
+from launchlint.source import Place, Source, Span
+
+
+class Severity(IntEnum):
+    """How bad it is; a larger number is worse."""
+
+    INFO = 1
+    WARNING = 2
+    ERROR = 3
+
+    @property
+    def word(self) -> str:
+        """The lower-case word users write and read: ``error``, ``warning`` or ``info``."""
+        return self.name.lower()
+
+
+class Location(NamedTuple):
+    """A place, resolved: lines and columns from 1, ``end_column`` exclusive.
+
+    ``start`` and ``end`` are the code point offsets of the same span (edits and suppressions need them), ``text`` is the whole
+    first line without its line end, so that reports can show it.
+    """
+
+    path: str
+    line: int
+    column: int
+    end_line: int
+    end_column: int
+    start: int
+    end: int
+    text: str
+
+    @classmethod
+    def of(cls, place: Place) -> Location:
+        """Resolve ``place``."""
+        source, span = place
+        first, last = source.position(span.start), source.position(span.end)
+        return cls(source.path, first.line, first.column, last.line, last.column, span.start, span.end, source.line(first.line))
+
+
+class Related(NamedTuple):
+    """A further place that belongs to a finding, with what it shows."""
+
+    location: Location
+    label: str
+
+
+class Edit(NamedTuple):
+    """Replace the code points ``start`` to ``end`` of ``path`` by ``text``."""
+
+    path: str
+    start: int
+    end: int
+    text: str
+
+
+class Fix(NamedTuple):
+    """A repair: what it does in words, whether it is certain to keep the meaning, and its edits."""
+
+    message: str
+    safe: bool
+    edits: tuple[Edit, ...]
+
+
+class Finding(NamedTuple):
+    """One mistake, at one place.
+
+    ``rule``: the ID (``LL301``). ``name``: its kebab-case name. ``message``: what is wrong, one line, no full stop. ``label``: what the caret
+    points at. ``chain``: the include elements that lead from the entry file to the place, outermost first. ``notes``: further lines, such as what roslaunch says.
+    ``help``: what to do. ``entry`` and ``arguments``: the launch file and the ``name:=value`` pairs that show it. ``entries``: from how
+    many entry files it is reached. ``element``: the normalised element text that the fingerprint is made from. ``topic`` tells apart several
+    findings of one rule at one place (a missing arg's name, say); it is never shown.
+    """
+
+    rule: str
+    name: str
+    severity: Severity
+    location: Location
+    message: str
+    label: str = ""
+    related: tuple[Related, ...] = ()
+    chain: tuple[Location, ...] = ()
+    notes: tuple[str, ...] = ()
+    help: str = ""
+    entry: str = ""
+    arguments: tuple[tuple[str, str], ...] = ()
+    entries: int = 0
+    element: str = ""
+    fix: Fix | None = None
+    topic: str = ""
+
+    @property
+    def sort_key(self) -> tuple[object, ...]:
+        """Stable order: by file, place, rule, message."""
+        at = self.location
+        return (at.path, at.start, at.end, self.rule, self.message, -int(self.severity))
+
+
+def whole_file(source: Source) -> Place:
+    """The place of a finding that belongs to a file as a whole: its first character."""
+    return Place(source, Span(0, 0))

@@ -1,0 +1,237 @@
+"""What would run: the one model every dialect lowers to.
+
+A :class:`Launch` is what one entry file starts in one configuration: nodes, tests, parameters, machines, and what led to them. Each item
+carries its :class:`~launchlint.source.Origin`. A value that cannot be known statically (an unset environment variable, a package that
+is not here …) is an :class:`Unknown`; it is never guessed at and never causes a second problem.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from launchlint.problem import Problem
+from launchlint.source import Origin, Place, Source
+
+
+class Unknown:
+    """A value that cannot be known without running the system. ``text`` is what is written, ``reason`` why it is unknown."""
+
+    __slots__ = ("reason", "text")
+
+    def __init__(self, text: str, reason: str) -> None:
+        self.text = text
+        self.reason = reason
+
+    def __repr__(self) -> str:
+        return f"Unknown({self.text!r}, {self.reason!r})"
+
+
+class Command(NamedTuple):
+    """The value of ``<param command=…>``: never run, so only the command line is known."""
+
+    line: str
+
+
+class Binary(NamedTuple):
+    """The value of ``<param binfile=…>``: hexadecimal SHA-1 of the content and its length in bytes."""
+
+    sha1: str
+    length: int
+
+
+class Scope(NamedTuple):
+    """A ``<group>`` or ``<include>`` around an item: what contains it in the drawing, and where its names begin.
+
+    ``namespace`` ends with ``/``. ``step`` is the include the group itself stands in.
+    """
+
+    kind: str
+    origin: Origin
+    namespace: str
+    parent: Scope | None
+
+
+class Condition(NamedTuple):
+    """An ``if`` or ``unless`` that was taken on the way to an item; ``assumed`` where its value is unknown and was taken to be true."""
+
+    attribute: str
+    place: Place
+    assumed: bool = False
+
+
+class Branch(NamedTuple):
+    """A condition that was met in this configuration.
+
+    ``taken``: whether the element was evaluated; None where the value is unknown. ``element`` is the place of the whole element, ``text``
+    the condition as written. ``steered_by`` are the args of the entry file on which it depends; ``open`` says whether anything outside the file
+    (an arg it can be given, an environment variable) can change it.
+    """
+
+    origin: Origin
+    element: Place
+    attribute: str
+    text: str
+    taken: bool | None
+    steered_by: frozenset[str]
+    open: bool
+
+
+class Remap(NamedTuple):
+    """One remapping as roslaunch passes it: ``source:=target``, both canonicalised but not resolved."""
+
+    source: str
+    target: str
+    origin: Origin
+
+
+class EnvironmentSetting(NamedTuple):
+    """One ``<env>`` that acts on a node."""
+
+    name: str
+    value: str
+    origin: Origin
+
+
+class Node(NamedTuple):
+    """A node (or, with ``test_name``, a test) that would be started.
+
+    ``namespace`` begins and ends with ``/``; ``executable`` is the ``type`` attribute; ``remaps`` stand in the order roslaunch passes them;
+    ``respawn_delay`` and ``time_limit`` are seconds. ``attributes`` are the places of the attribute values as written. ``unknown`` names the
+    attributes whose value is not known; their fields hold the text as written.
+    """
+
+    name: str
+    namespace: str
+    package: str
+    executable: str
+    machine: str | None
+    arguments: str
+    remaps: tuple[Remap, ...]
+    environment: tuple[EnvironmentSetting, ...]
+    output: str | None
+    respawn: bool
+    respawn_delay: float
+    required: bool
+    cwd: str | None
+    launch_prefix: str | None
+    file: str
+    origin: Origin
+    attributes: Mapping[str, Place]
+    scope: Scope | None = None
+    conditions: tuple[Condition, ...] = ()
+    unknown: frozenset[str] = frozenset()
+    test_name: str | None = None
+    time_limit: float = 60.0
+    retry: int = 0
+
+    @property
+    def full_name(self) -> str:
+        """The name on the graph: namespace and name joined."""
+        return self.namespace + self.name
+
+    @property
+    def is_test(self) -> bool:
+        """Whether it is a ``<test>``: run by rostest only."""
+        return self.test_name is not None
+
+
+class ParameterSetting(NamedTuple):
+    """One setting of a parameter. ``tag`` is ``param`` or ``rosparam``; ``value`` is a plain value, Command, Binary or Unknown.
+
+    ``node`` is the full name of the node the setting stands in or is made private to, if any.
+    """
+
+    name: str
+    value: Any
+    origin: Origin
+    tag: str
+    scope: Scope | None = None
+    conditions: tuple[Condition, ...] = ()
+    node: str | None = None
+
+
+class Machine(NamedTuple):
+    """A ``<machine>``; ``timeout`` is seconds."""
+
+    name: str
+    address: str
+    env_loader: str
+    ssh_port: int
+    user: str | None
+    password: str | None
+    assignable: bool
+    timeout: float
+    origin: Origin
+
+
+class Argument(NamedTuple):
+    """An ``<arg>`` of a launch file, or one passed by an ``<include>`` (then ``passed`` is true)."""
+
+    name: str
+    value: str | Unknown | None
+    default: str | Unknown | None
+    origin: Origin
+    passed: bool = False
+    in_group: bool = False
+
+
+class Include(NamedTuple):
+    """An ``<include>`` that was followed (``file`` is the name it was opened under) or could not be (``source`` is None)."""
+
+    file: str
+    source: Source | None
+    namespace: str
+    arguments: Mapping[str, str | Unknown]
+    pass_all_args: bool
+    origin: Origin
+    scope: Scope | None = None
+    conditions: tuple[Condition, ...] = ()
+
+
+class ScopedSetting(NamedTuple):
+    """A ``remap``, ``env`` or ``~param`` that stands outside a node and acts on what follows it in its scope.
+
+    ``reached`` is how many nodes and tests it acts on, until another of the same key in the same scope replaces it; ``before`` are the nodes
+    of the same scope that stand above it and so miss it. ``replaced`` is the earlier setting that it replaces in this way. ``scope_end`` is the
+    offset in its file at which its scope ends.
+    """
+
+    kind: str
+    key: str
+    value: Any
+    origin: Origin
+    reached: int
+    before: tuple[Place, ...]
+    replaced: Place | None = None
+    conditions: tuple[Condition, ...] = ()
+    scope_end: int = 0
+
+
+class Launch(NamedTuple):
+    """What one entry file starts in one configuration.
+
+    ``arguments`` is the configuration: what would be given as ``name:=value``. ``refused`` is the first problem for which roslaunch
+    would refuse to load the file, else None. ``parameters`` holds the final setting of each name, ``parameter_settings`` all of them in order.
+    ``executables`` are the rosparam dump and delete steps as ``(command, parameter, file)``. ``files`` are the names of the loaded launch files in order. ``complete`` is false where an include could not be followed, so that there may
+    be more nodes than are known.
+    """
+
+    entry: Source
+    arguments: Mapping[str, str]
+    given: tuple[tuple[str, str], ...]
+    refused: Problem | None
+    problems: tuple[Problem, ...]
+    nodes: tuple[Node, ...]
+    tests: tuple[Node, ...]
+    parameters: Mapping[str, ParameterSetting]
+    parameter_settings: tuple[ParameterSetting, ...]
+    clear_params: tuple[tuple[str, Origin], ...]
+    machines: Mapping[str, Machine]
+    executables: tuple[tuple[str, str, str], ...]
+    includes: tuple[Include, ...]
+    settings: tuple[ScopedSetting, ...]
+    declared: tuple[Argument, ...]
+    branches: tuple[Branch, ...]
+    files: tuple[str, ...]
+    complete: bool

@@ -1,0 +1,1 @@
+"""The ROS 1 dialect: roslaunch's XML."""
