@@ -1,0 +1,1 @@
+"""Packages, launch files and configuration on disk; never launch semantics."""

@@ -1,0 +1,413 @@
+"""What a CMakeLists.txt builds and installs, read without running CMake.
+
+Every branch of every ``if`` is taken, so that the names found are those of all configurations together. What cannot be known here
+(a variable set elsewhere, a macro of another package, a generator expression) is never guessed: it is noted as a reason why
+the list of executables, or that of installed files, may lack something.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from launchlint.workspace.cmake import CMakeError, Command, commands
+from launchlint.workspace.cmake_scope import Scope, Value, merged
+from launchlint.workspace.cmake_words import HARMLESS, HARMLESS_PREFIXES, INSTALL_WORDS
+from launchlint.workspace.reading import read_bytes
+
+CMAKE_FILE = "CMakeLists.txt"
+
+# Bounds against hostile files.
+_MOST_STEPS = 5_000
+_DEEPEST_FILE = 8
+_DEEPEST_BLOCK = 40
+_LONGEST_NAME = 100
+
+_TARGET = re.compile(r"(?:\w+_)?add_(?:\w+_)?executable(?:_with_gtest)?")
+_TEST_TARGET = re.compile(r"(?:\w+_)?add_(?:\w+_)?(?:gtest|gmock)(?:_test)?")
+_TOOLING = re.compile(r"coverage|clang|cppcheck|doxygen|sphinx")
+_COMPUTING = frozenset(("string", "math", "execute_process", "cmake_path", "separate_arguments"))
+_ASSIGNING = _COMPUTING | {"set", "list", "file"}
+_COMPUTING_FIRST = frozenset(
+    ("get_filename_component", "get_target_property", "get_property", "option", "find_path", "find_file", "find_program")
+)
+
+
+class Install(NamedTuple):
+    """One installed file or directory tree (absolute path), with the name patterns of ``install(DIRECTORY)``.
+
+    ``only`` are the patterns behind FILES_MATCHING (empty: all files), ``without`` those with EXCLUDE; not those of REGEX.
+    ``destination`` is ``None`` where it cannot be known.
+    """
+
+    path: str
+    is_directory: bool
+    destination: Value
+    only: tuple[str, ...] = ()
+    without: tuple[str, ...] = ()
+
+
+class CMakeFacts:
+    """What was found: ``executables`` maps the name of each executable to the command that makes it.
+
+    ``executables_reasons`` and ``installs_reasons`` say why the respective list may be incomplete; empty lists mean: it is complete.
+    """
+
+    __slots__ = ("executables", "executables_reasons", "installs", "installs_reasons", "project")
+
+    def __init__(self) -> None:
+        self.project = ""
+        self.executables: dict[str, str] = {}
+        self.executables_reasons: list[str] = []
+        self.installs: list[Install] = []
+        self.installs_reasons: list[str] = []
+
+
+def read_cmake(directory: str, files: Callable[[], Sequence[str]]) -> CMakeFacts:
+    """Read ``CMakeLists.txt`` of the package at ``directory`` and the files it includes from the package. Never raises.
+
+    ``files`` gives the package's files as paths relative to it with ``/``, for ``file(GLOB)``.
+    """
+    reader = _Reader(os.path.abspath(directory), files)
+    reader.read(os.path.join(reader.scope.root, CMAKE_FILE), 0)
+    for target, name in reader.renamed.items():
+        if target in reader.facts.executables:
+            how = reader.facts.executables.pop(target)
+            reader.facts.executables.setdefault(name, how)
+    return reader.facts
+
+
+class _Reader:
+    """One run over the CMake files of a package."""
+
+    __slots__ = ("_blocks", "facts", "macros", "renamed", "scope", "steps")
+
+    def __init__(self, root: str, files: Callable[[], Sequence[str]]) -> None:
+        self.scope = Scope(root, files)
+        self.facts = CMakeFacts()
+        self.macros: dict[str, Sequence[Command]] = {}
+        self.renamed: dict[str, str] = {}
+        self.steps = 0
+        self._blocks = 0
+
+    # -- reading ------------------------------------------------------------------------------------------------------
+
+    def read(self, path: str, depth: int) -> None:
+        """Evaluate one file."""
+        if not self._inside(path):
+            self._unknown("a file outside the package is not read")
+            return
+        shown = os.path.relpath(path, self.scope.root)
+        if depth > _DEEPEST_FILE:
+            self._unknown(f"{shown} is not read")
+            return
+        try:
+            listed = commands(read_bytes(path).decode("utf-8", "replace").removeprefix("\ufeff"))
+        except OSError as error:
+            self._unknown(f"{shown} cannot be read: {error.strerror or error}")
+            return
+        except CMakeError as error:
+            self._unknown(f"{shown}, {error}")
+            return
+        self.run(listed, depth)
+
+    def run(self, listed: Sequence[Command], depth: int) -> None:
+        """Evaluate commands in order."""
+        position = 0
+        while position < len(listed):
+            command = listed[position]
+            self.steps += 1
+            if self.steps > _MOST_STEPS:
+                self._unknown("too much to evaluate")
+                return
+            if command.name in ("foreach", "while", "function", "macro", "if"):
+                end = _block_end(listed, position)
+                self._block(command, listed[position + 1 : end], depth)
+                position = end + 1
+                continue
+            self._command(command, depth)
+            position += 1
+
+    def _block(self, opening: Command, body: Sequence[Command], depth: int) -> None:
+        if opening.name in ("function", "macro"):
+            if opening.arguments:
+                self.macros[opening.arguments[0].text.lower()] = body
+            return
+        if self._blocks >= _DEEPEST_BLOCK:
+            self._unknown("blocks are nested too deeply")
+            return
+        self._blocks += 1
+        if opening.name == "if":
+            self._branches(opening, body, depth)
+        elif opening.name == "foreach":
+            self._foreach(opening, body, depth)
+        else:
+            self._forget_assigned(body)
+            self.run(body, depth)
+        self._blocks -= 1
+
+    def _branches(self, opening: Command, body: Sequence[Command], depth: int) -> None:
+        before = self.scope.variables
+        outcomes: list[dict[str, Value]] = []
+        start, level, skip, has_else = 0, 0, _never(opening), False
+        for position, command in enumerate([*body, Command("endif", (), 0)]):
+            if command.name == "if":
+                level += 1
+            elif command.name == "endif" and level:
+                level -= 1
+            elif level == 0 and command.name in ("elseif", "else", "endif"):
+                if not skip:
+                    self.scope.variables = dict(before)
+                    self.run(body[start:position], depth)
+                    outcomes.append(self.scope.variables)
+                start, skip = position + 1, command.name == "elseif" and _never(command)
+                has_else = has_else or command.name == "else"
+        self.scope.variables = merged(before, outcomes, exhaustive=has_else)
+
+    def _foreach(self, opening: Command, body: Sequence[Command], depth: int) -> None:
+        arguments = self.scope.expand(opening.arguments)
+        if not arguments or arguments[0] is None:
+            self._unknown("foreach with a variable that is not known")
+            return
+        variable = arguments[0]
+        outer = self.scope.variables.get(variable)
+        for item in self._items(arguments[1:]):
+            self.steps += 1
+            if self.steps > _MOST_STEPS:
+                break
+            self.scope.assign(variable, [item])
+            self.run(body, depth)
+        self.scope.assign(variable, [outer])
+
+    def _items(self, words: Sequence[Value]) -> list[Value]:
+        """What a foreach goes through."""
+        if words[:1] == ["RANGE"]:
+            return [None]
+        if words[:1] != ["IN"]:
+            return list(words)
+        chosen: list[Value] = []
+        mode = ""
+        for word in words[1:]:
+            if word in ("LISTS", "ITEMS", "ZIP_LISTS"):
+                mode = str(word)
+            elif mode == "LISTS" and word is not None:
+                value = self.scope.variables.get(word)
+                chosen += [None] if value is None else [each for each in value.split(";") if each]
+            else:
+                chosen.append(None if mode == "ZIP_LISTS" else word)
+        return chosen
+
+    # -- commands -----------------------------------------------------------------------------------------------------
+
+    def _command(self, command: Command, depth: int) -> None:
+        name = command.name
+        arguments = self.scope.expand(command.arguments)
+        first = arguments[0] if arguments else None
+        if len(name) > _LONGEST_NAME:
+            self._unknown("a command with a very long name")
+        elif _TARGET.fullmatch(name) or _TEST_TARGET.fullmatch(name):
+            if arguments[1:2] not in (["IMPORTED"], ["ALIAS"]):
+                self._executable(first, name)
+        elif name == "project":
+            self.scope.project(first)
+            self.facts.project = self.facts.project or first or ""
+        elif name == "set" and first is not None:
+            self.scope.assign(first, arguments[1:])
+        elif name == "unset" and first is not None:
+            self.scope.assign(first, [])
+        elif name == "list":
+            self.scope.list_command(arguments)
+        elif name == "file":
+            self._file(arguments)
+        elif name in _COMPUTING:
+            self.scope.forget(arguments)
+        elif name in _COMPUTING_FIRST:
+            self.scope.forget(arguments[:1])
+        elif name == "set_target_properties":
+            self._properties(arguments)
+        elif name == "install":
+            self._install(arguments)
+        elif name == "catkin_install_python":
+            self._programs(name, arguments)
+        elif name == "cs_install_scripts":
+            self._programs(name, ["PROGRAMS", *arguments])
+        elif name == "configure_file":
+            self._generated(name, arguments[1:2])
+        elif name == "add_custom_command":
+            self._generated(name, _section(arguments, "OUTPUT") or [None])
+        elif name == "add_custom_target":
+            self._generated(name, [None] if "COMMAND" in arguments else [])
+        elif name == "add_subdirectory":
+            self._subdirectory(first, depth)
+        elif name == "include":
+            self._include(first, depth)
+        elif name in self.macros:
+            self._call(name, command)
+        elif name not in HARMLESS and not name.startswith(HARMLESS_PREFIXES) and not _TOOLING.search(name):
+            self._unknown(f"the command {name} (line {command.line}) is not known")
+
+    def _executable(self, name: Value, how: str) -> None:
+        if name is None or "$<" in name:
+            self.facts.executables_reasons.append(f"{how} with a name that is not known")
+        elif name:
+            self.facts.executables.setdefault(name, how)
+
+    def _file(self, arguments: Sequence[Value]) -> None:
+        action = arguments[0] if arguments else None
+        if action in ("GLOB", "GLOB_RECURSE"):
+            self.scope.glob(arguments[1:], action == "GLOB_RECURSE")
+        elif action in ("WRITE", "APPEND"):
+            self._generated(f"file({action})", arguments[1:2])
+        elif action in ("GENERATE", "COPY", "CREATE_LINK", "DOWNLOAD", "INSTALL", "RENAME", None):
+            self._generated(f"file({action or ''})", [None])
+        else:
+            self.scope.forget(arguments[1:])
+
+    def _properties(self, arguments: Sequence[Value]) -> None:
+        if "PROPERTIES" not in arguments:
+            return
+        at = arguments.index("PROPERTIES")
+        pairs = dict(zip(arguments[at + 1 :: 2], arguments[at + 2 :: 2], strict=False))
+        if "OUTPUT_NAME" in pairs:
+            name = pairs["OUTPUT_NAME"]
+            for target in arguments[:at]:
+                if target is None or name is None or "$<" in name:
+                    self.facts.executables_reasons.append("OUTPUT_NAME is not known")
+                else:
+                    self.renamed[target] = name
+
+    def _generated(self, how: str, outputs: Sequence[Value]) -> None:
+        """Files made by the build: any of them may be a script."""
+        for output in outputs:
+            if output is None:
+                self.facts.executables_reasons.append(f"{how} makes a file whose name is not known")
+            elif output:
+                self.facts.executables.setdefault(os.path.basename(output), how)
+
+    # -- install ------------------------------------------------------------------------------------------------------
+
+    def _install(self, arguments: Sequence[Value]) -> None:
+        kind = arguments[0] if arguments else None
+        if kind == "PROGRAMS":
+            self._programs("install", arguments)
+        elif kind in ("FILES", "DIRECTORY"):
+            self._files(arguments, kind == "DIRECTORY")
+        elif kind in ("CODE", "SCRIPT") or kind is None:
+            self.facts.installs_reasons.append(f"install({kind or ''}) runs code")
+            self.facts.executables_reasons.append(f"install({kind or ''}) runs code")
+
+    def _programs(self, how: str, arguments: Sequence[Value]) -> None:
+        renamed = _section(arguments, "RENAME")
+        for program in _section(arguments, "PROGRAMS"):
+            if program is None or "$<" in program:
+                self.facts.executables_reasons.append(f"{how} with a file that is not known")
+                self.facts.installs_reasons.append(f"{how} with a file that is not known")
+            elif program:
+                self.facts.executables.setdefault(os.path.basename(renamed[0] or "" if renamed else program), f"{how}(PROGRAMS)")
+                self._installed(program, False, arguments)
+
+    def _files(self, arguments: Sequence[Value], is_directory: bool) -> None:
+        for path in _section(arguments, "DIRECTORY" if is_directory else "FILES"):
+            if path is None or "$<" in path:
+                self.facts.installs_reasons.append("install with a path that is not known")
+            else:
+                self._installed(path, is_directory, arguments)
+        if is_directory and "FILE_PERMISSIONS" in arguments:
+            self.facts.executables_reasons.append("install(DIRECTORY) gives permissions")
+
+    def _installed(self, path: str, is_directory: bool, arguments: Sequence[Value]) -> None:
+        only: list[str] = []
+        without: list[str] = []
+        matching = False
+        for position, word in enumerate(arguments):
+            if word == "FILES_MATCHING":
+                matching = True
+            elif word in ("PATTERN", "REGEX") and position + 1 < len(arguments):
+                pattern = arguments[position + 1]
+                if word == "REGEX" or pattern is None:
+                    self.facts.installs_reasons.append("install(DIRECTORY) chooses files by a pattern that is not known")
+                elif arguments[position + 2 : position + 3] == ["EXCLUDE"]:
+                    without.append(pattern)
+                elif matching:
+                    only.append(pattern)
+        where = _section(arguments, "DESTINATION")
+        self.facts.installs.append(Install(self.scope.path(path), is_directory, where[0] if where else None, tuple(only), tuple(without)))
+
+    # -- other files --------------------------------------------------------------------------------------------------
+
+    def _subdirectory(self, name: Value, depth: int) -> None:
+        if name is None:
+            self._unknown("add_subdirectory with a directory that is not known")
+            return
+        outer = self.scope.variables
+        directory = self.scope.path(name)
+        self.scope.variables = {**outer, "CMAKE_CURRENT_SOURCE_DIR": directory, "CMAKE_CURRENT_LIST_DIR": directory}
+        self.read(os.path.join(directory, CMAKE_FILE), depth + 1)
+        self.scope.variables = outer
+
+    def _include(self, name: Value, depth: int) -> None:
+        if name is None:
+            self._unknown("include of a file that is not known")
+        elif "/" in name or name.endswith(".cmake"):
+            self.read(self.scope.path(name), depth + 1)
+
+    def _call(self, name: str, command: Command) -> None:
+        """A macro or function of this package: what it does with its arguments is not followed, only whether it makes something."""
+        pending, seen = [name], {name}
+        while pending:
+            called = pending.pop()
+            for inner in self.macros[called]:
+                if inner.name in self.macros:
+                    if inner.name not in seen:
+                        seen.add(inner.name)
+                        pending.append(inner.name)
+                elif inner.name not in HARMLESS:
+                    self._unknown(f"the command {name} (line {command.line}) uses {inner.name}")
+                    return
+            self._forget_assigned(self.macros[called])
+
+    def _forget_assigned(self, listed: Sequence[Command]) -> None:
+        """Variables that these commands may set, some number of times, are unknown afterwards."""
+        for command in listed:
+            if command.name in _ASSIGNING:
+                self.scope.forget([each.text for each in command.arguments])
+
+    def _inside(self, path: str) -> bool:
+        return os.path.realpath(path).startswith(os.path.realpath(self.scope.root) + "/")
+
+    def _unknown(self, reason: str) -> None:
+        self.facts.executables_reasons.append(reason)
+        self.facts.installs_reasons.append(reason)
+
+
+def _section(arguments: Sequence[Value], word: str) -> list[Value]:
+    """The arguments behind the key word ``word`` up to the next key word of install()."""
+    if word not in arguments:
+        return []
+    section: list[Value] = []
+    for each in arguments[arguments.index(word) + 1 :]:
+        if each in INSTALL_WORDS:
+            break
+        section.append(each)
+    return section
+
+
+def _block_end(listed: Sequence[Command], start: int) -> int:
+    """Position of the command that closes the block opened at ``start``; the end of the list where nothing does."""
+    name = listed[start].name
+    level = 0
+    for position in range(start, len(listed)):
+        if listed[position].name == name:
+            level += 1
+        elif listed[position].name == "end" + name:
+            level -= 1
+            if level == 0:
+                return position
+    return len(listed)
+
+
+def _never(command: Command) -> bool:
+    """Whether the condition is a constant that is false."""
+    return len(command.arguments) == 1 and command.arguments[0].text.upper() in ("0", "OFF", "NO", "FALSE", "N")

@@ -1,0 +1,123 @@
+"""Finding packages below a directory, by the rules of rospkg.rospack.list_by_path.
+
+A package is a directory with a ``package.xml`` (its name is what the file says) or a ``manifest.xml`` (its name is the directory's).
+A package is a leaf: nothing below it is looked at, nor below a metapackage. ``CATKIN_IGNORE`` and ``rospack_nosubdirs`` end the walk, so
+do hidden directories and, as in Debian's rospkg, whatever lies deeper than one level below ``/usr/share``. Symbolic links are followed.
+
+Different from rospkg on purpose: the walk is sorted, so that the answer does not hang on the file system; a broken ``package.xml`` is
+noted where rospkg would stop with a traceback; links that lead back to where one came from are not followed for ever.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import NamedTuple
+
+from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE, identify
+from launchlint.workspace.reading import read_bytes
+
+CATKIN_IGNORE = "CATKIN_IGNORE"
+NO_SUBDIRECTORIES = "rospack_nosubdirs"
+
+_MARKERS = frozenset((CATKIN_IGNORE, PACKAGE_FILE, MANIFEST_FILE, NO_SUBDIRECTORIES))
+# How often one directory is entered through different symbolic links before further ones are left alone: links among a few
+# directories can otherwise spell a number of paths that is exponential in the number of directories.
+_MOST_ENTRANCES = 16
+_MOST_DIRECTORIES = 200_000
+
+
+class Crawled(NamedTuple):
+    """One directory with a manifest. ``reason`` is empty, or says why the manifest is broken."""
+
+    name: str
+    directory: str
+    manifest_path: str
+    metapackage: bool
+    reason: str
+
+
+def crawl(root: str) -> list[Crawled]:
+    """All packages, metapackages and broken packages below ``root`` (any path), sorted by directory as a depth-first walk meets them.
+
+    What cannot be read is passed over. Never raises.
+    """
+    found: list[Crawled] = []
+    pending = [os.path.abspath(root)]  # depth first, the next directory last
+    entrances: dict[tuple[int, int], int] = {}
+    visited = 0
+    while pending and visited < _MOST_DIRECTORIES:
+        visited += 1
+        directory = pending.pop()
+        markers: set[str] = set()
+        below: list[str] = []
+        links: set[str] = set()
+        try:
+            with os.scandir(directory) as scan:
+                for entry in scan:
+                    name = entry.name
+                    if name in _MARKERS and not _is_directory(entry):
+                        markers.add(name)
+                    elif name[0] != "." and _is_directory(entry):
+                        below.append(name)
+                        if entry.is_symlink():
+                            links.add(name)
+        except OSError:
+            continue
+        if markers:
+            if CATKIN_IGNORE in markers:
+                continue
+            if PACKAGE_FILE in markers:
+                found.append(examine(directory, PACKAGE_FILE))
+            if MANIFEST_FILE in markers and (PACKAGE_FILE not in markers or found[-1].metapackage):
+                found.append(examine(directory, MANIFEST_FILE))
+            continue
+        if directory.startswith("/usr/share/"):
+            continue
+        below.sort(reverse=True)
+        start = directory if directory.endswith("/") else directory + "/"
+        pending += [start + name for name in below if name not in links or _may_enter(directory, start + name, entrances)]
+    return found
+
+
+def examine(directory: str, file: str) -> Crawled:
+    """The package that the manifest ``file`` (``package.xml`` or ``manifest.xml``) in ``directory`` describes. Never raises."""
+    path = os.path.join(directory, file)
+    if file == MANIFEST_FILE:
+        return Crawled(os.path.basename(directory), directory, path, False, "")
+    try:
+        identity = identify(read_bytes(path))
+    except OSError as error:
+        return Crawled("", directory, path, False, f"it cannot be read: {error.strerror or error}")
+    return Crawled(identity.name, directory, path, identity.metapackage, identity.reason)
+
+
+def _is_directory(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_dir()
+    except OSError:
+        return False
+
+
+def _may_enter(directory: str, link: str, entrances: dict[tuple[int, int], int]) -> bool:
+    """Whether the symbolic link ``link`` in ``directory`` leads somewhere new; counts the entrance."""
+    try:
+        status = os.stat(link)
+    except OSError:
+        return False
+    target = (status.st_dev, status.st_ino)
+    if entrances.get(target, 0) >= _MOST_ENTRANCES:
+        return False
+    above = directory
+    while True:
+        try:
+            status = os.stat(above)
+        except OSError:
+            return False
+        if (status.st_dev, status.st_ino) == target:
+            return False
+        parent = os.path.dirname(above)
+        if parent == above:
+            break
+        above = parent
+    entrances[target] = entrances.get(target, 0) + 1
+    return True

@@ -1,0 +1,151 @@
+"""Finding launch files below the paths a person gives."""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Sequence
+
+from launchlint.errors import UsageError
+from launchlint.workspace.dialect import has_launch_root
+from launchlint.workspace.patterns import matches_any
+
+_ENDS = (".launch", ".launch.xml")
+_TEST_END = ".test"
+_XML_END = ".xml"
+# Files that are never launch files, and so frequent that looking into each would be felt.
+_OTHER_XML = frozenset(("package.xml", "manifest.xml", "stack.xml", "plugin_description.xml"))
+
+# What catkin and colcon write: directories of that kind hold copies of launch files.
+_BUILT_MARKERS = (".catkin", ".built_by", ".colcon_install_layout")
+_BUILT_NAMES = ("build", "devel", "install", "log", "logs")
+_BUILT_NAME_MARKERS = (
+    *_BUILT_MARKERS,
+    "CMakeCache.txt",
+    "COLCON_IGNORE",
+    "_setup_util.py",
+    ".catkin_tools.yaml",
+    "catkin_make.cache",
+    "local_setup.sh",
+)
+
+_SNIFFED = 8 << 10
+_MOST_DIRECTORIES = 100_000
+
+
+def discover(paths: Sequence[str], exclude: Sequence[str] = (), base: str | None = None) -> list[str]:
+    """Launch files at and below ``paths``, sorted, each once.
+
+    Taken are files named ``*.launch`` and ``*.launch.xml``, and files named ``*.test`` and ``*.xml`` that have ``<launch>`` as root.
+    Left out are hidden directories, and the build, devel, install and log directories of catkin and colcon. Links to directories are
+    followed, but no directory is searched twice.
+
+    Args:
+        paths: files, which are always taken whatever their name, and directories.
+        exclude: patterns (see :mod:`launchlint.workspace.patterns`) of files and directories below ``paths`` to leave out.
+        base: the directory that patterns with a slash are relative to; the current directory where not given.
+
+    Returns:
+        Paths in the spelling of ``paths``, without ``./`` and the like.
+
+    Raises:
+        UsageError: one of ``paths`` does not exist.
+    """
+    root = os.path.abspath(base or os.curdir)
+    found: dict[str, str] = {}
+    seen: set[tuple[int, int]] = set()
+    for path in paths:
+        try:
+            mode = os.stat(path).st_mode
+        except (OSError, ValueError) as error:
+            reason = getattr(error, "strerror", None) or str(error)
+            raise UsageError(f"{path}: {reason}; give launch files, or directories to search for them") from error
+        if not stat.S_ISDIR(mode):
+            found.setdefault(os.path.abspath(path), os.path.normpath(path))
+            continue
+        for file in _walk(os.path.normpath(path), exclude, root, seen):
+            found.setdefault(os.path.abspath(file), file)
+    return sorted(found.values())
+
+
+def is_launch_file(path: str) -> bool:
+    """Whether the file at ``path`` is a launch file by its name and, where the name leaves it open, by its content."""
+    name = os.path.basename(path)
+    if name.endswith(_ENDS):
+        return True
+    if name in _OTHER_XML or not name.endswith((_XML_END, _TEST_END)):
+        return False
+    try:
+        descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
+    except OSError:
+        return False
+    try:
+        start = os.read(descriptor, _SNIFFED)
+    except OSError:
+        return False
+    finally:
+        os.close(descriptor)
+    # A test file may be broken, and is then still meant to be one; an XML file with another root is simply something else.
+    return has_launch_root(start) or (name.endswith(_TEST_END) and b"<launch" in start)
+
+
+def _walk(start: str, exclude: Sequence[str], base: str, seen: set[tuple[int, int]]) -> list[str]:
+    """Launch files below the directory ``start``; real directories first, then what links lead to elsewhere."""
+    found: list[str] = []
+    pending = [start]
+    links: list[str] = []
+    visited = 0
+    while pending or links:
+        directory = pending.pop() if pending else links.pop(0)
+        visited += 1
+        if visited > _MOST_DIRECTORIES:
+            break
+        try:
+            status = os.stat(directory)
+            with os.scandir(directory) as scan:
+                entries = sorted(scan, key=lambda entry: entry.name)
+        except OSError:
+            continue
+        key = (status.st_dev, status.st_ino)
+        if directory != start and key in seen:
+            continue
+        seen.add(key)
+        names = {entry.name for entry in entries}
+        if directory != start and _is_built(os.path.basename(directory), names):
+            continue
+        for entry in entries:
+            path = entry.name if directory == os.curdir else os.path.join(directory, entry.name)
+            if exclude and matches_any(exclude, _relative(path, base)):
+                continue
+            try:
+                if not entry.is_dir():
+                    if is_launch_file(path) and entry.is_file():
+                        found.append(path)
+                elif entry.name[0] != ".":
+                    if not entry.is_symlink():
+                        pending.append(path)
+                    elif not _leads_up(path):
+                        links.append(path)
+            except OSError:
+                continue
+    return found
+
+
+def _is_built(name: str, names: set[str]) -> bool:
+    """Whether a directory of this name with these entries was written by catkin or colcon."""
+    if not names.isdisjoint(_BUILT_MARKERS):
+        return True
+    kind = name.replace("-", "_").split("_", 1)[0]
+    return kind in _BUILT_NAMES and not names.isdisjoint(_BUILT_NAME_MARKERS)
+
+
+def _leads_up(link: str) -> bool:
+    """Whether a link leads to a directory that it stands in, or to one above the current directory (such as ``/``)."""
+    target = os.path.realpath(link)
+    return any(
+        (each + "/").startswith(target.rstrip("/") + "/") for each in (os.path.realpath(os.path.dirname(link)), os.path.realpath(os.curdir))
+    )
+
+
+def _relative(path: str, base: str) -> str:
+    return os.path.relpath(os.path.abspath(path), base).replace(os.sep, "/")

@@ -1,0 +1,265 @@
+"""What a package can run, told from its files alone: nothing is built, nothing is started.
+
+``exhaustive`` says that nothing else can exist. Where a list is not exhaustive a name that is not in it may still be right: a rule must not
+call it wrong.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterable, Mapping, Sequence
+from fnmatch import fnmatchcase
+from typing import NamedTuple
+
+from launchlint.workspace.cmake_facts import CMAKE_FILE, CMakeFacts, Install, read_cmake
+from launchlint.workspace.manifest import PACKAGE_FILE
+from launchlint.workspace.nodelets import NodeletClass, read_nodelet_classes
+from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.prefixes import Prefix
+
+_MOST_FILES = 20_000
+_SCRIPT_ENDS = (".py", ".sh", ".bash", ".pl", ".rb", ".lua")
+_EXECUTABLE = stat.S_IRUSR | stat.S_IXUSR
+
+
+class Executable(NamedTuple):
+    """One thing ``<node type="…">`` can name. ``how`` it is known: the CMake command that makes it, or ``file`` for one at ``path``."""
+
+    name: str
+    how: str
+    path: str | None
+
+
+class Flaw(NamedTuple):
+    """A file that is meant to be run and cannot: it lacks the executable bit, or, being a script, the ``#!`` line."""
+
+    path: str
+    lacks_bit: bool
+    lacks_shebang: bool
+
+
+class Executables:
+    """The executables of one package.
+
+    ``by_name`` is sorted by name. ``reasons`` say why there may be more than these (empty: ``exhaustive``). ``installed`` says that the
+    package is an installed one, not one in a workspace. ``nodelet_classes`` maps class names (as ``pkg/Class``) to their descriptions, and
+    ``nodelet_reasons`` say why there may be more of those.
+    """
+
+    __slots__ = ("_unrunnable", "by_name", "installed", "nodelet_classes", "nodelet_reasons", "reasons")
+
+    def __init__(
+        self,
+        by_name: Mapping[str, Executable],
+        reasons: Sequence[str],
+        installed: bool,
+        nodelets: tuple[Mapping[str, NodeletClass], Sequence[str]],
+        unrunnable: Mapping[str, str],
+    ) -> None:
+        self.by_name = by_name
+        self.reasons = tuple(reasons)
+        self.installed = installed
+        self.nodelet_classes = nodelets[0]
+        self.nodelet_reasons = tuple(nodelets[1])
+        self._unrunnable = unrunnable
+
+    @property
+    def exhaustive(self) -> bool:
+        """Whether no executable can exist that is not in ``by_name``."""
+        return not self.reasons
+
+    @property
+    def names(self) -> list[str]:
+        """Their names, sorted."""
+        return list(self.by_name)
+
+    def flaw(self, name: str) -> Flaw | None:
+        """What is wrong with the script called ``name``, if the package has one that cannot be started; reads its first bytes.
+
+        A file without the executable bit is not found by roslaunch (roslib.packages.find_node); one with the bit and without
+        ``#!`` is found, and the operating system then refuses to run it. A name that something else of the package answers to is fine.
+        """
+        found = self.by_name.get(name)
+        if found is not None and found.how != "file" and name not in self._unrunnable:
+            return None
+        if found is not None and found.path is not None and found.how == "file":
+            lacks = name.endswith(_SCRIPT_ENDS) and _start(found.path) not in (b"#!", b"\x7fE", None)
+            return Flaw(found.path, False, True) if lacks else None
+        path = self._unrunnable.get(name)
+        if path is None:
+            return None
+        start = _start(path)
+        if start != b"#!" and not name.endswith(_SCRIPT_ENDS):
+            return None
+        return Flaw(path, True, start not in (b"#!", None))
+
+
+class InstalledFiles(NamedTuple):
+    """Which of its files a package installs; ``reasons`` say why there may be more (empty: exhaustive)."""
+
+    installs: tuple[Install, ...]
+    reasons: tuple[str, ...]
+
+    @property
+    def exhaustive(self) -> bool:
+        """Whether a file that is not covered is certainly not installed."""
+        return not self.reasons
+
+    def covers(self, path: str) -> bool:
+        """Whether some ``install()`` command takes the file at ``path`` (absolute)."""
+        return any(_takes(install, path) for install in self.installs)
+
+    @property
+    def directories(self) -> tuple[str, ...]:
+        """The directories that are installed, absolute, sorted."""
+        return tuple(sorted({each.path for each in self.installs if each.is_directory}))
+
+
+def executables(package: Package, prefixes: Iterable[Prefix] = ()) -> Executables:
+    """What ``package`` can run, from its CMake files, the executable files in it, and its directories in ``prefixes``.
+
+    The search is that of roslib.packages.find_node: a file of that name with the executable bit, at any depth, in the libexec directories
+    of the devel and install spaces or in the package itself. Never raises.
+    """
+    files, complete = _files(package.directory)
+    installed = _is_installed(package)
+    facts = CMakeFacts() if installed else read_cmake(package.directory, lambda: list(files))
+    found: dict[str, Executable] = {}
+    unrunnable: dict[str, str] = {}
+    reasons = list(dict.fromkeys(facts.executables_reasons))
+    if not complete:
+        reasons.append("the package has too many files")
+    for directory, listed in [(package.directory, files), *_libexec(package, prefixes, installed)]:
+        for file, mode in listed.items():
+            name = os.path.basename(file)
+            if mode & _EXECUTABLE == _EXECUTABLE:
+                found.setdefault(name, Executable(name, "file", os.path.join(directory, file)))
+            else:
+                unrunnable.setdefault(name, os.path.join(directory, file))
+    for name, how in facts.executables.items():
+        found.setdefault(name, Executable(name, how, None))
+    nodelets = read_nodelet_classes(package)
+    return Executables(dict(sorted(found.items())), reasons, installed, nodelets, unrunnable)
+
+
+def launch_install_directories(package: Package) -> InstalledFiles:
+    """Which files the package's ``install(DIRECTORY …)``, ``install(FILES …)`` and ``install(PROGRAMS …)`` take. Never raises."""
+    facts = read_cmake(package.directory, lambda: list(_files(package.directory)[0]))
+    return InstalledFiles(tuple(facts.installs), tuple(dict.fromkeys(facts.installs_reasons)))
+
+
+class ExecutableIndex:
+    """:func:`executables` and :func:`launch_install_directories` for the packages of one run, each looked at once."""
+
+    __slots__ = ("_executables", "_installs", "_packages")
+
+    def __init__(self, packages: Packages) -> None:
+        self._packages = packages
+        self._executables: dict[str, Executables] = {}
+        self._installs: dict[str, InstalledFiles] = {}
+
+    def executables(self, package: Package) -> Executables:
+        """What ``package`` can run."""
+        if package.directory not in self._executables:
+            self._executables[package.directory] = executables(package, self._packages.prefixes)
+        return self._executables[package.directory]
+
+    def installs(self, package: Package) -> InstalledFiles:
+        """What ``package`` installs."""
+        if package.directory not in self._installs:
+            self._installs[package.directory] = launch_install_directories(package)
+        return self._installs[package.directory]
+
+
+def _files(directory: str) -> tuple[dict[str, int], bool]:
+    """All files below ``directory`` (relative, with ``/``, sorted by directory) with their mode bits, and whether that is all of them.
+
+    Hidden directories are left out and links to directories followed, as in roslib.packages.
+    """
+    found: dict[str, int] = {}
+    pending = [""]
+    seen: set[tuple[int, int]] = set()
+    try:
+        status = os.stat(directory)
+        seen.add((status.st_dev, status.st_ino))
+    except OSError:
+        return {}, False
+    while pending:
+        relative = pending.pop()
+        below: list[str] = []
+        try:
+            with os.scandir(os.path.join(directory, relative)) as scan:
+                entries = sorted(scan, key=lambda entry: entry.name)
+        except OSError:
+            continue
+        for entry in entries:
+            name = f"{relative}/{entry.name}" if relative else entry.name
+            try:
+                if entry.is_dir():
+                    status = entry.stat()
+                    if entry.name[0] != "." and (status.st_dev, status.st_ino) not in seen:
+                        seen.add((status.st_dev, status.st_ino))
+                        below.append(name)
+                else:
+                    found[name] = entry.stat().st_mode if entry.is_file() else 0
+            except OSError:
+                continue
+            if len(found) > _MOST_FILES:
+                return found, False
+        pending += reversed(below)
+    return found, True
+
+
+def _is_installed(package: Package) -> bool:
+    """An installed package stands in ``<prefix>/share`` and has no ``CMakeLists.txt``."""
+    parent = os.path.dirname(package.directory)
+    return (
+        os.path.basename(parent) == "share"
+        and os.path.basename(package.manifest_path) == PACKAGE_FILE
+        and not os.path.exists(os.path.join(package.directory, CMAKE_FILE))
+    )
+
+
+def _libexec(package: Package, prefixes: Iterable[Prefix], installed: bool) -> list[tuple[str, dict[str, int]]]:
+    """The libexec directories of the package with their files."""
+    if not package.name or "/" in package.name or package.name in (".", ".."):
+        return []
+    directories = [each for prefix in prefixes for each in prefix.libexec(package.name)]
+    if installed:
+        prefix = os.path.dirname(os.path.dirname(package.directory))
+        directories += Prefix(prefix, False, False).libexec(package.name)
+    return [(each, _files(each)[0]) for each in dict.fromkeys(directories)]
+
+
+def _start(path: str) -> bytes | None:
+    """The first two bytes of a file; ``None`` where it cannot be read."""
+    try:
+        descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
+    except OSError:
+        return None
+    try:
+        return os.read(descriptor, 2)
+    except OSError:
+        return None
+    finally:
+        os.close(descriptor)
+
+
+def _takes(install: Install, path: str) -> bool:
+    if not install.is_directory:
+        return path == install.path
+    start = install.path.rstrip("/") + "/"
+    if not path.startswith(start):
+        return False
+    # A pattern is held against the end of the path, from a directory separator on (cmake install(DIRECTORY)).
+    parts = path[len(start) :].split("/")
+    name = parts[-1]
+    if any(_matches(pattern, parts[: end + 1]) for pattern in install.without for end in range(len(parts))):
+        return False
+    return not install.only or any(fnmatchcase(name, pattern) or _matches(pattern, parts) for pattern in install.only)
+
+
+def _matches(pattern: str, parts: Sequence[str]) -> bool:
+    wanted = pattern.strip("/").split("/")
+    return len(wanted) <= len(parts) and all(map(fnmatchcase, parts[-len(wanted) :], wanted))

@@ -1,0 +1,291 @@
+"""Packages by name and by place: the static counterpart of rospkg.RosPack.
+
+Where several places have a package of one name, the order is: the workspaces as given, the entries of
+``ROS_PACKAGE_PATH``, then installed prefixes (``CMAKE_PREFIX_PATH``, ``/opt/ros/$ROS_DISTRO``) and last ``/usr/share``, which Debian's
+rospkg always adds. Every place is crawled when it is first needed, and only if no earlier one has the name.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping, Sequence
+
+from launchlint.workspace.crawl import Crawled, crawl, examine
+from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE, Manifest, read_manifest
+from launchlint.workspace.prefixes import Prefix, prefixes
+from launchlint.workspace.public_packages import PublicPackages, public_names
+
+SYSTEM_SHARE = "/usr/share"
+DEBIAN_CATKIN = "/usr/lib/python3/dist-packages/catkin"
+"""Debian's own catkin looks for resources of every package in ``/usr`` too, before the source tree, whatever the workspaces are."""
+
+
+class Package:
+    """One package (or metapackage) on disk; its manifest is read when first asked for.
+
+    ``directory`` is absolute and spelled as the crawl met it (symbolic links are kept, as rospkg does). ``broken`` is empty, or says why
+    the manifest cannot be used: the package then has no dependencies and, if its name could not be read, no name.
+    """
+
+    __slots__ = ("_manifest", "_read", "broken", "directory", "is_metapackage", "manifest_path", "name")
+
+    def __init__(self, crawled: Crawled) -> None:
+        self.name = crawled.name
+        self.directory = crawled.directory
+        self.manifest_path = crawled.manifest_path
+        self.is_metapackage = crawled.metapackage
+        self.broken = crawled.reason
+        self._manifest: Manifest | None = None
+        self._read = bool(crawled.reason)
+
+    def __repr__(self) -> str:
+        return f"Package({self.name!r}, {self.directory!r})"
+
+    @property
+    def manifest(self) -> Manifest | None:
+        """The whole manifest with places; ``None`` where it is broken (``broken`` then says why)."""
+        if not self._read:
+            self._read = True
+            try:
+                self._manifest = read_manifest(self.manifest_path)
+            except (OSError, ValueError) as error:
+                self.broken = str(error)
+        return self._manifest
+
+    @property
+    def is_catkin(self) -> bool:
+        """Whether catkin builds it (roslaunch.depends judges those by their run dependencies)."""
+        return self.manifest is not None and self.manifest.is_catkin
+
+    @property
+    def run_dependencies(self) -> frozenset[str]:
+        """Packages its manifest declares for running; empty where the manifest is broken (see ``Manifest.run_dependencies``)."""
+        return frozenset() if self.manifest is None else self.manifest.run_dependencies
+
+    @property
+    def test_dependencies(self) -> frozenset[str]:
+        """Packages its manifest declares for testing; empty where the manifest is broken."""
+        return frozenset() if self.manifest is None else self.manifest.test_dependencies
+
+    @property
+    def nodelet_plugin_files(self) -> tuple[str, ...]:
+        """Paths of the nodelet plugin descriptions it exports, whether or not they exist (``<nodelet plugin="${prefix}/…"/>``)."""
+        if self.manifest is None:
+            return ()
+        return tuple(os.path.join(self.directory, each) for each in self.manifest.plugins)
+
+
+class _Place:
+    """One directory tree that is searched for packages."""
+
+    __slots__ = ("_all", "_by_name", "root")
+
+    def __init__(self, root: str) -> None:
+        self.root = root
+        self._all: list[Package] | None = None
+        self._by_name: dict[str, list[Package]] = {}
+
+    @property
+    def everything(self) -> list[Package]:
+        """All packages, metapackages and broken packages, in the order of the crawl."""
+        if self._all is None:
+            self._all = [Package(each) for each in crawl(self.root)]
+            for package in self._all:
+                if package.name and not package.is_metapackage and not package.broken:
+                    self._by_name.setdefault(package.name, []).append(package)
+        return self._all
+
+    @property
+    def by_name(self) -> dict[str, list[Package]]:
+        """The packages ``$(find)`` can answer, those of one name in the order of the crawl."""
+        return self._by_name if self.everything else {}
+
+
+class Packages:
+    """All packages that can be seen from here.
+
+    Args:
+        workspaces: directories, searched in this order before anything else.
+        environment: environment variables; read are ROS_PACKAGE_PATH, CMAKE_PREFIX_PATH and ROS_DISTRO.
+        explicit: the workspaces were given by the user (``--workspace``); the machine's own ``/usr`` is then left out.
+        complete: overrides :attr:`complete` (configuration key ``packages``).
+    """
+
+    def __init__(self, workspaces: Sequence[str], environment: Mapping[str, str], *, explicit: bool, complete: bool | None = None) -> None:
+        self.workspaces: tuple[str, ...] = tuple(dict.fromkeys(os.path.abspath(each) for each in workspaces))
+        self._environment = environment
+        self._explicit = explicit
+        self._complete = complete
+        self._places: list[_Place] | None = None
+        self._prefixes: list[Prefix] | None = None
+        self._found: dict[tuple[str, str], Package | None] = {}
+        self._of_directory: dict[str, Package | None] = {}
+        self._sources: dict[str, _Place] = {}
+
+    def get(self, name: str, near: str) -> Package | None:
+        """The package called ``name`` as a launch file at ``near`` gets it; ``None`` where there is none.
+
+        Of several copies in one place the one nearest the file is taken: the longest common path, then the one crawled first. (The
+        real rospack takes whichever the file system's order gives it.)
+        """
+        if not name:
+            return None
+        key = (name, near)
+        if key not in self._found:
+            self._found[key] = self._search(name, near)
+        return self._found[key]
+
+    def find(self, name: str, near: str) -> str | None:
+        """The directory of package ``name``, as ``$(find name)`` answers it (rospkg.RosPack.get_path)."""
+        package = self.get(name, near)
+        return None if package is None else package.directory
+
+    def has(self, name: str) -> bool:
+        """Whether any place has a package of this name."""
+        return any(name in place.by_name for place in self.places)
+
+    def package_of(self, path: str) -> Package | None:
+        """The package (or metapackage, or broken package) that the file or directory ``path`` lies in.
+
+        That is the nearest directory upward with a ``manifest.xml`` or ``package.xml`` (rospkg.get_package_name).
+        """
+        path = os.path.abspath(path)
+        directory = path if os.path.isdir(path) else os.path.dirname(path)
+        walked: list[str] = []
+        while directory not in self._of_directory:
+            walked.append(directory)
+            file = next((each for each in (MANIFEST_FILE, PACKAGE_FILE) if os.path.isfile(os.path.join(directory, each))), None)
+            if file is not None:
+                self._of_directory[directory] = Package(examine(directory, file))
+            elif directory == os.path.dirname(directory):
+                self._of_directory[directory] = None
+            else:
+                directory = os.path.dirname(directory)
+        answer = self._of_directory[directory]
+        for each in walked:
+            self._of_directory[each] = answer
+        return answer
+
+    def names(self) -> list[str]:
+        """Names of all packages, sorted."""
+        return sorted({name for place in self.places for name in place.by_name})
+
+    def duplicates(self) -> dict[str, list[Package]]:
+        """Names that several packages of one workspace bear, with these packages in the order of the crawl; sorted by name.
+
+        A directory that is reached twice through symbolic links counts once.
+        """
+        found: dict[str, list[Package]] = {}
+        for place in self.places[: len(self.workspaces)]:
+            for name, packages in place.by_name.items():
+                if len(packages) > 1 and name not in found:
+                    distinct = list({os.path.realpath(each.directory): each for each in reversed(packages)}.values())
+                    if len(distinct) > 1:
+                        found[name] = distinct[::-1]
+        return dict(sorted(found.items()))
+
+    def broken(self) -> list[Package]:
+        """Packages of the workspaces whose ``package.xml`` cannot be used, in the order of the crawl.
+
+        The real rospkg stops at the first of them: no ``$(find)`` works any more.
+        """
+        return [each for place in self.places[: len(self.workspaces)] for each in place.everything if each.broken]
+
+    @property
+    def complete(self) -> bool:
+        """Whether what is not found here does not exist: true where a ROS installation is set up on this machine."""
+        if self._complete is not None:
+            return self._complete
+        return bool(self._environment.get("ROS_PACKAGE_PATH", "").strip(":")) or any(each.is_ros for each in self.prefixes)
+
+    @property
+    def public(self) -> PublicPackages:
+        """The packages of the public ROS index, whether or not they are here; nothing is read before the first lookup."""
+        return public_names()
+
+    @property
+    def places(self) -> list[_Place]:
+        """The directory trees that are searched, in this order."""
+        if self._places is None:
+            roots = list(self.workspaces)
+            roots += [os.path.abspath(each) for each in self._environment.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if each]
+            roots += [each.share for each in self.prefixes]
+            if not self._explicit:
+                roots.append(SYSTEM_SHARE)
+            self._places = [_Place(each) for each in dict.fromkeys(roots)]
+        return self._places
+
+    @property
+    def prefixes(self) -> list[Prefix]:
+        """Devel and install spaces, in the order of the search."""
+        if self._prefixes is None:
+            self._prefixes = prefixes(self._environment)
+        return self._prefixes
+
+    def resolve_resource(self, directory: str, path: str) -> str:
+        """What ``$(find pkg)/path`` stands for, where ``directory`` is what ``find`` answered (roslaunch.substitution_args._find).
+
+        Args:
+            directory: directory of the package.
+            path: all that follows the command up to a blank, with its leading slash if there is one; may be empty.
+
+        Returns:
+            An executable of that base name in the package's libexec directories, else the file below the package if it is
+            executable, else the first that exists below the share and source directories of the catkin workspaces on
+            CMAKE_PREFIX_PATH, else ``directory`` joined with ``path``.
+        """
+        relative = path.replace("\\", "/")
+        relative = relative.removeprefix("/")
+        if not relative:
+            return directory
+        beside = os.path.join(directory, relative)
+        spaces = [each for each in self.prefixes if each.is_catkin]
+        if os.path.isdir(DEBIAN_CATKIN):
+            spaces.append(Prefix("/usr", False, False))
+        if not spaces:
+            return beside
+        package = self.package_of(directory)
+        if package is None or not package.name:
+            return beside
+        for space in spaces:
+            libexec = space.libexec(package.name)
+            if libexec:
+                executable = os.path.join(libexec[0], os.path.basename(relative))
+                if is_executable(executable):
+                    return executable
+                break
+        if is_executable(beside):
+            return beside
+        for space in spaces:
+            for candidate in self._shares(space, package.name):
+                resource = os.path.join(candidate, relative)
+                if os.path.exists(resource):
+                    return resource
+        return beside
+
+    def _shares(self, space: Prefix, name: str) -> Iterable[str]:
+        yield os.path.join(space.share, name)
+        for source in space.sources():
+            for package in self._place(source).by_name.get(name, ())[:1]:
+                yield package.directory
+
+    def _place(self, root: str) -> _Place:
+        for place in self.places:
+            if place.root == root:
+                return place
+        return self._sources.setdefault(root, _Place(root))
+
+    def _search(self, name: str, near: str) -> Package | None:
+        for place in self.places:
+            copies = place.by_name.get(name)
+            if copies:
+                if len(copies) == 1:
+                    return copies[0]
+                path = os.path.abspath(near)
+                return max(copies, key=lambda copy: len(os.path.commonpath((copy.directory, path))))
+        return None
+
+
+def is_executable(path: str) -> bool:
+    """Whether ``path`` is a file that this user may execute."""
+    return os.path.isfile(path) and os.access(path, os.X_OK)

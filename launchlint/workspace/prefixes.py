@@ -1,0 +1,68 @@
+"""Devel and install spaces: where ROS packages lie once they are built or installed.
+
+Facts from catkin.workspace and catkin.find_in_workspaces.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+
+MARKER = ".catkin"
+_LARGEST_MARKER = 1 << 16
+
+
+class Prefix:
+    """One prefix such as ``/opt/ros/noetic`` or ``~/catkin_ws/devel``.
+
+    ``is_catkin`` says that it has a ``.catkin`` marker (catkin searches only those), ``is_ros`` that ROS packages are installed in it.
+    """
+
+    __slots__ = ("is_catkin", "is_ros", "path", "share")
+
+    def __init__(self, path: str, is_catkin: bool, is_ros: bool) -> None:
+        self.path = path
+        self.is_catkin = is_catkin
+        self.is_ros = is_ros
+        self.share = os.path.join(path, "share")
+
+    def __repr__(self) -> str:
+        return f"Prefix({self.path!r})"
+
+    def libexec(self, package: str) -> list[str]:
+        """The directories of it that hold executables of ``package``."""
+        return [each for sub in ("lib", "libexec") if os.path.exists(each := os.path.join(self.path, sub, package))]
+
+    def sources(self) -> list[str]:
+        """The source spaces that a devel space's marker names (catkin.workspace.get_source_paths), absolute."""
+        if not self.is_catkin:
+            return []
+        try:
+            with open(os.path.join(self.path, MARKER), encoding="utf-8", errors="surrogateescape") as file:
+                listed = file.read(_LARGEST_MARKER)
+        except OSError:
+            return []
+        return list(dict.fromkeys(os.path.abspath(each) for each in listed.split(";") if each.strip() and "\0" not in each))
+
+
+def prefixes(environment: Mapping[str, str]) -> list[Prefix]:
+    """Prefixes named by ``CMAKE_PREFIX_PATH``, then ``/opt/ros/$ROS_DISTRO``; only those that exist, each once."""
+    named = [each for each in environment.get("CMAKE_PREFIX_PATH", "").split(os.pathsep) if each]
+    distribution = environment.get("ROS_DISTRO", "")
+    if distribution and "/" not in distribution and distribution not in (".", ".."):
+        named.append(os.path.join("/opt/ros", distribution))
+    found: list[Prefix] = []
+    for path in dict.fromkeys(os.path.abspath(each) for each in named):
+        if os.path.isdir(path):
+            is_catkin = os.path.isfile(os.path.join(path, MARKER))
+            found.append(Prefix(path, is_catkin, is_catkin or path.startswith("/opt/ros/") or _has_ros(path)))
+    return found
+
+
+def _has_ros(path: str) -> bool:
+    """Whether some ``share/ros*`` directory lies below ``path``."""
+    try:
+        with os.scandir(os.path.join(path, "share")) as scan:
+            return any(entry.name.startswith("ros") and entry.is_dir() for entry in scan)
+    except OSError:
+        return False

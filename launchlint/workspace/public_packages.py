@@ -1,0 +1,56 @@
+"""The packages the public ROS index knows, for telling a package that is merely not installed here from one nobody ever heard of.
+
+The data is ``public_packages.txt`` beside this module, written by ``scripts/public_packages.py``. It is read when first asked for and
+never parsed as a whole for a single lookup.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+
+
+class PublicPackages(Mapping[str, tuple[str, ...]]):
+    """Package name → names of the distributions that released it (those of ROS 1 first), from a file of ``name<TAB>names`` lines."""
+
+    __slots__ = ("_lines", "_names", "_path")
+
+    def __init__(self, path: str) -> None:
+        self._path = path
+        self._lines: str | None = None
+        self._names: list[str] | None = None
+
+    @property
+    def _text(self) -> str:
+        if self._lines is None:
+            with open(self._path, encoding="utf-8", newline="\n") as file:
+                self._lines = "\n" + file.read()
+        return self._lines
+
+    def __getitem__(self, name: str) -> tuple[str, ...]:
+        text = self._text
+        at = -1 if not name or "\n" in name or "\t" in name or name[0] == "#" else text.find(f"\n{name}\t")
+        if at < 0:
+            raise KeyError(name)
+        start = at + len(name) + 2
+        return tuple(text[start : text.index("\n", start)].split(" "))
+
+    def __contains__(self, name: object) -> bool:
+        return isinstance(name, str) and self.get(name) is not None
+
+    def __iter__(self) -> Iterator[str]:
+        if self._names is None:
+            self._names = re.findall(r"^([^#\t\n][^\t\n]*)\t", self._text, re.MULTILINE)
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+
+_PUBLIC = PublicPackages(os.path.join(os.path.dirname(os.path.abspath(__file__)), "public_packages.txt"))
+
+
+def public_names() -> PublicPackages:
+    """The bundled list; asking for it costs nothing before the first lookup."""
+    return _PUBLIC
