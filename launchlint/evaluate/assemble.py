@@ -1,0 +1,320 @@
+"""Join the blocks of one entry file into a :class:`~launchlint.model.Launch`.
+
+Here everything gets its include chain, inherited remaps, environment and ``~params`` come together, and what only shows in the whole is
+noticed: two nodes of one name, two machines of one name, a machine that does not exist.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, NodeEffect, PrivateParameter
+from launchlint.evaluate.names import canonical
+from launchlint.model import (
+    Argument,
+    Branch,
+    Condition,
+    EnvironmentSetting,
+    Include,
+    Launch,
+    Machine,
+    Node,
+    ParameterSetting,
+    Remap,
+    Scope,
+    ScopedSetting,
+)
+from launchlint.problem import Problem
+from launchlint.source import IncludeStep, Origin, Source
+from launchlint.syntax.tree import Document
+
+LARGEST_LAUNCH = 400_000
+"""Effects of one configuration; includes that include each other twice at every level would go beyond it."""
+
+
+class Evaluation(NamedTuple):
+    """The outcome of evaluating one entry file in one configuration.
+
+    ``documents`` are the launch files it reached by path; ``visited`` the indices of their conditional elements that were evaluated.
+    """
+
+    launch: Launch
+    documents: Mapping[str, Document]
+    visited: Mapping[str, frozenset[int]]
+
+
+class _Inherited(NamedTuple):
+    """What a block gets from the files that include it."""
+
+    step: IncludeStep | None
+    scope: Scope | None
+    conditions: tuple[Condition, ...]
+    assumed: bool
+    remaps: tuple[Remap, ...]
+    environment: tuple[EnvironmentSetting, ...]
+    private: tuple[PrivateParameter, ...]
+    steer: Mapping[str, frozenset[str]]
+    given: frozenset[str]
+
+
+class _Assembly:
+    """The lists that one walk over the blocks fills."""
+
+    def __init__(self) -> None:
+        self.problems: list[Problem] = []
+        self.nodes: list[Node] = []
+        self.tests: list[Node] = []
+        self.settings: list[ParameterSetting] = []
+        self.clear_params: list[tuple[str, Origin]] = []
+        self.machines: dict[str, Machine] = {}
+        self.executables: list[tuple[str, str, str]] = []
+        self.includes: list[Include] = []
+        self.scoped: list[ScopedSetting] = []
+        self.declared: list[Argument] = []
+        self.branches: list[Branch] = []
+        self.files: list[str] = []
+        self.complete = True
+        self.names: dict[str, Node] = {}
+        self.documents: dict[str, Document] = {}
+        self.visited: dict[str, set[int]] = {}
+        self.count = 0
+
+    def walk(self, block: Block, file: str, inherited: _Inherited) -> None:
+        """Add what ``block`` contributes."""
+        path = block.document.source.path
+        self.files.append(file)
+        self.documents[path] = block.document
+        self.visited.setdefault(path, set()).update(block.visited)
+        steer = _steering(block, inherited)
+        place = _Placing(inherited)
+        for effect in block.effects:
+            self.count += 1
+            if self.count > LARGEST_LAUNCH:
+                self.complete = False
+                return
+            if isinstance(effect, ParameterSetting):
+                self.settings.append(place.setting(effect))
+            elif isinstance(effect, NodeEffect):
+                self._node(effect, place, inherited)
+            elif isinstance(effect, Problem):
+                assumed = effect.assumed or inherited.assumed
+                self.problems.append(
+                    effect._replace(origin=place.origin(effect.origin), assumed=assumed, refused=effect.refused and not assumed)
+                )
+            elif isinstance(effect, Call):
+                self._call(effect, place, inherited, steer)
+            elif isinstance(effect, LocalBranch):
+                self._branch(effect, place, block, steer)
+            elif isinstance(effect, Argument):
+                self.declared.append(effect._replace(origin=place.origin(effect.origin)))
+            elif isinstance(effect, ScopedSetting):
+                conditions = inherited.conditions + effect.conditions
+                self.scoped.append(effect._replace(origin=place.origin(effect.origin), conditions=conditions))
+            elif isinstance(effect, Machine):
+                self._machine(effect._replace(origin=place.origin(effect.origin)))
+            elif isinstance(effect, Include):
+                self.complete = False
+                self.includes.append(place.include(effect))
+            elif isinstance(effect, Clear):
+                self.clear_params.append((effect.namespace, place.origin(effect.origin)))
+            else:
+                self.executables.append((effect.command, effect.parameter, effect.file))
+
+    def _node(self, effect: NodeEffect, place: _Placing, inherited: _Inherited) -> None:
+        node = effect.node
+        respelled = {remap.source for remap in node.remaps}
+        node = node._replace(
+            origin=place.origin(node.origin),
+            scope=place.scope(node.scope),
+            conditions=inherited.conditions + node.conditions,
+            remaps=tuple(remap for remap in inherited.remaps if remap.source not in respelled)
+            + tuple(remap._replace(origin=place.origin(remap.origin)) for remap in node.remaps),
+            environment=inherited.environment + tuple(setting._replace(origin=place.origin(setting.origin)) for setting in node.environment),
+        )
+        scoped = _merge(inherited.private, tuple(place.private(parameter) for parameter in effect.scoped_private))
+        if not node.unknown & {"name", "ns"}:
+            for parameter in (*scoped, *(place.private(own) for own in effect.own_private)):
+                key = parameter.key[1:] if parameter.key.startswith("~") else parameter.key
+                name = canonical(effect.parameter_namespace + key)
+                self.settings.append(parameter.setting._replace(name=name, node=node.full_name))
+        if node.is_test:
+            self.tests.append(node)
+            return
+        self.nodes.append(node)
+        if node.name and not node.unknown & {"name", "ns"}:
+            self._check_name(node)
+
+    def _check_name(self, node: Node) -> None:
+        """Two nodes of one name: roslaunch stops (roslaunch.config.ROSLaunchConfig.add_node); /rosout is roscore's own."""
+        first = self.names.setdefault(node.full_name, node)
+        assumed = any(condition.assumed for condition in (*node.conditions, *first.conditions))
+        place = node.attributes.get("name", node.origin.place)
+        if first is not node:
+            related = ((first.attributes.get("name", first.origin.place), "the first one"),)
+            facts = {"name": node.full_name, "first": first, "second": node, "core": False}
+            if not assumed:
+                self.problems.append(Problem("duplicate-node", Origin(place, node.origin.step), facts, True, related))
+        elif node.full_name == "/rosout" and not assumed:
+            facts = {"name": node.full_name, "first": node, "second": node, "core": True}
+            self.problems.append(Problem("duplicate-node", Origin(place, node.origin.step), facts, True))
+
+    def _machine(self, machine: Machine) -> None:
+        known = self.machines.setdefault(machine.name, machine)
+        if known is not machine and known[:-1] != machine[:-1]:
+            related = ((known.origin.place, "the first definition"),)
+            facts = {"name": machine.name, "fields": tuple(field for field in machine._fields[:-1] if getattr(known, field) != getattr(machine, field))}
+            self.problems.append(Problem("machine-conflict", machine.origin, facts, True, related))
+
+    def _call(self, call: Call, place: _Placing, inherited: _Inherited, steer: Mapping[str, frozenset[str]]) -> None:
+        include = place.include(call.include)
+        self.includes.append(include)
+        respelled = {remap.source for remap in call.remaps}
+        step = IncludeStep(call.include.origin.place, inherited.step)
+        passed = {
+            name: frozenset().union(*(steer.get(read, frozenset()) for read in reads)) for name, reads in call.argument_reads.items()
+        }
+        inner = _Inherited(
+            step,
+            place.scope(call.scope),
+            inherited.conditions + call.conditions,
+            inherited.assumed or any(condition.assumed for condition in call.conditions),
+            tuple(remap for remap in inherited.remaps if remap.source not in respelled)
+            + tuple(remap._replace(origin=place.origin(remap.origin)) for remap in call.remaps),
+            inherited.environment + tuple(setting._replace(origin=place.origin(setting.origin)) for setting in call.environment),
+            _merge(inherited.private, tuple(place.private(parameter) for parameter in call.private)),
+            passed,
+            frozenset(include.arguments),
+        )
+        self.walk(call.block, call.include.file, inner)
+
+    def _branch(self, effect: LocalBranch, place: _Placing, block: Block, steer: Mapping[str, frozenset[str]]) -> None:
+        steered: frozenset[str] = frozenset().union(*(steer.get(name, frozenset()) for name in effect.reads))
+        self.branches.append(
+            Branch(
+                place.origin(effect.origin), effect.element, effect.attribute, effect.text, effect.taken, steered, _is_open(block, effect.reads)
+            )
+        )
+
+    def check_machines(self) -> None:
+        """A node on a machine that no file defines: roslaunch stops (roslaunch.config.ROSLaunchConfig._select_machine)."""
+        for node in (*self.nodes, *self.tests):
+            if node.machine and node.machine not in self.machines and "machine" not in node.unknown:
+                place = node.attributes.get("machine", node.origin.place)
+                assumed = any(condition.assumed for condition in node.conditions)
+                facts = {"name": node.machine, "known": tuple(sorted(self.machines))}
+                self.problems.append(Problem("unknown-machine", Origin(place, node.origin.step), facts, not assumed, (), assumed))
+
+
+class _Placing:
+    """Puts the items of one block below the includes that led to it."""
+
+    def __init__(self, inherited: _Inherited) -> None:
+        self.step = inherited.step
+        self.outer = inherited.scope
+        self.conditions = inherited.conditions
+        self._scopes: dict[int, Scope] = {}
+
+    def origin(self, origin: Origin) -> Origin:
+        if self.step is None:
+            return origin
+        step = self.step
+        for place in origin.chain:
+            step = IncludeStep(place, step)
+        return Origin(origin.place, step)
+
+    def scope(self, scope: Scope | None) -> Scope | None:
+        if scope is None or (self.step is None and self.outer is None):
+            return self.outer if scope is None else scope
+        placed = self._scopes.get(id(scope))
+        if placed is None:
+            placed = scope._replace(origin=self.origin(scope.origin), parent=self.scope(scope.parent))
+            self._scopes[id(scope)] = placed
+        return placed
+
+    def setting(self, setting: ParameterSetting) -> ParameterSetting:
+        if self.step is None:
+            return setting
+        return setting._replace(origin=self.origin(setting.origin), conditions=self.conditions + setting.conditions)
+
+    def private(self, parameter: PrivateParameter) -> PrivateParameter:
+        return parameter if self.step is None else parameter._replace(setting=self.setting(parameter.setting))
+
+    def include(self, include: Include) -> Include:
+        return include._replace(
+            origin=self.origin(include.origin), scope=self.scope(include.scope), conditions=self.conditions + include.conditions
+        )
+
+
+def assemble(
+    block: Block, file: str, arguments: Mapping[str, str], given: tuple[tuple[str, str], ...], pinned: frozenset[str]
+) -> Evaluation:
+    """The launch that ``block``, the block of the entry file, amounts to. ``pinned`` args are not to be changed by further configurations."""
+    assembly = _Assembly()
+    steer = {name: frozenset() if name in pinned else frozenset((name,)) for name in block.open_arguments}
+    assembly.walk(block, file, _Inherited(None, None, (), False, (), (), (), steer, frozenset(arguments)))
+    assembly.check_machines()
+    parameters: dict[str, ParameterSetting] = {}
+    for setting in assembly.settings:
+        parameters[setting.name] = setting
+    problems = tuple(assembly.problems)
+    launch = Launch(
+        entry=block.document.source,
+        arguments=arguments,
+        given=given,
+        refused=next((problem for problem in problems if problem.refused), None),
+        problems=problems,
+        nodes=tuple(assembly.nodes),
+        tests=tuple(assembly.tests),
+        parameters=parameters,
+        parameter_settings=tuple(assembly.settings),
+        clear_params=tuple(assembly.clear_params),
+        machines=assembly.machines,
+        executables=tuple(assembly.executables),
+        includes=tuple(assembly.includes),
+        settings=tuple(assembly.scoped),
+        declared=tuple(assembly.declared),
+        branches=tuple(assembly.branches),
+        files=tuple(assembly.files),
+        complete=assembly.complete,
+    )
+    return Evaluation(launch, assembly.documents, {path: frozenset(visited) for path, visited in assembly.visited.items()})
+
+
+def not_loadable(source: Source, document: Document | None, given: tuple[tuple[str, str], ...], problem: Problem) -> Evaluation:
+    """The empty launch of an entry file that cannot even be read as a launch file."""
+    launch = Launch(source, dict(given), given, problem, (problem,), (), (), {}, (), (), {}, (), (), (), (), (), (), False)
+    return Evaluation(launch, {} if document is None else {source.path: document}, {})
+
+
+def _merge(outer: tuple[PrivateParameter, ...], inner: tuple[PrivateParameter, ...]) -> tuple[PrivateParameter, ...]:
+    """The ``~params`` of ``outer`` that ``inner`` does not set again, then those of ``inner``."""
+    again = {parameter.key for parameter in inner}
+    return tuple(parameter for parameter in outer if parameter.key not in again) + inner
+
+
+def _steering(block: Block, inherited: _Inherited) -> dict[str, frozenset[str]]:
+    """For each arg of a file, the args of the entry file that its value depends on."""
+    steer: dict[str, frozenset[str]] = dict(inherited.steer)
+    for name, reads in block.argument_reads.items():
+        if name in inherited.steer and inherited.step is not None:
+            continue
+        steer[name] = steer.get(name, frozenset()).union(*(steer.get(read, frozenset()) for read in reads))
+    return steer
+
+
+def _is_open(block: Block, reads: frozenset[str]) -> bool:
+    """Whether one of ``reads`` can be changed from outside the file: not declared with ``value=``, or the environment."""
+    seen: set[str] = set()
+    waiting = list(reads)
+    while waiting:
+        name = waiting.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        if name in block.open_arguments or name not in block.argument_reads:
+            return True
+        waiting.extend(block.argument_reads[name])
+    return False
+
+

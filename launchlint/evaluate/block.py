@@ -1,0 +1,135 @@
+"""What one launch file contributes when it is entered with given args in a given namespace.
+
+A block knows nothing of who includes it: its origins have no include chain beyond its own includes, its nodes carry only the remaps and
+settings of its own file. So a block can be worked out once and used wherever the file is entered in the same way; :mod:`.assemble` joins the
+blocks of one entry file into a :class:`~launchlint.model.Launch`.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Union
+
+from launchlint.model import (
+    Argument,
+    Condition,
+    EnvironmentSetting,
+    Include,
+    Machine,
+    Node,
+    ParameterSetting,
+    Remap,
+    Scope,
+    ScopedSetting,
+    Unknown,
+)
+from launchlint.problem import Problem
+from launchlint.source import Origin, Place
+from launchlint.syntax.tree import Document
+
+Value = Union[str, Unknown]
+
+
+
+class PrivateParameter(NamedTuple):
+    """A ``~param``: set for every node that follows in its scope. ``key`` is as written, canonicalised."""
+
+    key: str
+    setting: ParameterSetting
+
+
+class NodeEffect(NamedTuple):
+    """A node with what its own file says about it; ``private`` are the ``~params`` of its file and its own params, in roslaunch's order.
+
+    ``parameters`` are the settings of ``<rosparam>`` children, which take effect before the private ones.
+    """
+
+    node: Node
+    scoped_private: tuple[PrivateParameter, ...]
+    own_private: tuple[PrivateParameter, ...]
+    parameter_namespace: str
+
+
+class Call(NamedTuple):
+    """An ``<include>`` that was followed: what the included file inherits is what stands here."""
+
+    include: Include
+    block: Block
+    remaps: tuple[Remap, ...]
+    environment: tuple[EnvironmentSetting, ...]
+    private: tuple[PrivateParameter, ...]
+    argument_reads: dict[str, frozenset[str]]
+    scope: Scope
+    conditions: tuple[Condition, ...]
+
+
+class Clear(NamedTuple):
+    """A ``clear_params``: the namespace whose parameters are deleted first."""
+
+    namespace: str
+    origin: Origin
+
+
+class RunStep(NamedTuple):
+    """A ``rosparam dump`` or ``delete`` that runs at the start."""
+
+    command: str
+    parameter: str
+    file: str
+
+
+class LocalBranch(NamedTuple):
+    """A condition as the file sees it; ``reads`` are the args of this file it depends on."""
+
+    origin: Origin
+    element: Place
+    attribute: str
+    text: str
+    taken: bool | None
+    reads: frozenset[str]
+
+
+Effect = Union[NodeEffect, ParameterSetting, Machine, Problem, Call, Include, Clear, RunStep, LocalBranch, ScopedSetting, Argument]
+
+
+class Block:
+    """The effects of one launch file, in document order, and what leaks out of it.
+
+    ``declared`` are the args declared at file level; ``argument_reads`` says for each arg of the file which other args its value was made
+    from; ``open_arguments`` are the args a caller can set. ``missing`` are args that were read but have no value: name to
+    (declaration, reading place); ``refused_overrides`` are ``value=`` args that the caller tried to set. ``default_machine`` and ``leaked`` leak to the
+    including file. ``anonymous``: an ``$(anon)`` was evaluated, so the block is not to be used again; ``near``: a package was found by its
+    nearness to the entry file. ``assumed_declarations``: an arg is declared under a condition of unknown value.
+    """
+
+    __slots__ = (
+        "anonymous",
+        "argument_reads",
+        "assumed_declarations",
+        "declared",
+        "default_machine",
+        "document",
+        "effects",
+        "leaked",
+        "missing",
+        "near",
+        "node_count",
+        "open_arguments",
+        "refused_overrides",
+        "visited",
+    )
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        self.effects: list[Effect] = []
+        self.visited: set[int] = set()
+        self.declared: dict[str, Place] = {}
+        self.argument_reads: dict[str, frozenset[str]] = {}
+        self.open_arguments: set[str] = set()
+        self.missing: dict[str, tuple[Place, Place]] = {}
+        self.refused_overrides: dict[str, Place] = {}
+        self.default_machine: str | None = None
+        self.leaked: list[PrivateParameter] = []
+        self.anonymous = False
+        self.near = False
+        self.assumed_declarations = False
+        self.node_count = 0

@@ -1,0 +1,68 @@
+"""Evaluate one entry file: the one door through which other rooms come in."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterable
+
+from launchlint.evaluate.assemble import Evaluation, assemble, not_loadable
+from launchlint.evaluate.block import Value
+from launchlint.evaluate.names import as_namespace
+from launchlint.evaluate.ros1.entering import Entering
+from launchlint.evaluate.ros1.file import Exhausted, Progress
+from launchlint.evaluate.ros1.launch_tags import enter
+from launchlint.evaluate.session import Read, Session
+from launchlint.finding import whole_file
+from launchlint.problem import Problem
+from launchlint.source import Origin, Source
+
+DEEPEST_STACK = 12_000
+"""Python frames: 900 nested groups or 300 nested includes need about 3,000; both depths are bounded where they are read."""
+_ASSIGNMENT = re.compile(r"(?:[~/A-Za-z]|__?)[\w/]*")
+
+
+def command_line(pairs: Iterable[tuple[str, str]]) -> dict[str, str]:
+    """The args roslaunch takes from ``name:=value`` words (rosgraph.names.load_mappings).
+
+    Empty values, ``_private:=`` parameters and names that are no names are dropped silently, as roslaunch does.
+    """
+    arguments: dict[str, str] = {}
+    for name, value in pairs:
+        name, value = name.strip(), value.strip()
+        if not name or not value or ":=" in value or "\n" in value or _ASSIGNMENT.fullmatch(name) is None:
+            continue
+        if len(name) > 1 and name[0] == "_" and name[1] != "_":
+            continue
+        arguments[name] = value
+    return arguments
+
+
+def evaluate(session: Session, file: str, given: tuple[tuple[str, str], ...] = (), pinned: frozenset[str] = frozenset()) -> Evaluation:
+    """What ``roslaunch FILE name:=value …`` would start. Never raises for anything the file holds.
+
+    ``pinned`` names args that people fixed, which therefore do not count as steering any condition.
+    """
+    if sys.getrecursionlimit() < DEEPEST_STACK:
+        sys.setrecursionlimit(DEEPEST_STACK)
+    document = session.document(file)
+    if isinstance(document, Read):
+        source = Source(session.shown(file), "", file)
+        problem = Problem("unreadable-file", Origin(whole_file(source)), {"reason": document.reason, "file": source.path}, True)
+        return not_loadable(source, None, given, problem)
+    if document.launch is None:
+        problem = document.problems[0] if document.problems else Problem("root-not-launch", Origin(whole_file(document.source)), {}, True)
+        return not_loadable(document.source, document, given, problem)
+    arguments = command_line(given)
+    namespace = next((value for name, value in given if name == "__ns"), session.variable("ROS_NAMESPACE") or "/")
+    try:
+        namespace = as_namespace(namespace)
+    except ValueError:
+        namespace = "/"
+    values: dict[str, Value] = dict(arguments)
+    entering = Entering(file, namespace, values, pass_all=False, private_above=False, default_machine=None, is_entry=True)
+    try:
+        block = enter(session, document, entering, file, Progress())
+    except Exhausted as exhausted:
+        return not_loadable(document.source, document, given, exhausted.args[0])
+    return assemble(block, file, arguments, given, pinned)

@@ -1,0 +1,35 @@
+"""How a launch file is entered, by a person or by an include."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from launchlint.evaluate.block import Value
+
+
+class Entering:
+    """How a file is entered: its name, namespace, args, and what it inherits that changes its own evaluation."""
+
+    __slots__ = ("arguments", "default_machine", "file", "is_entry", "namespace", "pass_all", "private_above")
+
+    def __init__(
+        self, file: str, namespace: str, arguments: dict[str, Value], *, pass_all: bool, private_above: bool,
+        default_machine: str | None, is_entry: bool = False,
+    ) -> None:  # fmt: skip
+        self.file = file
+        self.namespace = namespace
+        self.arguments = arguments
+        self.pass_all = pass_all
+        self.private_above = private_above
+        self.default_machine = default_machine
+        self.is_entry = is_entry
+
+    @property
+    def key(self) -> tuple[Any, ...]:
+        """Equal for two entries that come to the same block."""
+        arguments = tuple(
+            sorted(
+                (name, isinstance(value, str), value if isinstance(value, str) else value.text) for name, value in self.arguments.items()
+            )
+        )
+        return (self.file, self.namespace, arguments, self.pass_all, self.private_above, self.default_machine, self.is_entry)

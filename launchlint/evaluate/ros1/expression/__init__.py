@@ -1,0 +1,127 @@
+"""``$(eval …)``: the expression, computed as roslaunch computes it, without letting it do anything (roslaunch.substitution_args._eval).
+
+roslaunch hands the text to Python's ``eval``. Here the text is parsed, and a small interpreter walks the tree: it knows the harmless
+part of the language, counts every step and every character it would produce, and gives up with :class:`UnknownValue` before
+anything gets large. Nothing else of the machine can be reached from it.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from launchlint.evaluate.ros1.values import UnknownValue
+
+__all__ = (
+    "EnvironmentUnset",
+    "ExpressionError",
+    "Resolver",
+    "UndefinedArg",
+    "UnknownValue",
+    "arguments_read",
+    "compared_literals",
+    "evaluate",
+)
+
+
+class UndefinedArg(Exception):
+    """A resolver's answer: there is no arg of this ``name``."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+
+class EnvironmentUnset(Exception):
+    """A resolver's answer: there is no environment variable of this ``name``."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+
+class ExpressionError(Exception):
+    """roslaunch itself would fail on the expression.
+
+    ``message`` is plain words, with Python's own at its end; ``start`` and ``end`` are code points in the text that was evaluated. ``kind``
+    is the name of the exception that roslaunch meets (``NameError``, …). ``undefined_arg`` and ``unset_env`` name what was asked for
+    and is not there, where that is the reason.
+    """
+
+    def __init__(
+        self, message: str, start: int, end: int, kind: str = "", undefined_arg: str | None = None, unset_env: str | None = None
+    ) -> None:
+        super().__init__(message)
+        self.message = message
+        self.start = start
+        self.end = end
+        self.kind = kind
+        self.undefined_arg = undefined_arg
+        self.unset_env = unset_env
+
+
+class Resolver(Protocol):
+    """What an expression can ask of the world around it.
+
+    Each method may raise :class:`UnknownValue` when the answer cannot be known; any other exception passes through ``evaluate`` unchanged.
+    """
+
+    def arg(self, name: str) -> str:
+        """Text of the arg ``name``; raises :class:`UndefinedArg`."""
+        ...
+
+    def has_arg(self, name: str) -> bool:
+        """Whether there is an arg of this name with a value."""
+        ...
+
+    def env(self, name: str) -> str:
+        """Text of the environment variable; raises :class:`EnvironmentUnset`."""
+        ...
+
+    def optenv(self, name: str, default: str) -> str:
+        """Text of the environment variable, or ``default`` (the very object) where it is not set."""
+        ...
+
+    def find(self, package: str) -> str:
+        """Directory of the package."""
+        ...
+
+    def anon(self, id: str) -> str:
+        """The anonymous name for ``id``."""
+        ...
+
+    def dirname(self) -> str:
+        """Absolute directory of the launch file."""
+        ...
+
+
+def evaluate(text: str, resolver: Resolver) -> str:
+    """What ``$(eval text)`` becomes: ``str()`` of the value of ``text`` (roslaunch.substitution_args._eval).
+
+    Raises :class:`ExpressionError` where roslaunch fails, and :class:`UnknownValue` where the value depends on something that cannot be
+    known, lies beyond our bounds, or uses a corner of Python that is not covered.
+    """
+    from launchlint.evaluate.ros1.expression.interpreter import run
+
+    return run(text, resolver)
+
+
+def arguments_read(text: str) -> frozenset[str]:
+    """Every arg that ``text`` may read: bare names, and the literal names in ``arg('…')``; nothing is evaluated.
+
+    Names of Python's functions are among them when they are used (``str``, ``map``), since an arg of that name goes before the
+    function. For a text that cannot be parsed, every word counts.
+    """
+    from launchlint.evaluate.ros1.expression.reading import names_read
+
+    return names_read(text)
+
+
+def compared_literals(text: str) -> dict[str, tuple[str, ...]]:
+    """Per arg the values that ``text`` tells apart, spelled as a user would pass them, in order of appearance.
+
+    They come from ``==``, ``!=``, ``in``, ``startswith``, the keys of a dict that the arg is looked up in, and the like; a number in
+    ``<`` or ``>`` gives itself and its two neighbours; an arg used as a condition gives ``true`` and ``false``.
+    """
+    from launchlint.evaluate.ros1.expression.reading import literals_compared
+
+    return literals_compared(text)

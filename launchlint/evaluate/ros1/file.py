@@ -1,0 +1,405 @@
+"""The evaluation of one launch file: what every tag needs to do its work.
+
+The tags themselves are in ``launch_tags``, ``include_tags``, ``node_tags``, ``parameter_tags`` and ``machine_tags``; this is the state they share.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any, TypeVar
+
+from launchlint.evaluate.block import Block, Effect, LocalBranch, Value
+from launchlint.evaluate.ros1.scope import ActiveSetting, Context
+from launchlint.evaluate.ros1.substitution import (
+    ANONYMOUS_FOLD,
+    OUTSIDE,
+    BadSubstitution,
+    absolute_directory,
+    collect,
+    left_over,
+    resolve,
+)
+from launchlint.evaluate.session import Session
+from launchlint.model import Condition, ScopedSetting, Unknown
+from launchlint.problem import Problem
+from launchlint.source import Origin, Place, Span
+from launchlint.syntax.ros1.domains import parse_condition, parse_flag
+from launchlint.syntax.ros1.validate import if_and_unless, missing_attribute
+from launchlint.syntax.tree import Attribute, Document, Element
+
+T = TypeVar("T")
+
+LARGEST_EVALUATION = 400_000
+"""Elements looked at in one configuration; more than any real launch file, few enough to end in seconds."""
+DEEPEST_INCLUDE = 300
+"""Includes inside includes: roslaunch itself overflows Python's stack a little above this (three frames an include, limit 1000)."""
+
+
+class Exhausted(Exception):
+    """The evaluation of this entry file is given up, since it would not end in reasonable time; holds the problem that says so."""
+
+
+class Progress:
+    """What all files of one evaluation share: the anonymous names so far, the include stack, and how much has been looked at."""
+
+    __slots__ = ("anonymous", "looked_at", "stack")
+
+    def __init__(self) -> None:
+        self.anonymous = 0
+        self.looked_at = 0
+        self.stack: list[tuple[Any, ...]] = []
+
+
+class FileEvaluation:
+    """One launch file, entered in one way. ``reads`` collects the args read since it was last emptied."""
+
+    def __init__(
+        self, session: Session, document: Document, file: str, entry: str, progress: Progress, *, is_entry: bool, private_above: bool
+    ) -> None:
+        self.session = session
+        self.document = document
+        self.file = file
+        self.entry = entry
+        self.progress = progress
+        self.is_entry = is_entry
+        self.private_above = private_above
+        self.block = Block(document)
+        self.reads: set[str] = set()
+        self.conditions: tuple[Condition, ...] = ()
+        self.condition_reads: frozenset[str] = frozenset()
+        self.assumed = False
+        self._declarations: dict[str, list[Element]] | None = None
+
+    # -- recording ---------------------------------------------------------------------------------------------
+
+    def place(self, span: Span) -> Place:
+        """``span`` of this file as a place."""
+        return Place(self.document.source, span)
+
+    def effect(self, effect: Effect) -> None:
+        """Add to what this file contributes."""
+        self.block.effects.append(effect)
+
+    def problem(
+        self,
+        kind: str,
+        span: Span,
+        *,
+        refused: bool = False,
+        related: tuple[tuple[Place, str], ...] = (),
+        **facts: Any,
+    ) -> None:
+        """Record that something is wrong at ``span``."""
+        self.record(Problem(kind, Origin(self.place(span)), facts, refused, related))
+
+    def record(self, problem: Problem) -> None:
+        """Record ``problem``; under a condition of unknown value it may never come to pass, so that it refuses nothing."""
+        self.block.effects.append(problem._replace(assumed=True, refused=False) if self.assumed else problem)
+
+    def record_at(
+        self, place: Place, kind: str, *, refused: bool = False, related: tuple[tuple[Place, str], ...] = (), **facts: Any
+    ) -> None:
+        """Record that something is wrong at a place that may lie in another file, such as a YAML file."""
+        self.record(Problem(kind, Origin(place), facts, refused, related))
+
+    def look_at(self, element: Element) -> None:
+        """Count one element against the bound of the whole evaluation. Raises Exhausted."""
+        self.progress.looked_at += 1
+        if self.progress.looked_at > LARGEST_EVALUATION:
+            raise Exhausted(Problem("evaluation-bound", Origin(self.place(element.name_span)), {"elements": LARGEST_EVALUATION}))
+
+    # -- values ------------------------------------------------------------------------------------------------
+
+    def value(self, attribute: Attribute, context: Context, text: str | None = None) -> Value:
+        """The resolved value of ``attribute`` (or of ``text``, a stripped form of it)."""
+        raw = attribute.value if text is None else text
+        if "(" not in raw and "{" not in raw and "[" not in raw:
+            return raw
+        offset = 0 if text is None else max(attribute.value.find(text), 0)
+
+        def where(start: int, end: int) -> Span:
+            return attribute.span_of(start + offset, end + offset)
+
+        value = resolve(self, raw, where, context)
+        if isinstance(value, str):
+            self.notice_left_over(raw, where)
+        return value
+
+    def notice_left_over(self, text: str, where: Callable[[int, int], Span]) -> None:
+        """Record what looks like a substitution and is none, and so reaches the robot as it stands."""
+        if text.startswith("$(eval "):
+            return
+        try:
+            found = collect(text)
+        except BadSubstitution:
+            return
+        rest = text
+        for _, start, end in found:
+            rest = rest[:start] + " " * (end - start) + rest[end:]
+        at = left_over(rest)
+        if at is not None:
+            self.problem("unexpanded-substitution", where(*at), text=text[at[0] : at[1]], extra=False)
+            return
+        if rest.count(")") > rest.count("("):
+            for _, _, end in found:
+                if text[end : end + 1] == ")":
+                    self.problem("unexpanded-substitution", where(end, end + 1), text=")", extra=True)
+                    return
+
+    def optional(self, element: Element, name: str, context: Context) -> Value | None:
+        """The resolved value of an attribute that may be absent."""
+        attribute = element.attributes.get(name)
+        return None if attribute is None else self.value(attribute, context)
+
+    def required(self, element: Element, name: str, context: Context) -> Value:
+        """The resolved value of an attribute that must be there; unknown, with a problem, where it is not."""
+        attribute = element.attributes.get(name)
+        if attribute is None:
+            self.record(missing_attribute(self.document, element, name))
+            return Unknown("", f"the attribute {name} is missing")
+        return self.value(attribute, context)
+
+    def flag(self, element: Element, name: str, context: Context, *, empty_is_absent: bool = False) -> bool:
+        """A true/false attribute, false where it is absent or wrong (roslaunch.xmlloader._bool_attr)."""
+        value = self.optional(element, name, context)
+        if value is None or isinstance(value, Unknown) or (empty_is_absent and not value):
+            return False
+        try:
+            return parse_flag(value)
+        except ValueError as error:
+            self.invalid(element, name, value, str(error))
+            return False
+
+    def number(self, element: Element, name: str, context: Context, default: float) -> float:
+        """A floating point attribute, ``default`` where it is absent or wrong (roslaunch.xmlloader._float_attr)."""
+        value = self.optional(element, name, context)
+        if value is None or isinstance(value, Unknown):
+            return default
+        try:
+            return float(value)
+        except ValueError:
+            self.invalid(element, name, value, "a number")
+            return default
+
+    def invalid(self, element: Element, name: str, value: str, expected: str) -> None:
+        """Record that the resolved ``value`` is none that attribute ``name`` takes; roslaunch refuses the file."""
+        self.problem(
+            "invalid-value",
+            element.attributes[name].shown_span,
+            refused=True,
+            tag=element.tag,
+            attribute=name,
+            value=value,
+            expected=expected,
+        )
+
+    # -- what substitutions ask for ----------------------------------------------------------------------------
+
+    def dirname(self) -> str:
+        """``$(dirname)``: the absolute directory of this file."""
+        return absolute_directory(self.file)
+
+    def variable(self, name: str, default: str) -> str:
+        """``$(optenv name default)``."""
+        self.reads.add(OUTSIDE)
+        value = self.session.variable(name)
+        return default if value is None else value
+
+    def anonymous_name(self, name: str, context: Context) -> str:
+        """``$(anon name)``: the same within a scope and what is inside it, else a new one, numbered from 1."""
+        known = context.anonymous.get(name)
+        if known is None:
+            self.block.anonymous = True
+            self.progress.anonymous += 1
+            known = context.anonymous[name] = f"{name}_anon{self.progress.anonymous}".translate(ANONYMOUS_FOLD)
+        return known
+
+    def package(self, name: str) -> str | None:
+        """Directory of a package."""
+        if name in self.session.packages.duplicates():
+            self.block.near = True
+        return self.session.find_package(name, self.entry)
+
+    def resource(self, directory: str, path: str) -> str:
+        """What ``$(find pkg)/path`` stands for."""
+        return self.session.packages.resolve_resource(directory, path) if path else directory
+
+    def has_argument(self, name: str, context: Context) -> bool:
+        """Whether an arg has a value here, known or not."""
+        return name in context.arguments
+
+    def argument(self, name: str, span: Span, context: Context) -> Value:
+        """Value of an arg; a missing one is recorded once and unknown from then on."""
+        self.reads.add(name)
+        if name not in context.arguments:
+            self.missing_argument(name, span, context)
+            context.arguments[name] = Unknown(f"$(arg {name})", f"the arg {name} has no value")
+        return context.arguments[name]
+
+    def missing_argument(self, name: str, span: Span, context: Context) -> None:
+        """Record the read of an arg that has no value, as what it is: not given, not declared, declared later, or out of scope."""
+        declared = context.declared.get(name)
+        if declared is not None:
+            if self.is_entry:
+                related = ((self.place(span), "read here"),)
+                self.record(Problem("required-arg-unset", Origin(declared), {"name": name}, True, related))
+            else:
+                self.block.missing.setdefault(name, (declared, self.place(span)))
+            return
+        elements = self.declarations().get(name, [])
+        known = tuple(sorted({*context.arguments, *context.declared}))
+        outer = [element for element in elements if element.parent is self.document.launch]
+        if outer and outer[0].start_span.end > span.start:
+            self.problem("used-before-declaration", span, refused=True, name=name, declaration=self._declared_at(outer[0]),
+                         cycle=self._cycle(name, span))  # fmt: skip
+        elif elements and not outer:
+            self.problem("arg-out-of-scope", span, refused=True, name=name, declaration=self._declared_at(elements[0]))
+        else:
+            self.problem("undeclared-arg", span, refused=True, name=name, known=known, entry=self.is_entry)
+
+    def declarations(self) -> dict[str, list[Element]]:
+        """All ``<arg>`` elements of this file outside includes, by name as written."""
+        if self._declarations is None:
+            self._declarations = {}
+            for element in self.document.elements:
+                if element.tag == "arg" and element.parent is not None and element.parent.tag in ("launch", "group"):
+                    name = element.get("name")
+                    if name:
+                        self._declarations.setdefault(name, []).append(element)
+        return self._declarations
+
+    def _declared_at(self, element: Element) -> Place:
+        return self.place(element.attributes["name"].value_span)
+
+    def _cycle(self, name: str, span: Span) -> tuple[tuple[str, Place], ...]:
+        """Args that need each other, each with its declaration, from the one in whose declaration ``span`` reads ``name``; else nothing."""
+        start = self._inside_declaration(span)
+        if start is None:
+            return ()
+        came_from: dict[str, str] = {name: start}
+        waiting = [name]
+        while waiting and start not in came_from:
+            current = waiting.pop(0)
+            for element in self.declarations().get(current, []):
+                for needed in _needs(element):
+                    if needed not in came_from:
+                        came_from[needed] = current
+                        waiting.append(needed)
+        if start not in came_from:
+            return ()
+        names = [start]
+        while (before := came_from[names[-1]]) != start:
+            names.append(before)
+        names = [start, *reversed(names[1:])]
+        return tuple((each, self._declared_at(self.declarations()[each][0])) for each in names)
+
+    def _inside_declaration(self, span: Span) -> str | None:
+        """Name of the arg in whose declaration ``span`` lies, if it lies in one."""
+        for name, elements in self.declarations().items():
+            if any(element.start_span.start <= span.start < element.start_span.end for element in elements):
+                return name
+        return None
+
+    def explained(self, reason: str) -> bool:
+        """Whether an unknown value has been told of elsewhere (it comes from an arg or package that is itself unknown)."""
+        return reason.startswith(("the arg ", "the package ", "the environment variable ", "the attribute ", "its $(eval", "a substitution", "a parenthesis")) or reason.endswith("has no value")  # fmt: skip
+
+    # -- conditions and scopes ---------------------------------------------------------------------------------
+
+    def children(
+        self, element: Element, context: Context, tags: frozenset[str], *, any_case: bool = False
+    ) -> Iterator[tuple[str, Element]]:
+        """The children with one of ``tags`` whose condition holds, in order, each with its tag in lower case.
+
+        While a child is being worked on, ``conditions`` and ``assumed`` include its own. With ``any_case`` the letter case of tags does not
+        matter, as inside ``<node>`` and ``<include>``.
+        """
+        outer = self.conditions, self.assumed, self.condition_reads
+        for child in element.children:
+            tag = child.tag.lower() if any_case else child.tag
+            if tag not in tags:
+                continue
+            self.look_at(child)
+            if tag == "master" or self.holds(child, context):
+                yield tag, child
+            self.conditions, self.assumed, self.condition_reads = outer
+
+    def holds(self, element: Element, context: Context) -> bool:
+        """Whether ``element`` is evaluated (roslaunch.xmlloader.ifunless_test); its condition comes into force.
+
+        Both ``if`` and ``unless``: a problem, and the element is evaluated. A condition of unknown value is taken to be true.
+        """
+        attributes = element.attributes
+        if "if" not in attributes and "unless" not in attributes:
+            return True
+        if "if" in attributes and "unless" in attributes:
+            self.record(if_and_unless(self.document, element))
+            self.block.visited.add(element.index)
+            return True
+        name = "if" if "if" in attributes else "unless"
+        attribute = attributes[name]
+        span = attribute.shown_span
+        (value, reads) = self.traced(lambda: self.value(attribute, context))
+        truth: bool | None = None
+        if isinstance(value, str):
+            try:
+                truth = parse_condition(value)
+            except ValueError as error:
+                facts = {"attribute": name, "value": value, "text": attribute.value, "reason": str(error)}
+                self.problem("condition-not-boolean", span, refused=True, **facts)
+        taken = (True if truth is None else truth) is (name == "if")
+        origin = Origin(self.place(span))
+        outcome = None if truth is None else taken
+        self.effect(LocalBranch(origin, self.place(element.start_span), name, attribute.value, outcome, reads))
+        if taken:
+            self.block.visited.add(element.index)
+            self.conditions = (*self.conditions, Condition(name, origin.place, truth is None))
+            self.condition_reads |= reads
+            self.assumed = self.assumed or truth is None
+        return taken
+
+    def traced(self, work: Callable[[], T]) -> tuple[T, frozenset[str]]:
+        """The result of ``work`` and the args it read; ``$`` stands for anything outside the launch files, such as the environment."""
+        reads, self.reads = self.reads, set()
+        try:
+            return work(), frozenset(self.reads)
+        finally:
+            self.reads |= reads
+
+    def open_setting(self, context: Context, kind: str, key: str, value: object, origin: Origin, replaced: Place | None) -> None:
+        """A remap, env or ``~param`` outside a node comes into force; the one that it replaces in its own scope ends."""
+        for setting in context.settings:
+            if setting.kind == kind and setting.key == key and setting.origin.place == replaced:
+                setting.ended = True
+        context.settings.append(ActiveSetting(kind, key, value, origin, tuple(context.nodes_above), replaced, self.conditions))
+
+    def close_settings(self, context: Context, end: int) -> None:
+        """The scope ends at the offset ``end``: say of each of its settings how many nodes it acted on."""
+        for setting in context.settings:
+            self.effect(
+                ScopedSetting(
+                    setting.kind,
+                    setting.key,
+                    setting.value,
+                    setting.origin,
+                    setting.reached,
+                    setting.before,
+                    setting.replaced,
+                    setting.conditions,
+                    end,
+                )
+            )
+
+
+def _needs(element: Element) -> list[str]:
+    """Names of the args that the value of an ``<arg>`` reads."""
+    text = element.get("value") or element.get("default") or ""
+    if text.startswith("$(eval ") and text.endswith(")"):
+        from launchlint.evaluate.ros1.expression import arguments_read
+
+        return sorted(arguments_read(text[7:-1]))
+    try:
+        words = [inner.split() for inner, _, _ in collect(text)]
+    except BadSubstitution:
+        return []
+    return [pair[1] for pair in words if len(pair) == 2 and pair[0] == "arg"]

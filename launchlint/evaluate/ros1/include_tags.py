@@ -1,0 +1,166 @@
+"""``<include>`` (roslaunch.xmlloader._include_tag), and how a file is entered."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from launchlint.evaluate.block import Block, Call, Clear, Value
+from launchlint.evaluate.ros1.entering import Entering
+from launchlint.evaluate.ros1.file import DEEPEST_INCLUDE, Exhausted, FileEvaluation, Progress
+from launchlint.evaluate.ros1.scope import Context, set_private
+from launchlint.evaluate.ros1.scope_tags import clear_without_namespace, env, scope_namespace
+from launchlint.evaluate.session import Read, Session
+from launchlint.model import Argument, EnvironmentSetting, Include, Scope, Unknown
+from launchlint.problem import Problem
+from launchlint.source import Origin, Place
+from launchlint.syntax.ros1.problems import arg_value_and_default, missing_attribute
+from launchlint.syntax.tree import Document, Element
+
+Enter = Callable[[Session, Document, Entering, str, Progress], Block]
+CHILD_TAGS = frozenset({"arg", "env"})
+
+
+def include(file: FileEvaluation, element: Element, context: Context, default_machine: str | None, enter: Enter) -> str | None:
+    """Evaluate an ``<include>`` with ``enter``, which evaluates a file. Returns the default machine in force after it."""
+    name = file.required(element, "file", context)
+    pass_all = file.flag(element, "pass_all_args", context)
+    namespace, given = scope_namespace(file, element, context)
+    if file.flag(element, "clear_params", context, empty_is_absent=True):
+        if given is not False:
+            file.effect(Clear(namespace, Origin(file.place(element.attributes["clear_params"].value_span))))
+        else:
+            clear_without_namespace(file, element)
+    passed, reads, environment, explicit = _passed(file, element, context, pass_all=pass_all)
+    origin = Origin(file.place(element.start_span))
+    scope = Scope("include", origin, namespace, context.scope)
+    context.nodes_above.append(origin.place)
+    entry = Include("", None, namespace, passed, pass_all, origin, scope, file.conditions)
+    if isinstance(name, Unknown):
+        file.effect(entry._replace(file=name.text))
+        context.reach(1)
+        return default_machine
+    document = _open(file, element, name)
+    if document is None or document.launch is None:
+        file.effect(entry._replace(file=name, source=None if document is None else document.source))
+        context.reach(1)
+        return default_machine
+    private_above = bool(context.private) or file.private_above
+    entering = Entering(name, namespace, passed, pass_all=pass_all, private_above=private_above, default_machine=default_machine)
+    if entering.key in file.progress.stack or len(file.progress.stack) >= DEEPEST_INCLUDE:
+        _cycle(file, element, name, endless=entering.key in file.progress.stack)
+        return default_machine
+    block = enter(file.session, document, entering, file.entry, file.progress)
+    file.block.anonymous |= block.anonymous
+    file.block.near |= block.near
+    file.block.node_count += block.node_count
+    context.reach(block.node_count)
+    _check_arguments(file, element, document, block, explicit, pass_all=pass_all)
+    call = Call(
+        entry._replace(file=name, source=document.source), block, tuple(context.remaps_in_force()), tuple(environment),
+        tuple(context.private), reads, scope, file.conditions,
+    )  # fmt: skip
+    file.effect(call)
+    for parameter in block.leaked:
+        leaked = parameter.setting
+        step_origin = leaked.origin._replace(step=_below(origin.place, leaked.origin))
+        set_private(context.private, parameter._replace(setting=leaked._replace(origin=step_origin)))
+    return block.default_machine
+
+
+def _below(place: Place, origin: Origin) -> Any:
+    from launchlint.source import IncludeStep
+
+    step = IncludeStep(place, None)
+    for inner in origin.chain:
+        step = IncludeStep(inner, step)
+    return step
+
+
+def _passed(
+    file: FileEvaluation, element: Element, context: Context, *, pass_all: bool
+) -> tuple[dict[str, Value], dict[str, frozenset[str]], list[EnvironmentSetting], dict[str, Place]]:
+    """What the ``<arg>`` and ``<env>`` children give: values, the args they were made from, environment, places of explicit args."""
+    own = Context(context.namespace, context)
+    passed: dict[str, Value] = dict(context.arguments) if pass_all else {}
+    reads: dict[str, frozenset[str]] = {name: frozenset((name,)) for name in passed}
+    if pass_all:
+        file.reads.update(passed)
+    explicit: dict[str, Place] = {}
+    environment = list(context.environment)
+    for tag, child in file.children(element, own, CHILD_TAGS, any_case=True):
+        if tag == "env":
+            setting = env(file, child, own)
+            if setting is not None:
+                environment.append(setting)
+            continue
+        name = file.required(child, "name", own)
+        (value, default), read = file.traced(lambda: (file.optional(child, "value", own), file.optional(child, "default", own)))  # noqa: B023 - called at once
+        file.optional(child, "doc", own)
+        if isinstance(name, Unknown):
+            continue
+        place = file.place(child.attributes["name"].value_span)
+        if value is not None and default is not None:
+            file.record(arg_value_and_default(file.document, child))
+            default = None
+        if name in explicit and not pass_all:
+            file.problem("arg-redeclared", place.span, refused=True, related=((explicit[name], "the first one"),), name=name)
+        explicit[name] = place
+        chosen = value if value is not None else default if name not in passed else passed[name]
+        if chosen is None and name not in passed:
+            file.record(missing_attribute(file.document, child, "value"))
+            chosen = Unknown("", "the attribute value is missing")
+        if chosen is not None:
+            passed[name] = chosen
+            reads[name] = read if value is not None or name not in reads else reads[name]
+        file.effect(Argument(name, value, default, Origin(place), True))
+    return passed, reads, environment, explicit
+
+
+def _open(file: FileEvaluation, element: Element, name: str) -> Document | None:
+    document = file.session.document(name)
+    attribute = element.attributes["file"]
+    span = attribute.value_span if attribute.raw else attribute.name_span
+    if isinstance(document, Read):
+        file.problem("include-not-found", span, refused=True, file=name, written=attribute.value, reason=document.reason)
+        return None
+    if document.launch is None:
+        reason = "it is not a launch file" if not document.problems else "it is not well-formed" if document.root is None else "see there"
+        file.problem("include-not-loadable", span, refused=True, file=name, reason=reason)
+    else:
+        deprecated = document.launch.get("deprecated")
+        if deprecated:
+            file.problem("deprecated-include", span, file=name, text=deprecated)
+    return document
+
+
+def _cycle(file: FileEvaluation, element: Element, name: str, *, endless: bool) -> None:
+    files = [str(key[0]) for key in file.progress.stack]
+    start = files.index(name) if name in files else 0
+    attribute = element.attributes["file"]
+    cycle = [file.session.shown(step) for step in (*files[start:], name)]
+    shown = tuple(cycle if len(cycle) <= 12 else [*cycle[:6], "…", *cycle[-5:]])
+    facts = {"cycle": shown, "endless": endless, "depth": len(files)}
+    problem = Problem("include-cycle", Origin(file.place(attribute.value_span)), facts, True)
+    if not endless:
+        raise Exhausted(problem)
+    file.record(problem)
+
+
+def _check_arguments(
+    file: FileEvaluation, element: Element, document: Document, block: Block, explicit: dict[str, Place], *, pass_all: bool
+) -> None:
+    """Args passed but not declared, declared with ``value=``, or required but not passed (roslaunch.loader.post_process_include_args)."""
+    path = document.source.path
+    for name, place in explicit.items():
+        if name in block.refused_overrides:
+            related = ((block.refused_overrides[name], "its value is fixed here"),)
+            file.problem("arg-override-refused", place.span, refused=True, related=related, name=name, by_include=True, file=path)
+        elif name not in block.declared and not block.assumed_declarations:
+            facts = {"name": name, "file": path, "known": tuple(sorted(block.open_arguments)), "target": document.source.file}
+            file.problem("include-undeclared-arg" if not pass_all else "pass-all-hides-typo", place.span, refused=not pass_all, **facts)
+    for name, (declaration, read) in block.missing.items():
+        facts = {"name": name, "file": path, "passed": tuple(sorted(explicit)), "target": document.source.file}
+        related = ((declaration, "declared here without a default"), (read, "read here"))
+        span = element.attributes["file"].value_span
+        file.record(Problem("include-missing-arg", Origin(file.place(span)), facts, True, related))

@@ -1,0 +1,170 @@
+"""``<launch>``, ``<group>``, ``<arg>``, ``<remap>`` and ``<env>``, and the walk over a launch file (roslaunch.xmlloader._recurse_load)."""
+
+from __future__ import annotations
+
+from launchlint.evaluate.block import Block, Clear
+from launchlint.evaluate.ros1.entering import Entering
+from launchlint.evaluate.ros1.file import FileEvaluation, Progress
+from launchlint.evaluate.ros1.include_tags import include
+from launchlint.evaluate.ros1.machine_tags import machine
+from launchlint.evaluate.ros1.node_tags import node
+from launchlint.evaluate.ros1.parameter_tags import param, rosparam
+from launchlint.evaluate.ros1.scope import Context
+from launchlint.evaluate.ros1.scope_tags import clear_without_namespace, env, remap, scope_namespace
+from launchlint.evaluate.session import Session
+from launchlint.model import Argument, Scope, Unknown
+from launchlint.source import Origin
+from launchlint.syntax.ros1.domains import parse_condition
+from launchlint.syntax.ros1.problems import arg_value_and_default
+from launchlint.syntax.tree import Document, Element
+
+TAGS = frozenset({"arg", "group", "node", "test", "param", "remap", "machine", "rosparam", "include", "env"})
+
+
+def launch_tag(file: FileEvaluation, launch: Element) -> None:
+    """The attributes of the root: ``deprecated``, and conditions that have no effect (roslaunch.xmlloader._launch_tag).
+
+    roslaunch looks at ``if`` and ``unless`` here only to crash on a substitution in them or on a value that is no boolean.
+    """
+    for name in ("if", "unless"):
+        attribute = launch.attributes.get(name)
+        if attribute is None:
+            continue
+        if "$" in attribute.value:
+            file.problem("condition-on-launch", attribute.value_span, refused=True, attribute=name, text=attribute.value)
+            continue
+        try:
+            parse_condition(attribute.value)
+        except ValueError as error:
+            file.problem("condition-not-boolean", attribute.shown_span, refused=True, attribute=name,
+                         value=attribute.value, text=attribute.value, reason=str(error))  # fmt: skip
+
+
+def enter(session: Session, document: Document, entering: Entering, entry: str, progress: Progress) -> Block:
+    """Evaluate ``document`` as ``entering`` says, or take the block of an equal entering. Raises Exhausted."""
+    key = entering.key
+    known = session.blocks.get(key) or session.blocks.get((key, entry))
+    if known is not None:
+        progress.looked_at += known.node_count
+        return known
+    file = FileEvaluation(
+        session, document, entering.file, entry, progress, is_entry=entering.is_entry, private_above=entering.private_above
+    )
+    context = Context(entering.namespace, None)
+    context.arguments = dict(entering.arguments)
+    context.lenient = entering.pass_all
+    if entering.pass_all:
+        context.declared = {}
+    progress.stack.append(key)
+    try:
+        assert document.launch is not None
+        launch_tag(file, document.launch)
+        file.block.default_machine = walk(file, document.launch, context, entering.default_machine)
+    finally:
+        progress.stack.pop()
+    if entering.private_above:
+        file.block.leaked = list(context.private)
+    block = file.block
+    if not block.anonymous:
+        session.blocks[(key, entry) if block.near else key] = block
+    return block
+
+
+def walk(file: FileEvaluation, element: Element, context: Context, default_machine: str | None) -> str | None:
+    """Evaluate the children of a ``<launch>`` or ``<group>`` in order. Returns the default machine in force after it, which leaks out."""
+    for tag, child in file.children(element, context, TAGS):
+        if tag == "arg":
+            arg(file, child, context)
+        elif tag == "group":
+            default_machine = group(file, child, context, default_machine)
+        elif tag in ("node", "test"):
+            node(file, child, context, default_machine, is_test=tag == "test")
+        elif tag == "param":
+            param(file, child, context, context.namespace)
+        elif tag == "rosparam":
+            rosparam(file, child, context, context.namespace)
+        elif tag == "remap":
+            scoped_remap(file, child, context)
+        elif tag == "env":
+            scoped_env(file, child, context)
+        elif tag == "machine":
+            name = machine(file, child, context)
+            default_machine = default_machine if name is None else name
+        else:
+            default_machine = include(file, child, context, default_machine, enter)
+    file.close_settings(context, element.span.end)
+    return default_machine
+
+
+def group(file: FileEvaluation, element: Element, context: Context, default_machine: str | None) -> str | None:
+    """A ``<group>``: its own scope, in the same namespace or in one below."""
+    namespace, given = scope_namespace(file, element, context)
+    inner = Context(namespace, context)
+    inner.scope = Scope("group", Origin(file.place(element.start_span)), namespace, context.scope)
+    if file.flag(element, "clear_params", context, empty_is_absent=True):
+        if given is not False:
+            file.effect(Clear(namespace, Origin(file.place(element.attributes["clear_params"].value_span))))
+        else:
+            clear_without_namespace(file, element)
+    default_machine = walk(file, element, inner, default_machine)
+    context.nodes_above.extend(inner.nodes_above)
+    return default_machine
+
+
+def arg(file: FileEvaluation, element: Element, context: Context) -> None:
+    """An ``<arg>`` of a launch file or group (roslaunch.loader.LoaderContext.add_arg)."""
+    name_value = file.required(element, "name", context)
+    (value, default), reads = file.traced(lambda: (file.optional(element, "value", context), file.optional(element, "default", context)))
+    file.optional(element, "doc", context)
+    if isinstance(name_value, Unknown):
+        return
+    name = name_value
+    # Which of several declarations counts is decided by their conditions.
+    reads |= file.condition_reads
+    place = file.place(element.attributes["name"].value_span)
+    if value is not None and default is not None:
+        file.record(arg_value_and_default(file.document, element))
+        default = None
+    in_group = element.parent is not file.document.launch
+    file.effect(Argument(name, value, default, Origin(place), False, in_group))
+    file.block.assumed_declarations |= file.assumed
+    earlier = context.declared.get(name)
+    if earlier is None:
+        context.declared[name] = place
+        if not in_group:
+            file.block.declared[name] = place
+    elif not context.lenient:
+        file.problem("arg-redeclared", place.span, refused=True, related=((earlier, "the first declaration"),), name=name)
+        return
+    block = file.block
+    if value is not None:
+        if name in context.arguments and not context.lenient:
+            if file.is_entry:
+                file.problem("arg-override-refused", place.span, refused=True, name=name, by_include=False)
+            else:
+                block.refused_overrides.setdefault(name, place)
+        context.arguments[name] = value
+        block.argument_reads[name] = block.argument_reads.get(name, frozenset()) | reads
+    elif default is not None:
+        block.open_arguments.add(name)
+        if name not in context.arguments:
+            context.arguments[name] = default
+            block.argument_reads[name] = block.argument_reads.get(name, frozenset()) | reads
+    else:
+        block.open_arguments.add(name)
+
+
+def scoped_remap(file: FileEvaluation, element: Element, context: Context) -> None:
+    """A ``<remap>`` outside nodes: acts on the nodes that follow in its scope."""
+    rule = remap(file, element, context)
+    if rule is not None:
+        replaced = context.add_remap(rule)
+        file.open_setting(context, "remap", rule.source, rule, rule.origin, None if replaced is None else replaced.origin.place)
+
+
+def scoped_env(file: FileEvaluation, element: Element, context: Context) -> None:
+    """An ``<env>`` outside nodes."""
+    setting = env(file, element, context)
+    if setting is not None:
+        context.environment.append(setting)
+        file.open_setting(context, "env", setting.name, setting.value, setting.origin, None)

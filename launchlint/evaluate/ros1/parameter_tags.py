@@ -1,0 +1,238 @@
+"""``<param>`` and ``<rosparam>`` (roslaunch.xmlloader._param_tag and _rosparam_tag, roslaunch.loader.Loader)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from launchlint.evaluate.block import PrivateParameter, RunStep, Value
+from launchlint.evaluate.names import canonical, join
+from launchlint.evaluate.ros1.file import FileEvaluation
+from launchlint.evaluate.ros1.scope import Context, set_private
+from launchlint.evaluate.ros1.substitution import resolve
+from launchlint.evaluate.ros1.values import convert_value
+from launchlint.model import Binary, Command, ParameterSetting, Unknown
+from launchlint.source import Origin, Place, Source, Span
+from launchlint.syntax.ros1.problems import conflicting_attributes, missing_attribute
+from launchlint.syntax.tree import Attribute, Element
+
+SOURCES = ("value", "textfile", "binfile", "command")
+STEPS = ("load", "dump", "delete")
+
+
+def param(file: FileEvaluation, element: Element, context: Context, namespace: str) -> None:
+    """A ``<param>`` outside nodes: a global setting, or for ``~x`` one for each node that follows in the scope."""
+    read = _read(file, element, context)
+    if read is None:
+        return
+    name, value = read
+    if name.startswith("~"):
+        setting = _setting(file, canonical(name), value, element, "param")
+        replaced = context.set_private(PrivateParameter(setting.name, setting))
+        place = None if replaced is None else replaced.setting.origin.place
+        file.open_setting(context, "param", setting.name, value, setting.origin, place)
+    else:
+        _notice_name(file, element, name)
+        file.effect(_setting(file, canonical(join(namespace, name)), value, element, "param"))
+
+
+def private_param(file: FileEvaluation, element: Element, values: Context, own: list[PrivateParameter]) -> None:
+    """A ``<param>`` inside a node: private to it, whatever its name looks like."""
+    read = _read(file, element, values)
+    if read is None:
+        return
+    name, value = read
+    if name.startswith("/"):
+        file.problem("global-param-in-node", element.attributes["name"].value_span, name=name, namespace=values.namespace)
+    else:
+        _notice_name(file, element, name)
+    setting = _setting(file, canonical(name), value, element, "param")
+    replaced = set_private(own, PrivateParameter(setting.name, setting))
+    if replaced is not None:
+        old = replaced.setting
+        file.problem("param-replaced", setting.origin.place.span, related=((old.origin.place, "set here first"),), name=name,
+                     always=set(file.conditions) <= set(old.conditions), old=old.value, new=value)  # fmt: skip
+
+
+def _notice_name(file: FileEvaluation, element: Element, name: str) -> None:
+    """Record a parameter name that is no ROS name: roslaunch sets it, most readers cannot ask for it."""
+    written = element.attributes["name"]
+    legal = all(part.replace("_", "a").isalnum() and part.isascii() for part in name.strip("~/").split("/") if part)
+    bare = name.lstrip("~/")
+    if not legal or not bare or not (bare[0].isalpha() or bare[0] == "_"):
+        span = written.value_span if written.raw else written.name_span
+        file.problem("invalid-param-name", span, name=name)
+
+
+def _setting(file: FileEvaluation, name: str, value: Any, element: Element, tag: str) -> ParameterSetting:
+    return ParameterSetting(name, value, Origin(file.place(element.start_span)), tag, None, file.conditions)
+
+
+def _read(file: FileEvaluation, element: Element, context: Context) -> tuple[str, Any] | None:
+    """Name (as written, stripped) and value of a ``<param>``; None where roslaunch refuses it."""
+    type_ = (element.get("type") or "auto").lower().strip()
+    given = [(source, file.optional(element, source, context)) for source in SOURCES if source in element.attributes]
+    if len(given) != 1:
+        file.record(conflicting_attributes(file.document, element, "param-sources", tuple(source for source, _ in given)))
+    name_attribute = element.attributes.get("name")
+    if name_attribute is None:
+        file.required(element, "name", context)
+        return None
+    name = file.value(name_attribute, context, name_attribute.value.strip())
+    if isinstance(name, Unknown) or len(given) != 1:
+        return None
+    source, written = given[0]
+    assert written is not None
+    return name, _value(file, element, source, written, type_)
+
+
+def _value(file: FileEvaluation, element: Element, source: str, written: Value, type_: str) -> Any:
+    """The value a ``<param>`` sets (roslaunch.loader.Loader.param_value)."""
+    if isinstance(written, Unknown):
+        return written
+    attribute = element.attributes[source]
+    if source == "command":
+        return Command(written)
+    if source == "value":
+        return _convert(file, attribute, written.strip(), type_, element)
+    content = file.session.read(written)
+    if content.data is None:
+        file.problem("param-file-missing", attribute.value_span, refused=True, attribute=source, file=written, reason=content.reason)
+        return Unknown(written, "the file is not here")
+    if source == "binfile":
+        return Binary(content.digest, len(content.data))
+    try:
+        text = content.data.decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
+    except UnicodeDecodeError as error:
+        reason = f"it is not UTF-8 text (byte {error.start})"
+        file.problem("param-file-missing", attribute.value_span, refused=True, attribute=source, file=written, reason=reason)
+        return Unknown(written, "the file is not text")
+    return _convert(file, attribute, text, type_, element)
+
+
+def _convert(file: FileEvaluation, attribute: Attribute, text: str, type_: str, element: Element) -> Any:
+    try:
+        return convert_value(text, type_)
+    except ValueError as error:
+        written = element.attributes.get("type")
+        known = type_ in ("auto", "str", "string", "int", "double", "bool", "boolean", "yaml")
+        at = attribute if known or written is None else written
+        file.problem("param-value-type", at.value_span if at.raw else at.name_span, refused=True, value=text[:200], type=type_,
+                     known=known, reason=str(error))  # fmt: skip
+        return Unknown(text, "the value does not fit its type")
+
+
+def rosparam(file: FileEvaluation, element: Element, context: Context, namespace: str, *, in_node: bool = False) -> None:
+    """A ``<rosparam>``: load YAML, or remember a dump or delete step (roslaunch.loader.Loader.load_rosparam)."""
+    command, ns, name, param_name = (file.optional(element, key, context) for key in ("command", "ns", "file", "param"))
+    substitute = file.flag(element, "subst_value", context)
+    if isinstance(command, Unknown) or isinstance(ns, Unknown) or isinstance(param_name, Unknown):
+        return
+    command = command or "load"
+    below = join(ns or "", param_name or "")
+    full = join(namespace, below) if below else namespace
+    if command not in STEPS:
+        file.invalid(element, "command", command, "load, dump or delete")
+        return
+    if command == "delete" and name is not None:
+        file.record(conflicting_attributes(file.document, element, "delete-with-file", ("command", "file")))
+        return
+    if command != "load":
+        if command == "dump" and name is None:
+            file.record(missing_attribute(file.document, element, "file", refused=False))
+        file.effect(RunStep(command, full, "" if name is None or isinstance(name, Unknown) else name))
+        return
+    if isinstance(name, Unknown):
+        return
+    text = _yaml_text(file, element, name)
+    if text is None:
+        return
+    if name is None and not substitute and "$(" in text[0]:
+        _notice_unsubstituted(file, element, text[0])
+    if substitute:
+        resolved = resolve(file, text[0], _in_text(element, name), context)
+        if isinstance(resolved, Unknown):
+            return
+        text = (resolved, None if resolved != text[0] else text[1])
+    _load(file, element, text, below, full, in_node=in_node)
+
+
+def _notice_unsubstituted(file: FileEvaluation, element: Element, text: str) -> None:
+    start = text.index("$(")
+    end = text.find(")", start)
+    span = _in_text(element, None)(start, end + 1 if end > 0 else start + 2)
+    file.problem("unexpanded-substitution", span, text=text[start : end + 1 if end > 0 else start + 2], extra=False, rosparam=True)
+
+
+def _in_text(element: Element, name: str | None) -> Any:
+    """A function that gives the span in the launch file for offsets into the YAML text."""
+
+    def where(start: int, end: int) -> Span:
+        if name is not None:
+            return element.attributes["file"].value_span
+        return Span(element.text_offset(start), max(element.text_offset(max(end - 1, start)) + 1, element.text_offset(start) + 1))
+
+    return where
+
+
+def _yaml_text(file: FileEvaluation, element: Element, name: str | None) -> tuple[str, Source | None] | None:
+    """The YAML text, and the file it is from (None: the element itself)."""
+    if name is None:
+        return element.text, None
+    attribute = element.attributes["file"]
+    span = attribute.value_span if attribute.raw else attribute.name_span
+    content = file.session.read(name)
+    if content.data is None:
+        file.problem("param-file-missing", span, refused=True, attribute="file", file=name, reason=content.reason)
+        return None
+    try:
+        text = content.data.decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
+    except UnicodeDecodeError as error:
+        reason = f"it is not UTF-8 text (byte {error.start})"
+        file.problem("param-yaml-invalid", span, refused=True, file=name, reason=reason, in_file=True, hint="")
+        return None
+    return text, Source(file.session.shown(name), text, name)
+
+
+def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None], below: str, full: str, *, in_node: bool) -> None:
+    from launchlint.evaluate.ros1.rosparam import YamlError, YamlUnknown, load
+
+    content, source = text
+    from_file = "file" in element.attributes
+
+    def place(start: int, end: int) -> Place:
+        if source is not None:
+            return Place(source, Span(start, end))
+        if from_file or not element.texts or content != element.text:
+            return file.place(element.start_span)
+        return file.place(_in_text(element, None)(start, end))
+
+    try:
+        loaded = load(content)
+    except YamlUnknown:
+        return
+    except YamlError as error:
+        at = place(error.offset, min(error.offset + 1, len(content)))
+        written = element.attributes.get("file")
+        related: tuple[tuple[Place, str], ...] = ()
+        if source is not None and written is not None:
+            related = ((file.place(written.value_span), "loaded here"),)
+        file.record_at(at, "param-yaml-invalid", refused=True, related=related, reason=str(error), in_file=source is not None, hint="",
+                       file="" if source is None else source.path)  # fmt: skip
+        return
+    is_dictionary = isinstance(loaded.data, dict) or loaded.data is None
+    if (not below or full == "/") and not is_dictionary:
+        hint = "colon" if loaded.scalar_colon else "scalar"
+        at = place(*loaded.scalar_colon[0]) if loaded.scalar_colon else file.place(element.name_span)
+        file.record_at(at, "param-yaml-invalid", refused=True, file="" if source is None else source.path, in_file=source is not None,
+                       reason="a value that is no dictionary needs the param attribute to say which parameter it is for", hint=hint)  # fmt: skip
+        return
+    for duplicate in loaded.duplicates:
+        related = ((place(*duplicate.first), "the first one"),)
+        key = "/".join(map(str, duplicate.path))
+        file.record_at(place(*duplicate.second), "yaml-duplicate-key", related=related, key=key, same=duplicate.same_value)
+    for path, value, key_start, key_end, *_ in loaded.entries:
+        target = full
+        for key in path:
+            target = join(target, key)
+        where = Origin(place(key_start, key_end)) if path else Origin(file.place(element.start_span))
+        file.effect(ParameterSetting(canonical(target), value, where, "rosparam", None, file.conditions))

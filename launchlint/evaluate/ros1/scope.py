@@ -1,0 +1,127 @@
+"""What is in force at one point of a launch file: namespace, args, remaps, environment, ``~params`` (roslaunch.loader.LoaderContext)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.evaluate.block import PrivateParameter, Value
+from launchlint.model import Condition, EnvironmentSetting, Remap, Scope
+from launchlint.source import Origin, Place
+
+
+class ActiveSetting:
+    """A remap, env or ``~param`` outside a node, while its scope is open: counts the nodes it acts on."""
+
+    __slots__ = ("before", "conditions", "ended", "key", "kind", "origin", "reached", "replaced", "value")
+
+    def __init__(
+        self,
+        kind: str,
+        key: str,
+        value: object,
+        origin: Origin,
+        before: tuple[Place, ...],
+        replaced: Place | None,
+        conditions: tuple[Condition, ...],
+    ) -> None:
+        self.kind = kind
+        self.key = key
+        self.value = value
+        self.origin = origin
+        self.before = before
+        self.replaced = replaced
+        self.conditions = conditions
+        self.ended = False
+        self.reached = 0
+
+
+class Context:
+    """One scope: a launch file or a group in it.
+
+    ``arguments`` are the known values; ``declared`` the args declared in this scope or one around it in the same file, with their places.
+    ``lenient`` is set in a file entered with ``pass_all_args``: there, and not in its groups, an arg may be declared again.
+    """
+
+    __slots__ = (
+        "anonymous",
+        "arguments",
+        "declared",
+        "environment",
+        "lenient",
+        "namespace",
+        "nodes_above",
+        "parent",
+        "private",
+        "remaps",
+        "scope",
+        "settings",
+    )
+
+    def __init__(self, namespace: str, parent: Context | None) -> None:
+        self.namespace = namespace
+        self.parent = parent
+        self.remaps: list[Remap] = []
+        self.settings: list[ActiveSetting] = []
+        self.nodes_above: list[Place] = []
+        self.lenient = False
+        self.arguments: dict[str, Value] = {}
+        self.declared: dict[str, Place] = {}
+        self.anonymous: dict[str, str] = {}
+        self.environment: list[EnvironmentSetting] = []
+        self.private: list[PrivateParameter] = []
+        self.scope: Scope | None = None
+        if parent is not None:
+            self.arguments = dict(parent.arguments)
+            self.declared = dict(parent.declared)
+            self.anonymous = dict(parent.anonymous)
+            self.environment = list(parent.environment)
+            self.private = list(parent.private)
+            self.scope = parent.scope
+
+    def add_remap(self, remap: Remap) -> Remap | None:
+        """Add ``remap``; a rule of this very scope with the same spelling is replaced and returned."""
+        replaced = next((old for old in self.remaps if old.source == remap.source), None)
+        if replaced is not None:
+            self.remaps.remove(replaced)
+        self.remaps.append(remap)
+        return replaced
+
+    def remaps_in_force(self) -> list[Remap]:
+        """The remaps of this file that act here, in the order roslaunch passes them (LoaderContext.remap_args)."""
+        return list(self.remaps) if self.parent is None else overlay(self.parent.remaps_in_force(), self.remaps)
+
+    def set_private(self, parameter: PrivateParameter) -> PrivateParameter | None:
+        """Set a ``~param`` for the nodes that follow; the earlier one of the same key is replaced and returned."""
+        return set_private(self.private, parameter)
+
+    def enclosing(self) -> Iterator[Context]:
+        """This scope and those around it in the same file, innermost first."""
+        context: Context | None = self
+        while context is not None:
+            yield context
+            context = context.parent
+
+    def reach(self, count: int) -> None:
+        """Note that ``count`` nodes stand here: every setting in force acts on them."""
+        if count:
+            for context in self.enclosing():
+                for setting in context.settings:
+                    if not setting.ended:
+                        setting.reached += count
+
+
+def overlay(outer: list[Remap], inner: list[Remap]) -> list[Remap]:
+    """The rules of ``outer`` that ``inner`` does not respell, then those of ``inner``."""
+    respelled = {remap.source for remap in inner}
+    return [remap for remap in outer if remap.source not in respelled] + inner
+
+
+def set_private(parameters: list[PrivateParameter], parameter: PrivateParameter) -> PrivateParameter | None:
+    """Put ``parameter`` at the end of the list and take out, and return, the earlier one of the same key."""
+    for index, old in enumerate(parameters):
+        if old.key == parameter.key:
+            del parameters[index]
+            parameters.append(parameter)
+            return old
+    parameters.append(parameter)
+    return None

@@ -1,0 +1,68 @@
+"""What several tags share: ``ns`` and ``clear_params``, and what a ``<remap>`` or ``<env>`` says, wherever it stands."""
+
+from __future__ import annotations
+
+from launchlint.evaluate.block import Value
+from launchlint.evaluate.names import UNKNOWN_NAMESPACE, canonical, child_namespace, is_legal, is_portable, join
+from launchlint.evaluate.ros1.file import FileEvaluation
+from launchlint.evaluate.ros1.scope import Context
+from launchlint.model import EnvironmentSetting, Remap, Unknown
+from launchlint.source import Origin
+from launchlint.syntax.ros1.problems import conflicting_attributes
+from launchlint.syntax.tree import Element
+
+
+def scope_namespace(file: FileEvaluation, element: Element, context: Context) -> tuple[str, bool | None]:
+    """The namespace that ``ns`` opens, and whether ``ns`` is there, None where its value is unknown (roslaunch.xmlloader._ns_clear_params_attr)."""
+    attribute = element.attributes.get("ns")
+    if attribute is None:
+        return context.namespace, False
+    value = file.value(attribute, context)
+    if isinstance(value, Unknown):
+        return join(context.namespace, UNKNOWN_NAMESPACE) + "/", None
+    if not value:
+        file.record(conflicting_attributes(file.document, element, "empty-ns", ("ns",)))
+        return context.namespace, False
+    try:
+        namespace = child_namespace(context.namespace, value)
+    except ValueError:
+        file.problem("invalid-namespace", attribute.value_span, refused=True, namespace=value, private=True)
+        return context.namespace, True
+    if not (is_legal(value) and is_portable(value)) and "//" not in value:
+        file.problem("invalid-namespace", attribute.value_span, namespace=value, private=False)
+    return namespace, True
+
+
+def clear_without_namespace(file: FileEvaluation, element: Element) -> None:
+    """Record ``clear_params`` on a group or include that has no ``ns``."""
+    file.record(conflicting_attributes(file.document, element, "clear-params-without-ns", ("clear_params",)))
+
+
+def remap(file: FileEvaluation, element: Element, context: Context) -> Remap | None:
+    """The rule of a ``<remap>``; None, with a problem, where roslaunch refuses it (roslaunch.loader.LoaderContext.add_remap)."""
+    names: list[str] = []
+    values: list[Value] = [file.required(element, attribute, context) for attribute in ("from", "to")]
+    for attribute, value in zip(("from", "to"), values):
+        if isinstance(value, Unknown):
+            continue
+        name = canonical(value)
+        written = element.attributes[attribute]
+        span = written.value_span if written.raw else written.name_span
+        if not name:
+            file.problem("invalid-remap-name", span, refused=True, attribute=attribute, value=value, reason="empty")
+        elif not is_legal(name):
+            file.problem("invalid-remap-name", span, refused=True, attribute=attribute, value=value, reason="illegal")
+        else:
+            names.append(name)
+    return Remap(names[0], names[1], Origin(file.place(element.start_span))) if len(names) == 2 else None
+
+
+def env(file: FileEvaluation, element: Element, context: Context) -> EnvironmentSetting | None:
+    """The setting of an ``<env>`` (roslaunch.loader.Loader.load_env)."""
+    name, value = file.required(element, "name", context), file.required(element, "value", context)
+    if name == "":
+        file.invalid(element, "name", "", "a name")
+        return None
+    if isinstance(name, Unknown) or isinstance(value, Unknown):
+        return None
+    return EnvironmentSetting(name, value, Origin(file.place(element.start_span)))

@@ -1,0 +1,270 @@
+"""``$(…)`` in attribute values and in rosparam text (roslaunch.substitution_args).
+
+``env``, ``optenv``, ``dirname``, ``anon`` and ``arg`` are replaced in a first pass, ``find`` in a second one, since the path behind it takes part in
+the search. ``$(eval …)`` must fill the whole value. Whatever cannot be known makes the whole value an :class:`~launchlint.model.Unknown`.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from launchlint.evaluate.block import Value
+from launchlint.evaluate.ros1.scope import Context
+from launchlint.model import Unknown
+from launchlint.source import Span
+
+if TYPE_CHECKING:
+    from launchlint.evaluate.ros1.file import FileEvaluation
+
+OUTSIDE = "$"
+"""Stands among the args read for whatever is not an arg: an environment variable."""
+COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
+ANONYMOUS_FOLD = str.maketrans(".-:", "___")
+
+Where = Callable[[int, int], Span]
+
+
+class BadSubstitution(Exception):
+    """The text cannot be taken apart: ``reason`` in plain words, ``start`` and ``end`` in the text."""
+
+    def __init__(self, reason: str, start: int, end: int) -> None:
+        super().__init__(reason)
+        self.reason = reason
+        self.start = start
+        self.end = end
+
+
+class _NotKnown(Exception):
+    """A piece of the value is unknown; the problem, if there is one, has been recorded."""
+
+    def __init__(self, reason: str) -> None:
+        super().__init__(reason)
+        self.reason = reason
+
+
+def collect(text: str) -> list[tuple[str, int, int]]:
+    """The inner texts of ``$(…)`` in ``text`` with start and end of the whole (substitution_args._collect_args).
+
+    A ``$(`` that is never closed is no substitution. Raises BadSubstitution for ``$`` or ``(`` inside one.
+    """
+    found: list[tuple[str, int, int]] = []
+    outside, dollar, opened, inside = range(4)
+    state, begin, first = outside, 0, 0
+    for index, char in enumerate(text):
+        if char == "$":
+            if state in (opened, inside):
+                raise BadSubstitution("a substitution cannot stand inside another one", begin, index + 1)
+            state, begin = dollar, index
+        elif char == "(":
+            if state == dollar:
+                state = opened
+            elif state != outside:
+                raise BadSubstitution("a parenthesis cannot stand inside a substitution", begin, index + 1)
+        elif char == ")":
+            if state == inside:
+                found.append((text[first:index], begin, index + 1))
+            state = outside
+        elif state == dollar:
+            state = outside
+        elif state == opened:
+            state, first = inside, index
+    return found
+
+
+def resolve(evaluation: FileEvaluation, text: str, where: Where, context: Context) -> Value:
+    """The value of ``text`` in ``context``; problems are recorded on ``evaluation`` at the place ``where`` gives for offsets into ``text``."""
+    if "$" not in text:
+        return text
+    try:
+        if text.startswith("$(eval ") and text.endswith(")"):
+            return _evaluate(evaluation, text, where, context)
+        first = _replace(evaluation, text, where, context, finds=False)
+        return _replace(evaluation, first, _through(text, first, where), context, finds=True) if "$(" in first else first
+    except BadSubstitution as bad:
+        evaluation.problem("bad-substitution", where(bad.start, bad.end), refused=True, reason=bad.reason, text=text[bad.start : bad.end])
+        return Unknown(text, bad.reason)
+    except _NotKnown as unknown:
+        return Unknown(text, unknown.reason)
+
+
+def _through(text: str, replaced: str, where: Where) -> Where:
+    """Places in a text after its first pass: exact for what did not move, else the whole value."""
+    if text == replaced:
+        return where
+
+    def place(start: int, end: int) -> Span:
+        piece = replaced[start:end]
+        at = text.find(piece)
+        return where(at, at + len(piece)) if at >= 0 else where(0, len(text))
+
+    return place
+
+
+def _replace(evaluation: FileEvaluation, text: str, where: Where, context: Context, *, finds: bool) -> str:
+    resolved = text
+    for inner, start, end in collect(text):
+        words = [word for word in inner.split(" ") if word]
+        if not words:
+            raise BadSubstitution("there is no command in it", start, end)
+        command, arguments = words[0], words[1:]
+        if command not in COMMANDS:
+            raise BadSubstitution(f"{command} is not a substitution command", start, end)
+        if (command == "find") is not finds:
+            continue
+        span = where(start, end)
+        if command == "find":
+            resolved = _find(evaluation, resolved, inner, arguments, (start, end), span, context)
+        else:
+            resolved = resolved.replace(f"$({inner})", _simple(evaluation, command, arguments, (start, end), span, context))
+    return resolved
+
+
+def _simple(evaluation: FileEvaluation, command: str, arguments: list[str], at: tuple[int, int], span: Span, context: Context) -> str:
+    if command == "dirname":
+        return evaluation.dirname()
+    if not arguments:
+        raise BadSubstitution(f"{command} needs a name", *at)
+    name = arguments[0]
+    if command == "optenv":
+        return evaluation.variable(name, " ".join(arguments[1:]))
+    if len(arguments) > 1:
+        raise BadSubstitution(f"{command} takes one name only", *at)
+    if command == "env":
+        return _environment(evaluation, name, span, context)
+    if command == "anon":
+        return evaluation.anonymous_name(name, context)
+    return _argument(evaluation, name, span, context)
+
+
+def _argument(evaluation: FileEvaluation, name: str, span: Span, context: Context) -> str:
+    value = evaluation.argument(name, span, context)
+    if isinstance(value, Unknown):
+        raise _NotKnown(value.reason)
+    return value
+
+
+def _environment(evaluation: FileEvaluation, name: str, span: Span, context: Context) -> str:
+    value = evaluation.session.variable(name)
+    if value is None:
+        evaluation.problem("env-unset", span, refused=True, variable=name)
+        raise _NotKnown(f"the environment variable {name} is not set here")
+    evaluation.reads.add(OUTSIDE)
+    return value
+
+
+def _find(
+    evaluation: FileEvaluation, text: str, inner: str, arguments: list[str], at: tuple[int, int], span: Span, context: Context
+) -> str:
+    """Replace the first ``$(find pkg)`` and the path behind it up to a blank (substitution_args._find)."""
+    if len(arguments) != 1:
+        raise BadSubstitution("find takes one package name", *at)
+    before, _, after = text.partition(f"$({inner})")
+    path, blank, rest = after.partition(" ")
+    path = path.replace("\\", "/")
+    directory = _package(evaluation, arguments[0], span, context)
+    return before + evaluation.resource(directory, path[1:] if path.startswith("/") else path) + blank + rest
+
+
+def _package(evaluation: FileEvaluation, name: str, span: Span, context: Context) -> str:
+    directory = evaluation.package(name)
+    if directory is None:
+        evaluation.problem("package-not-found", span, refused=True, package=name, near=evaluation.entry)
+        raise _NotKnown(f"the package {name} is not here")
+    return directory
+
+
+class _Names:
+    """What ``$(eval …)`` can ask for (expression.Resolver)."""
+
+    def __init__(self, evaluation: FileEvaluation, span: Span, context: Context) -> None:
+        self.evaluation = evaluation
+        self.span = span
+        self.context = context
+
+    def has_arg(self, name: str) -> bool:
+        return self.evaluation.has_argument(name, self.context)
+
+    def arg(self, name: str) -> str:
+        from launchlint.evaluate.ros1.expression import UndefinedArg, UnknownValue
+
+        if not self.has_arg(name):
+            raise UndefinedArg(name)
+        value = self.evaluation.argument(name, self.span, self.context)
+        if isinstance(value, Unknown):
+            raise UnknownValue(value.reason)
+        return value
+
+    def env(self, name: str) -> str:
+        from launchlint.evaluate.ros1.expression import EnvironmentUnset
+
+        value = self.evaluation.session.variable(name)
+        if value is None:
+            raise EnvironmentUnset(name)
+        self.evaluation.reads.add(OUTSIDE)
+        return value
+
+    def optenv(self, name: str, default: str) -> str:
+        return self.evaluation.variable(name, default)
+
+    def find(self, package: str) -> str:
+        from launchlint.evaluate.ros1.expression import UnknownValue
+
+        try:
+            return _package(self.evaluation, package, self.span, self.context)
+        except _NotKnown as unknown:
+            raise UnknownValue(unknown.reason) from None
+
+    def anon(self, name: str) -> str:
+        return self.evaluation.anonymous_name(name, self.context)
+
+    def dirname(self) -> str:
+        return self.evaluation.dirname()
+
+
+def _evaluate(evaluation: FileEvaluation, text: str, where: Where, context: Context) -> Value:
+    from launchlint.evaluate.ros1.expression import ExpressionError, UnknownValue, arguments_read, evaluate
+
+    expression = text[7:-1]
+    evaluation.reads.update(arguments_read(expression))
+    try:
+        return evaluate(expression, _Names(evaluation, where(0, len(text)), context))
+    except UnknownValue as unknown:
+        if not evaluation.explained(str(unknown)):
+            evaluation.problem("eval-not-covered", where(7, len(text) - 1), reason=str(unknown))
+        return Unknown(text, str(unknown))
+    except ExpressionError as error:
+        span = where(7 + error.start, 7 + max(error.end, error.start + 1))
+        if error.undefined_arg is not None:
+            evaluation.missing_argument(error.undefined_arg, span, context)
+        elif error.unset_env is not None:
+            evaluation.problem("env-unset", span, refused=True, variable=error.unset_env)
+        else:
+            known = tuple(sorted(context.arguments))
+            evaluation.problem("eval-error", span, refused=True, reason=str(error), expression=expression, known=known)
+        return Unknown(text, "its $(eval …) fails")
+
+
+_LOOKS_LIKE = re.compile(
+    r"\$\s+\((?:find|env|optenv|dirname|anon|arg|eval)\b"
+    r"|\$\{(?:find|env|optenv|anon|arg) "
+    r"|\$\((?:find|env|optenv|dirname|anon|arg|eval)\b"
+    r"|(?<![\w$)])\((?:find|optenv|anon|arg) [\w\-]+\)"
+    r"|\$\[(?:find|arg|env) "
+)
+
+
+def left_over(text: str) -> tuple[int, int] | None:
+    """Start and end of what looks like a substitution in a text that has been resolved, but is none."""
+    match = _LOOKS_LIKE.search(text)
+    if match is None:
+        return None
+    end = re.compile(r"[)}\]\s]|$").search(text, match.end())
+    return match.start(), (match.end() if end is None else end.end())
+
+
+def absolute_directory(file: str) -> str:
+    """The directory of ``file``, absolute (``$(dirname)``)."""
+    return os.path.abspath(os.path.dirname(file))

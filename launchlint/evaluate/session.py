@@ -1,0 +1,133 @@
+"""What all evaluations of one run share: files read once, packages, the environment, and blocks worked out before.
+
+Everything that is looked at outside of the program passes through here, so that the result cache knows what a result depends on.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from launchlint.syntax.parse import parse
+from launchlint.workspace.packages import Packages
+
+if TYPE_CHECKING:
+    from launchlint.evaluate.block import Block
+    from launchlint.syntax.tree import Document
+
+LARGEST_FILE = 64 * 1024 * 1024
+"""Files of more bytes than this are not read: it bounds memory on hostile input."""
+
+
+class Read:
+    """The outcome of reading one file: its ``data``, or the ``reason`` why there is none, in plain words."""
+
+    __slots__ = ("data", "digest", "reason")
+
+    def __init__(self, data: bytes | None, reason: str) -> None:
+        self.data = data
+        self.reason = reason
+        self.digest = "" if data is None else hashlib.sha1(data, usedforsecurity=False).hexdigest()
+
+
+class Session:
+    """One run over one set of workspaces.
+
+    ``overlay`` maps the name of a file to content that is judged in its place (standard input, ``as:`` in an entries file, the git index).
+    ``root`` is the directory to which shown paths are relative.
+    """
+
+    def __init__(
+        self,
+        packages: Packages,
+        environment: Mapping[str, str],
+        root: str | None = None,
+        overlay: Mapping[str, bytes] | None = None,
+    ) -> None:
+        self.packages = packages
+        self.environment = environment
+        self.root = os.getcwd() if root is None else root
+        self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
+        self.blocks: dict[Any, Block] = {}
+        self.touched: set[str] = set()
+        self.variables: set[str] = set()
+        self.found: dict[tuple[str, str], str | None] = {}
+        self._reads: dict[str, Read] = {}
+        self._documents: dict[str, Document | Read] = {}
+
+    def with_text(self, file: str, data: bytes) -> Session:
+        """A session in which ``file`` holds ``data``; what has been read of other files is shared, evaluated blocks are not."""
+        absolute = os.path.abspath(file)
+        session = Session(self.packages, self.environment, self.root)
+        session.overlay = {**self.overlay, absolute: data}
+        session._reads = {name: read for name, read in self._reads.items() if name != absolute}
+        session._documents = {name: known for name, known in self._documents.items() if name != absolute}
+        return session
+
+    def begin_entry(self) -> None:
+        """Forget which files, variables and packages were looked at: a new entry file starts."""
+        self.touched = set()
+        self.variables = set()
+        self.found = {}
+
+    def shown(self, file: str) -> str:
+        """The path people see for ``file``: relative to the root where it lies inside, with ``/``."""
+        absolute = os.path.abspath(file)
+        inside = self.root.rstrip(os.sep) + os.sep
+        path = absolute[len(inside) :] if absolute.startswith(inside) else absolute
+        return path.replace(os.sep, "/")
+
+    def read(self, file: str) -> Read:
+        """Read ``file`` once. Never raises: a missing, unreadable or too large file has a reason instead of data."""
+        absolute = os.path.abspath(file) if file else ""
+        self.touched.add(absolute)
+        known = self._reads.get(absolute)
+        if known is None:
+            known = self._reads[absolute] = self._read(absolute, file)
+        return known
+
+    def _read(self, absolute: str, file: str) -> Read:
+        if absolute in self.overlay:
+            return Read(self.overlay[absolute], "")
+        if not file or "\0" in file:
+            return Read(None, "the file name is empty" if not file else "the file name holds a NUL character")
+        try:
+            if os.path.isdir(file):
+                return Read(None, "it is a directory")
+            if not os.path.isfile(file):
+                dangling = os.path.islink(file)
+                return Read(None, "it is a symbolic link to nothing" if dangling else "there is no such file")
+            if os.path.getsize(file) > LARGEST_FILE:
+                return Read(None, f"it is larger than {LARGEST_FILE // (1024 * 1024)} MiB")
+            with open(file, "rb") as stream:
+                return Read(stream.read(), "")
+        except OSError as error:
+            return Read(None, (error.strerror or "it cannot be read").lower())
+
+    def exists(self, file: str) -> bool:
+        """Whether ``file`` is a regular file that can be read."""
+        return self.read(file).data is not None
+
+    def document(self, file: str) -> Document | Read:
+        """Parse ``file`` once; the failed :class:`Read` where it cannot be read."""
+        absolute = os.path.abspath(file) if file else ""
+        self.touched.add(absolute)
+        known = self._documents.get(absolute)
+        if known is None:
+            content = self.read(file)
+            known = content if content.data is None else parse(content.data, self.shown(file), file)
+            self._documents[absolute] = known
+        return known
+
+    def find_package(self, name: str, near: str) -> str | None:
+        """Directory of package ``name`` as seen from the entry file ``near``; None where it is not here."""
+        directory = self.packages.find(name, near)
+        self.found[name, near] = directory
+        return directory
+
+    def variable(self, name: str) -> str | None:
+        """Value of the environment variable ``name``, if it is set."""
+        self.variables.add(name)
+        return self.environment.get(name)
