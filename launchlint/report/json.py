@@ -1,0 +1,73 @@
+"""Findings as one JSON object, for programs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+from launchlint.finding import Finding, Fix, Location
+from launchlint.fingerprint import fingerprints
+from launchlint.report.escape import no_surrogates
+from launchlint.report.run import Run
+
+
+def render(findings: Sequence[Finding], run: Run) -> str:
+    """``{"version": 1, "findings": […]}``, one finding in each line; all severities, whatever ``run.verbose`` says."""
+    lines = ",\n".join(dump(item) for item in objects(findings))
+    return f'{{"version": 1, "findings": [{lines}]}}\n' if not lines else f'{{"version": 1, "findings": [\n{lines}\n]}}\n'
+
+
+def objects(findings: Sequence[Finding]) -> list[dict[str, Any]]:
+    """Each finding, in report order, as a dictionary with the keys that ``check --format json`` documents, in a fixed order."""
+    return [_object(finding, mark) for finding, mark in fingerprints(findings)]
+
+
+def dump(value: Any) -> str:
+    """``value`` as JSON in one line of ASCII, without lone surrogates, and without what GitHub takes for a command in a log."""
+    return json.dumps(_clean(value), ensure_ascii=True, allow_nan=False).replace("##[", "##\\u005b")
+
+
+def _object(finding: Finding, mark: str) -> dict[str, Any]:
+    return {
+        "rule": finding.rule,
+        "name": finding.name,
+        "severity": finding.severity.word,
+        **_place(finding.location),
+        "message": finding.message,
+        "label": finding.label,
+        "related": [{**_place(related.location), "label": related.label} for related in finding.related],
+        "chain": [_place(step) for step in finding.chain],
+        "notes": list(finding.notes),
+        "help": finding.help,
+        "configuration": dict(finding.arguments),
+        "entry": finding.entry,
+        "entries": finding.entries,
+        "fingerprint": mark,
+        "fix": None if finding.fix is None else _fix(finding.fix),
+    }
+
+
+def _place(location: Location) -> dict[str, Any]:
+    return {
+        "path": location.path,
+        "line": location.line,
+        "column": location.column,
+        "end_line": location.end_line,
+        "end_column": location.end_column,
+    }
+
+
+def _fix(fix: Fix) -> dict[str, Any]:
+    """``start`` and ``end`` of an edit are offsets in code points from the start of the text."""
+    return {"message": fix.message, "safe": fix.safe, "edits": [edit._asdict() for edit in fix.edits]}
+
+
+def _clean(value: Any) -> Any:
+    if isinstance(value, str):
+        return no_surrogates(value)
+    if isinstance(value, dict):
+        return {_clean(key): _clean(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_clean(item) for item in value]
+    return value

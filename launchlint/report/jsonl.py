@@ -1,0 +1,22 @@
+"""Findings as JSON lines: one object for each finding, or for each entry of an entries file."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from launchlint.finding import Finding
+from launchlint.report.json import dump, objects
+from launchlint.report.run import Run
+
+
+def render(findings: Sequence[Finding], run: Run) -> str:
+    """Each finding in a line of its own, with the keys of the JSON format."""
+    return "".join(f"{dump(item)}\n" for item in objects(findings))
+
+
+def entry_line(file: str, as_: str, verdict: str, findings: Sequence[Finding]) -> str:
+    """The line, with its line end, for one entry of ``--entries``.
+
+    ``file`` was judged as if it stood at ``as_``; ``verdict`` says whether roslaunch would load it: ``ok`` or ``error``.
+    """
+    return dump({"file": file, "as": as_, "verdict": verdict, "findings": objects(findings)}) + "\n"

@@ -1,0 +1,138 @@
+"""Findings for people: the source lines with what is wrong in them, what roslaunch says, and what to do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from launchlint.finding import Finding, Location, Severity
+from launchlint.order import ordered
+from launchlint.report.escape import line_start, shell_word, visible
+from launchlint.report.run import Run
+from launchlint.report.snippet import snippet
+
+_RESET = "\x1b[0m"
+_BOLD = "\x1b[1m"
+_FAINT = "\x1b[2m"
+_COLORS = {Severity.ERROR: "\x1b[1;31m", Severity.WARNING: "\x1b[1;33m", Severity.INFO: "\x1b[1;34m"}
+
+_NUMBER = 5
+_LONGEST_CHAIN = 8
+
+
+def render(findings: Sequence[Finding], run: Run) -> str:
+    """All findings in full, and a last line that sums up; infos only where ``run.verbose``."""
+    shown = [finding for finding in ordered(findings) if run.verbose or finding.severity > Severity.INFO]
+    blocks = ["\n".join(_block(finding, run)) + "\n" for finding in shown]
+    return "\n".join([*blocks, summary(findings, run) + "\n"])
+
+
+def summary(findings: Sequence[Finding], run: Run) -> str:
+    """The last line: how many findings of each severity in how many launch files."""
+    if not run.files_checked and not findings:
+        return "no launch files to check"
+    count = {severity: sum(finding.severity == severity for finding in findings) for severity in Severity}
+    told = [Severity.ERROR, Severity.WARNING, Severity.INFO] if run.verbose else [Severity.ERROR, Severity.WARNING]
+    parts = ", ".join(_plural(count[severity], severity.word) for severity in told if count[severity])
+    hidden = (
+        ""
+        if run.verbose or not count[Severity.INFO]
+        else f" ({_plural(count[Severity.INFO], 'info')} hidden, -v shows {'it' if count[Severity.INFO] == 1 else 'them'})"
+    )
+    return f"{parts or 'no problems'} in {_plural(run.files_checked, 'launch file')}{hidden}"
+
+
+def statistics(findings: Sequence[Finding]) -> str:
+    """A table of how often each rule found something, the most frequent first; the empty string where nothing was found."""
+    count: dict[tuple[str, str, str], int] = {}
+    for finding in findings:
+        key = (visible(finding.rule), visible(finding.name), finding.severity.word)
+        count[key] = count.get(key, 0) + 1
+    rows = sorted(count.items(), key=lambda row: (-row[1], row[0]))
+    names = max((len(name) for (_, name, _), _ in rows), default=0)
+    digits = max((len(str(number)) for _, number in rows), default=0)
+    return "".join(f"{number:{digits}}  {rule}  {name:{names}}  {word}\n" for (rule, name, word), number in rows)
+
+
+def _block(finding: Finding, run: Run) -> Iterator[str]:
+    paint = _Paint(run.color)
+    yield _headline(finding, paint)
+    color = _COLORS[finding.severity]
+    digits = max(_NUMBER, *(len(str(location.line)) for location in (finding.location, *(related.location for related in finding.related))))
+    yield from _excerpt(finding.location, finding.label, run, color, digits)
+    path = finding.location.path
+    for related in finding.related:
+        if related.location.path != path:
+            path = related.location.path
+            yield paint(_FAINT, f"{' ' * (digits - 1)}--> {visible(path)}:{related.location.line}:{related.location.column}")
+        yield from _excerpt(related.location, related.label, run, "\x1b[1;36m", digits)
+    for line in _remarks(finding):
+        yield f"{' ' * (digits - 2)}{paint(_FAINT, '=')} {line}"
+
+
+def _headline(finding: Finding, paint: _Paint) -> str:
+    at = finding.location
+    place = f"{line_start(at.path)}:{at.line}:{at.column}:"
+    severity = paint(_COLORS[finding.severity], finding.severity.word)
+    return f"{paint(_BOLD, place)} {severity} {paint(_BOLD, visible(finding.rule))} {visible(finding.name)}: {visible(finding.message)}"
+
+
+def _excerpt(location: Location, label: str, run: Run, color: str, digits: int) -> Iterator[str]:
+    """The source line and the line with carets and label; the label stands before the carets where there is room, else after them."""
+    paint = _Paint(run.color)
+    excerpt = snippet(location, run.width - digits - 3)
+    words = visible(label)
+    if location.end_line > location.line:
+        words = f"{words} (to line {location.end_line})".lstrip()
+    if excerpt is None:
+        if words:
+            yield f"{paint(_FAINT, f'{location.line:{digits}} |')} {paint(color, words)}"
+        return
+    yield f"{paint(_FAINT, f'{location.line:{digits}} |')} {excerpt.line}"
+    carets = "^" * excerpt.carets
+    fits = label.isascii() and len(words) + 1 <= excerpt.indent
+    under = f"{words} {carets}" if words and fits else f"{carets} {words}".rstrip()
+    indent = excerpt.indent - (len(words) + 1 if words and fits else 0)
+    yield f"{paint(_FAINT, ' ' * digits + ' |')} {' ' * indent}{paint(color, under)}"
+
+
+def _remarks(finding: Finding) -> Iterator[str]:
+    """What stands below the source lines: includes, notes, the command that shows it, what to do."""
+    steps = finding.chain[::-1]
+    for step in steps[:_LONGEST_CHAIN]:
+        yield f"included from {visible(step.path)}:{step.line}:{step.column}"
+    if len(steps) > _LONGEST_CHAIN:
+        yield f"included through {len(steps) - _LONGEST_CHAIN} more files"
+    if finding.entries > 1:
+        yield f"reached from {finding.entries} launch files"
+    for note in finding.notes:
+        yield visible(note)
+    if finding.entry:
+        yield f"show it: {command(finding)}"
+    if finding.fix is not None:
+        yield f"fix: {visible(finding.fix.message)} ({'--fix' if finding.fix.safe else '--unsafe-fixes'} does it)"
+    explain = f"[explain {visible(finding.rule)}]"
+    yield f"help: {visible(finding.help)}      {explain}" if finding.help else explain
+
+
+def command(finding: Finding) -> str:
+    """The roslaunch command that shows ``finding``, quoted for the shell; the empty string where no entry file is known."""
+    if not finding.entry:
+        return ""
+    entry = f"./{finding.entry}" if finding.entry.startswith("-") else finding.entry
+    return " ".join(["roslaunch", shell_word(entry), *(shell_word(f"{name}:={value}") for name, value in finding.arguments)])
+
+
+def _plural(number: int, word: str) -> str:
+    return f"{number} {word}" if number == 1 else f"{number} {word}s"
+
+
+class _Paint:
+    """Puts an ANSI style around a text, or does nothing."""
+
+    __slots__ = ("color",)
+
+    def __init__(self, color: bool) -> None:
+        self.color = color
+
+    def __call__(self, style: str, text: str) -> str:
+        return f"{style}{text}{_RESET}" if self.color and text else text

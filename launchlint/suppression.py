@@ -1,0 +1,206 @@
+"""Comments in a launch file that say: this finding is known and meant.
+
+``<!-- launchlint: ignore[LL301] why -->`` before an element covers that whole element; several rules are separated by commas, by ID or by
+name; ``ignore`` alone covers every rule. ``<!-- launchlint: ignore-file[LL206] why -->`` at the top, before the first element inside
+``<launch>``, covers the whole file.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple
+
+from launchlint.finding import Edit, Finding, Location
+from launchlint.source import Place, Source, Span
+from launchlint.syntax.tree import Comment, Document, Element
+
+_MEANT = re.compile(r"\s*launchlint\s*:|\s*launchlint\s+ignore\b", re.IGNORECASE)
+_WHOLE = re.compile(
+    r"\s*launchlint\s*(?P<colon>:?)\s*(?P<word>[\w-]*)\s*(?P<list>\[(?P<names>[^\[\]]*)\])?(?P<reason>.*)", re.DOTALL | re.IGNORECASE
+)
+_NAME = re.compile(r"[^\s,]+")
+_LOOKS_LIKE_AN_ID = re.compile(r"LL\d{3}\b", re.IGNORECASE)
+_NOT_TEXT = re.compile(r"\s*(?:<\?.*?\?>\s*)*", re.DOTALL)
+_MODEL = "launchlint: ignore[RULE] reason"
+_NO_ELEMENT = "no element follows it: it belongs right before the element it is about"
+
+
+class Name(NamedTuple):
+    """A rule as it is named in a suppression, by ID or name, and where."""
+
+    text: str
+    span: Span
+
+
+class Suppression(NamedTuple):
+    """One suppression comment.
+
+    ``location``: the comment. ``rules``: IDs or names in lower case, empty for every rule. ``names``: the same as written. ``covers``:
+    the span of the element, ``None`` for the whole file. ``reason``: the words after it. ``problem``: why it is no suppression (it
+    suppresses nothing then), empty where all is well. ``removal``: the edit that takes the comment away, with its line where nothing else
+    stands in it.
+    """
+
+    location: Location
+    rules: frozenset[str]
+    names: tuple[Name, ...]
+    covers: Span | None
+    reason: str
+    problem: str
+    removal: Edit
+
+
+Resolve = Callable[[str], "str | None"]
+"""Gives the ID of the rule that has this ID or name (any letter case, also one that was renamed); ``None`` where there is none."""
+
+Used = set[tuple[Suppression, str]]
+"""A suppression together with each name in it (as written; the empty string where it names none) that suppressed at least one finding."""
+
+
+def read(document: Document) -> list[Suppression]:
+    """All suppression comments of ``document`` in order.
+
+    Those that are malformed, or stand where they cover nothing, are among them and have a ``problem``.
+    """
+    targets: list[Element | None] | None = None
+    found: list[Suppression] = []
+    for index, comment in enumerate(document.comments):
+        if _MEANT.match(comment.text):
+            if targets is None:
+                targets = _targets(document)
+            found.append(_suppression(document, comment, targets[index]))
+    return found
+
+
+def applies(suppression: Suppression, finding: Finding, resolve: Resolve) -> bool:
+    """Whether ``suppression`` covers ``finding``: its rule, and its primary place."""
+    return _reaches(suppression, finding) and (
+        not suppression.names or any(resolve(name.text.lower()) == finding.rule for name in suppression.names)
+    )
+
+
+def apply(findings: Iterable[Finding], suppressions: Sequence[Suppression], resolve: Resolve) -> tuple[list[Finding], Used]:
+    """The findings that no suppression covers, in their order, and which suppressions covered something (of several, all)."""
+    by_path: dict[str, list[Suppression]] = {}
+    for suppression in suppressions:
+        if not suppression.problem:
+            by_path.setdefault(suppression.location.path, []).append(suppression)
+    kept: list[Finding] = []
+    used: Used = set()
+    for finding in findings:
+        hits = [hit for suppression in by_path.get(finding.location.path, ()) for hit in _hits(suppression, finding, resolve)]
+        used.update(hits)
+        if not hits:
+            kept.append(finding)
+    return kept, used
+
+
+def unused(suppressions: Sequence[Suppression], used: Used) -> list[tuple[Suppression, tuple[Name, ...]]]:
+    """The well-formed suppressions that suppressed nothing, wholly or for some of their names: each with those names."""
+    result: list[tuple[Suppression, tuple[Name, ...]]] = []
+    for suppression in suppressions:
+        idle = tuple(name for name in suppression.names if (suppression, name.text) not in used)
+        if not suppression.problem and (idle or (not suppression.names and (suppression, "") not in used)):
+            result.append((suppression, idle))
+    return result
+
+
+def _hits(suppression: Suppression, finding: Finding, resolve: Resolve) -> list[tuple[Suppression, str]]:
+    if not _reaches(suppression, finding):
+        return []
+    if not suppression.names:
+        return [(suppression, "")]
+    return [(suppression, name.text) for name in suppression.names if resolve(name.text.lower()) == finding.rule]
+
+
+def _reaches(suppression: Suppression, finding: Finding) -> bool:
+    if suppression.problem or suppression.location.path != finding.location.path:
+        return False
+    return suppression.covers is None or suppression.covers.start <= finding.location.start < suppression.covers.end
+
+
+def _targets(document: Document) -> list[Element | None]:
+    """For each comment the element it stands before: only white space, other comments and processing instructions may come between."""
+    text = document.source.text
+    targets: list[Element | None] = [None] * len(document.comments)
+    for index in range(len(document.comments) - 1, -1, -1):
+        comment = document.comments[index]
+        end = comment.span.end
+        element = document.element_from(end)
+        following = document.comments[index + 1] if index + 1 < len(document.comments) else None
+        if following is not None and (element is None or following.span.start < element.span.start):
+            if _blank(text, end, following.span.start):
+                targets[index] = targets[index + 1]
+        elif element is not None and element.parent is comment.parent and _blank(text, end, element.span.start):
+            targets[index] = element
+    return targets
+
+
+def _blank(text: str, start: int, end: int) -> bool:
+    match = _NOT_TEXT.match(text, start, end)
+    return match is not None and match.end() == end
+
+
+def _suppression(document: Document, comment: Comment, target: Element | None) -> Suppression:
+    source, span = document.source, comment.span
+    written = source.text.startswith("<!--", span.start)  # else it comes out of an entity, and its names have no place of their own
+    first = span.start + len("<!--")
+    match = _WHOLE.match(source.text, first, span.end - len("-->")) if written else _WHOLE.match(comment.text)
+    names: list[Name] = []
+    word = reason = problem = ""
+    if match is not None:
+        word = match["word"].lower()
+        reason = " ".join(match["reason"].split()).lstrip(":,-–— ")
+        base = match.start("names")
+        names = [
+            Name(name[0], Span(base + name.start(), base + name.end()) if written else span)
+            for name in _NAME.finditer(match["names"] or "")
+        ]
+        problem = _spelling(match, names, reason)
+    return Suppression(
+        Location.of(Place(source, span)),
+        frozenset(name.text.lower() for name in names),
+        tuple(names),
+        None if target is None or word == "ignore-file" else target.span,
+        reason,
+        problem or (_place_of_file_comment(document, span) if word == "ignore-file" else _NO_ELEMENT if target is None else ""),
+        _removal(source, span),
+    )
+
+
+def _spelling(match: re.Match[str], names: list[Name], reason: str) -> str:
+    """Why the words of the comment cannot be taken; empty where they can."""
+    word = match["word"].lower()
+    if not word:
+        return f"it does not say what to do: write {_MODEL}"
+    if not match["colon"]:
+        return f"a colon is missing: write {_MODEL}"
+    if word not in ("ignore", "ignore-file"):
+        return f"there is no {word!r}, only ignore and ignore-file"
+    if reason.startswith("["):
+        return f"the list of rules cannot be read: write {word}[LL301] or {word}[LL301, LL302]"
+    if match["list"] and not names:
+        return "the list of rules is empty: name one, or leave the brackets out to ignore every rule"
+    if not match["list"] and _LOOKS_LIKE_AN_ID.match(reason):
+        return f"rules stand in brackets: write {word}[{reason.split()[0]}]"
+    return ""
+
+
+def _place_of_file_comment(document: Document, span: Span) -> str:
+    root = document.root
+    if root is None or not root.children or span.end <= root.children[0].span.start:
+        return ""
+    return "it stands below the first element: ignore-file belongs at the top of the file"
+
+
+def _removal(source: Source, span: Span) -> Edit:
+    """Deletes the comment; where it has its lines for itself, these with their indentation and line end."""
+    text = source.text
+    start, end = span
+    line_start = source.line_starts[source.position(start).line - 1]
+    line = source.position(end).line
+    line_end = source.line_starts[line] if line < len(source.line_starts) else len(text)
+    if not text[line_start:start].strip() and not text[end:line_end].strip():
+        return Edit(source.path, line_start, line_end, "")
+    return Edit(source.path, start, end, "")

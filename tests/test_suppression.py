@@ -1,0 +1,232 @@
+"""Suppression comments: what they cover, how they go wrong, what they have suppressed."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as some
+
+from launchlint.finding import Finding, Location, Severity
+from launchlint.source import Place, Span
+from launchlint.suppression import Suppression, applies, apply, read, unused
+from launchlint.syntax.parse import parse
+from launchlint.syntax.tree import Document
+
+RULES = {
+    "ll301": "LL301",
+    "duplicate-node-name": "LL301",
+    "ll302": "LL302",
+    "invalid-node-name": "LL302",
+    "ll206": "LL206",
+    "old-name": "LL206",
+}
+
+
+def document(text: str) -> Document:
+    return parse(text.encode("utf-8", "surrogatepass"), "a.launch")
+
+
+def suppressions(text: str) -> list[Suppression]:
+    return read(document(text))
+
+
+def covered(text: str) -> list[str | None]:
+    """What each suppression of the file covers, as text: ``None`` for the whole file."""
+    return [None if one.covers is None else text[one.covers.start : one.covers.end] for one in suppressions(text)]
+
+
+def finding(text: str, what: str, rule: str = "LL301", path: str = "a.launch") -> Finding:
+    """A finding of ``rule`` at the first ``what`` in ``text``."""
+    start = text.index(what)
+    place = Place(document(text).source, Span(start, start + len(what)))
+    return Finding(rule, "name", Severity.ERROR, Location.of(place)._replace(path=path), f"{rule} at {what}")
+
+
+FILE = """\
+<launch>
+  <!-- launchlint: ignore[LL301, invalid-node-name] two on purpose -->
+  <node name="a">
+    <param name="p"/>
+  </node>
+  <node name="b"/>
+</launch>
+"""
+
+
+def test_parts_of_a_suppression() -> None:
+    (one,) = suppressions(FILE)
+    assert one.rules == {"ll301", "invalid-node-name"}
+    assert [(name.text, FILE[name.span.start : name.span.end]) for name in one.names] == [
+        ("LL301", "LL301"),
+        ("invalid-node-name", "invalid-node-name"),
+    ]
+    assert (one.location.path, one.location.line, one.location.column, one.location.end_line, one.location.end_column) == (
+        "a.launch",
+        2,
+        3,
+        2,
+        71,
+    )
+    assert one.reason == "two on purpose"
+    assert one.problem == ""
+    assert one.covers is not None
+    assert FILE[one.covers.start : one.covers.end] == '<node name="a">\n    <param name="p"/>\n  </node>'
+    assert FILE[: one.removal.start] + one.removal.text + FILE[one.removal.end :] == FILE.replace(FILE.splitlines(True)[1], "")
+
+
+@pytest.mark.parametrize(
+    ("what", "rule", "path", "expected"),
+    [
+        ('<node name="a"', "LL301", "a.launch", True),
+        ('name="a"', "LL302", "a.launch", True),
+        ('<param name="p"/>', "LL301", "a.launch", True),
+        ('name="a"', "LL206", "a.launch", False),
+        ('<node name="b"/>', "LL301", "a.launch", False),
+        ("<launch>", "LL301", "a.launch", False),
+        ('name="a"', "LL301", "b.launch", False),
+    ],
+)
+def test_applies(what: str, rule: str, path: str, expected: bool) -> None:
+    (one,) = suppressions(FILE)
+    assert applies(one, finding(FILE, what, rule, path), RULES.get) is expected
+    kept, _ = apply([finding(FILE, what, rule, path)], [one], RULES.get)
+    assert kept == ([] if expected else [finding(FILE, what, rule, path)])
+
+
+@pytest.mark.parametrize(
+    "comment", ["ignore", "ignore[duplicate-node-name]", "Ignore[ll301]", "ignore [LL301]", "ignore[LL301 LL999]", "ignore\n  [LL301]"]
+)
+def test_spellings_that_cover_the_element(comment: str) -> None:
+    text = f"<launch><!--launchlint:{comment}--><node/></launch>"
+    assert applies(suppressions(text)[0], finding(text, "<node/>"), RULES.get)
+
+
+def test_a_rule_that_was_renamed_and_one_that_does_not_exist() -> None:
+    text = "<launch><!-- launchlint: ignore[old-name, nonsense] --><arg/></launch>"
+    found = suppressions(text)
+    kept, used = apply([finding(text, "<arg/>", "LL206"), finding(text, "<arg/>", "LL301")], found, RULES.get)
+    assert kept == [finding(text, "<arg/>", "LL301")]
+    assert used == {(found[0], "old-name")}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("<launch><!-- launchlint: ignore --><!-- other -->\n<node/></launch>", ["<node/>"]),
+        ("<launch><!-- launchlint: ignore[LL301] --><!-- launchlint: ignore[LL302] -->\n<?pi x?><node/></launch>", ["<node/>", "<node/>"]),
+        ("<!-- launchlint: ignore -->\n<launch><node/></launch>", ["<launch><node/></launch>"]),
+        ("<launch>\n<!-- launchlint: ignore-file[LL301] -->\n<node/></launch>", [None]),
+        ("<!-- launchlint: ignore-file -->\n<launch>\n<node/></launch>", [None]),
+        ("<launch><!-- launchlint: ignore-file --></launch>", [None]),
+        ("<launch><group><!-- launchlint: ignore --><node/><node/></group><node/></launch>", ["<node/>"]),
+    ],
+)
+def test_where_it_stands(text: str, expected: list[str | None]) -> None:
+    assert covered(text) == expected
+    assert [one.problem for one in suppressions(text)] == [""] * len(expected)
+
+
+UNREADABLE = "the list of rules cannot be read: write ignore[LL301] or ignore[LL301, LL302]"
+NO_ELEMENT = "no element follows it: it belongs right before the element it is about"
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("<launch><!-- launchlint: ignroe[LL301] --><node/></launch>", "there is no 'ignroe', only ignore and ignore-file"),
+        ("<launch><!-- launchlint: disable --><node/></launch>", "there is no 'disable', only ignore and ignore-file"),
+        ("<launch><!-- launchlint: ignore[LL301 --><node/></launch>", UNREADABLE),
+        ("<launch><!-- launchlint: ignore[[LL301]] --><node/></launch>", UNREADABLE),
+        (
+            "<launch><!-- launchlint: ignore[ , ] --><node/></launch>",
+            "the list of rules is empty: name one, or leave the brackets out to ignore every rule",
+        ),
+        ("<launch><!-- launchlint: ignore LL301 why --><node/></launch>", "rules stand in brackets: write ignore[LL301]"),
+        ("<launch><!-- launchlint: ignore: LL301 --><node/></launch>", "rules stand in brackets: write ignore[LL301]"),
+        ("<launch><!-- launchlint: --><node/></launch>", "it does not say what to do: write launchlint: ignore[RULE] reason"),
+        ("<launch><!-- launchlint ignore[LL301] --><node/></launch>", "a colon is missing: write launchlint: ignore[RULE] reason"),
+        (
+            "<launch><node/><!-- launchlint: ignore-file --><node/></launch>",
+            "it stands below the first element: ignore-file belongs at the top of the file",
+        ),
+        ("<launch><node/><!-- launchlint: ignore --></launch>", NO_ELEMENT),
+        ("<launch><group><!-- launchlint: ignore --></group><node/></launch>", NO_ELEMENT),
+        ("<launch><!-- launchlint: ignore --> text <node/></launch>", NO_ELEMENT),
+        ("<launch/><!-- launchlint: ignore -->", NO_ELEMENT),
+    ],
+)
+def test_malformed_ones_suppress_nothing(text: str, problem: str) -> None:
+    (one,) = suppressions(text)
+    assert one.problem == problem
+    found = finding(text, "<node/>" if "<node/>" in text else "<launch/>")
+    assert apply([found], [one], RULES.get) == ([found], set())
+    assert unused([one], set()) == []
+
+
+@pytest.mark.parametrize("comment", ["launch lint is nice", "see launchlint", "launchlint ignores this", "noqa", "", "launchlint"])
+def test_other_comments_are_none(comment: str) -> None:
+    assert suppressions(f"<launch><!-- {comment} --><node/></launch>") == []
+
+
+def test_windows_line_ends_and_entities() -> None:
+    text = "<launch>\r\n<!-- launchlint:\r\nignore[\r\nLL301,\r\nLL302] -->\r\n<node/></launch>"
+    (one,) = suppressions(text)
+    assert [text[name.span.start : name.span.end] for name in one.names] == ["LL301", "LL302"]
+    text = '<!DOCTYPE launch [<!ENTITY e "<!-- launchlint: ignore[LL301] -->">]><launch>&e;<node/></launch>'
+    assert [one.rules for one in suppressions(text)] in ([{"ll301"}], [])
+
+
+def test_used_and_unused() -> None:
+    text = """<launch>
+  <!-- launchlint: ignore-file[LL206] -->
+  <!-- launchlint: ignore[LL301,LL302] -->
+  <node/>
+  <!-- launchlint: ignore -->
+  <arg/>
+</launch>"""
+    found = suppressions(text)
+    findings = [finding(text, "<node/>", "LL301"), finding(text, "<node/>", "LL206"), finding(text, "<launch>", "LL301")]
+    kept, used = apply(findings, found, RULES.get)
+    assert kept == findings[2:]
+    assert used == {(found[1], "LL301"), (found[0], "LL206")}
+    assert unused(found, used) == [(found[1], found[1].names[1:]), (found[2], ())]
+    random.Random(1).shuffle(findings)
+    assert apply(findings, found, RULES.get)[1] == used
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("<launch><!-- launchlint: ignore --><node/></launch>", "<launch><node/></launch>"),
+        ("<launch>\r\n\t<!-- launchlint: ignore -->  \r\n<node/></launch>", "<launch>\r\n<node/></launch>"),
+        ("<launch>\n<!-- launchlint:\n ignore --> <node/></launch>", "<launch>\n <node/></launch>"),
+        ("<launch>\n<!-- launchlint:\n ignore\n-->\n<node/></launch>", "<launch>\n<node/></launch>"),
+        ("<launch/>\n<!-- launchlint: ignore -->", "<launch/>\n"),
+    ],
+)
+def test_removal(text: str, expected: str) -> None:
+    (one,) = suppressions(text)
+    assert text[: one.removal.start] + text[one.removal.end :] == expected
+
+
+def test_a_file_that_is_not_well_formed_still_has_its_suppressions() -> None:
+    (one,) = suppressions("<launch><!-- launchlint: ignore-file --><node></launch>")
+    assert (one.problem, one.covers) == ("", None)
+
+
+def test_many_comments_in_a_row_cost_linear_time() -> None:
+    text = "<launch>" + "<!-- launchlint: ignore -->" * 20_000 + "<node/></launch>"
+    found = suppressions(text)
+    assert {one.covers for one in found} == {Span(text.index("<node/>"), text.index("<node/>") + 7)}
+    assert len(found) == 20_000
+
+
+@given(some.text(alphabet="launchit: ignore-f[]LL301,\n<é", max_size=60))
+def test_any_comment(words: str) -> None:
+    """Never an exception; names stand where they are said to stand."""
+    text = f"<launch>\n  <!-- launchlint: {words.replace('--', '')}. -->\n  <node/></launch>"
+    for one in suppressions(text):
+        assert [text[name.span.start : name.span.end] for name in one.names] == [name.text for name in one.names]
+        assert (one.covers is None) or text[one.covers.start : one.covers.end] == "<node/>"
