@@ -1,0 +1,142 @@
+"""Write the rule pages under ``docs/rules`` from the docstrings of the rules, or check that they are what those say.
+
+``python scripts/rule_pages.py`` writes one page per rule and the index; ``--check`` writes nothing, names each page that is missing,
+out of date or without a rule, and exits with status 1 where there is one. The docstring of a rule is its documentation; nothing in
+``docs/rules`` is edited by hand.
+"""
+
+from __future__ import annotations
+
+import argparse
+import inspect
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+from launchlint.rules.registry import RULES
+from launchlint.rules.rule import Rule
+
+PAGES = Path(__file__).resolve().parent.parent / "docs" / "rules"
+
+CATEGORIES = {
+    "1": "XML and dialect",
+    "2": "Args and substitutions",
+    "3": "Nodes, names and machines",
+    "4": "Includes",
+    "5": "Params",
+    "6": "Remaps and connections",
+    "7": "Packages",
+    "8": "Style and normal form",
+    "9": "ROS 2",
+}
+
+TODAY = {
+    "refuses": "roslaunch refuses the file",
+    "reports": "roslaunch accepts it, roslaunch-check reports it",
+    "nobody": "nobody",
+}
+
+FIX = {
+    "safe": "yes, with `--fix`",
+    "unsafe": "yes, with `--fix --unsafe-fixes` (may change what the file means)",
+    "never": "no",
+}
+
+
+class Page(NamedTuple):
+    """One rule with the text of its docstring."""
+
+    rule: Rule
+    text: str
+
+    @property
+    def summary(self) -> str:
+        """The first sentence of the docstring, on one line and without its full stop."""
+        first_paragraph = self.text.split("\n\n", 1)[0]
+        return " ".join(first_paragraph.split()).removesuffix(".")
+
+
+def rule_pages() -> list[Page]:
+    """All rules of the registry, by ID."""
+    pages = []
+    for entry in RULES:
+        module = entry.load()
+        rule: Rule = module.RULE
+        declared = (entry.id, entry.name, entry.severity, entry.default)
+        if (rule.id, rule.name, rule.severity, rule.default) != declared:
+            raise SystemExit(f"{entry.module}: the registry says {declared}, the module {rule}")
+        if not module.__doc__:
+            raise SystemExit(f"{entry.module}: a rule without a docstring has no page")
+        pages.append(Page(rule, inspect.cleandoc(module.__doc__)))
+    return sorted(pages, key=lambda page: page.rule.id)
+
+
+def page_text(page: Page) -> str:
+    """The Markdown of one rule's page."""
+    rule = page.rule
+    return "\n".join(
+        [
+            f"# {rule.id} {rule.name}",
+            "",
+            "| severity | who tells you without launchlint | can be fixed | on by default |",
+            "|---|---|---|---|",
+            f"| {rule.severity.word} | {TODAY[rule.roslaunch]} | {FIX[rule.fixable]} | {'yes' if rule.default else 'no, select it'} |",
+            "",
+            page.text,
+            "",
+        ]
+    )
+
+
+def index_text(pages: list[Page]) -> str:
+    """The Markdown of the index: one table per category."""
+    lines = ["# The rules", "", "`launchlint explain LL301` shows a page on the terminal, `launchlint rules` the list.", ""]
+    for digit, title in CATEGORIES.items():
+        members = [page for page in pages if page.rule.id[2] == digit]
+        if not members:
+            continue
+        lines += [f"## {digit}xx {title}", "", "| rule | name | severity | what |", "|---|---|---|---|"]
+        for page in members:
+            rule, summary = page.rule, page.summary.replace("|", "\\|")
+            lines.append(f"| [{rule.id}]({rule.id}.md) | {rule.name} | {rule.severity.word} | {summary} |")
+        lines.append("")
+    return "\n".join(lines)
+
+
+def expected_pages() -> dict[str, str]:
+    """File name to content, for everything that belongs into ``docs/rules``."""
+    pages = rule_pages()
+    return {"index.md": index_text(pages), **{f"{page.rule.id}.md": page_text(page) for page in pages}}
+
+
+def main() -> int:
+    """Write or check the pages; return the exit status."""
+    parser = argparse.ArgumentParser(description="Write docs/rules from the docstrings of the rules.")
+    parser.add_argument("--check", action="store_true", help="write nothing; exit with status 1 where a page is not what its rule says")
+    check: bool = parser.parse_args().check
+    expected = expected_pages()
+    present = {path.name: path.read_text(encoding="utf-8") for path in sorted(PAGES.glob("*.md"))}
+    complaints = [
+        *(f"docs/rules/{name} is missing" for name in expected if name not in present),
+        *(f"docs/rules/{name} is out of date" for name in expected if name in present and present[name] != expected[name]),
+        *(f"docs/rules/{name} belongs to no rule" for name in present if name not in expected),
+    ]
+    if check:
+        for complaint in complaints:
+            print(complaint)
+        if complaints:
+            print("run: python scripts/rule_pages.py")
+            return 1
+        print(f"docs/rules: {len(expected) - 1} pages, all as their rules say")
+        return 0
+    PAGES.mkdir(parents=True, exist_ok=True)
+    for name in present.keys() - expected.keys():
+        (PAGES / name).unlink()
+    for name, text in expected.items():
+        (PAGES / name).write_text(text, encoding="utf-8")
+    print(f"docs/rules: wrote the index and {len(expected) - 1} pages")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,140 @@
+"""What all tests share: the update flag, and the markers of tests that need something a machine may not have."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--update", action="store_true", help="rewrite the expected output that tests keep in files and in README.md")
+
+
+@pytest.fixture
+def update(request: pytest.FixtureRequest) -> bool:
+    """Whether expected output kept in files is to be rewritten."""
+    return bool(request.config.getoption("--update"))
+
+
+@pytest.fixture
+def snapshot(request: pytest.FixtureRequest, update: bool) -> Callable[[str, str], None]:
+    """A function (name, text): ``text`` must be what the file ``snapshots/NAME`` next to the test holds; ``--update`` writes it."""
+
+    def compare(name: str, text: str) -> None:
+        file = request.path.parent / "snapshots" / name
+        if update:
+            file.parent.mkdir(exist_ok=True)
+            file.write_bytes(text.encode("utf-8"))
+        assert file.is_file(), f"there is no {file.name} yet: look at the output, then run pytest --update\n{text}"
+        assert text == file.read_bytes().decode("utf-8")
+
+    return compare
+
+
+@pytest.fixture
+def root() -> Path:
+    """The root of this repository."""
+    return ROOT
+
+
+def _answers(command: list[str]) -> bool:
+    """Whether ``command`` ends well within a few seconds."""
+    try:
+        return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=20, check=False).returncode == 0
+    except (OSError, subprocess.TimeoutExpired):
+        return False
+
+
+@cache
+def find_ros_python() -> str | None:
+    """A Python that can import roslaunch, whichever that is on this machine."""
+    for name in ("/usr/bin/python3", "python3", "python"):
+        interpreter = shutil.which(name)
+        if interpreter and _answers([interpreter, "-c", "import roslaunch"]):
+            return interpreter
+    return None
+
+
+@cache
+def find_docker() -> str | None:
+    """The docker client, where an engine answers it."""
+    docker = shutil.which("docker")
+    return docker if docker and _answers([docker, "info"]) else None
+
+
+@cache
+def find_chromium() -> str | None:
+    """A Chromium or Chrome that runs headless."""
+    return next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+
+
+@cache
+def find_sarif_multitool() -> str | None:
+    """The command of npm's @microsoft/sarif-multitool."""
+    return shutil.which(os.environ.get("SARIF_MULTITOOL", "sarif-multitool"))
+
+
+@cache
+def find_corpus() -> str | None:
+    """A directory with public launch files (``ros1/…``)."""
+    corpus = os.environ.get("LAUNCHLINT_CORPUS", "")
+    return corpus if corpus and Path(corpus, "ros1").is_dir() else None
+
+
+NEEDS: dict[str, tuple[Callable[[], str | None], str]] = {
+    "ros": (find_ros_python, "no Python on this machine can import roslaunch (Debian: apt-get install python3-roslaunch)"),
+    "docker": (find_docker, "no Docker engine answers"),
+    "chromium": (find_chromium, "Chromium is not installed (Debian: apt-get install chromium)"),
+    "npm": (
+        find_sarif_multitool,
+        "sarif-multitool is not installed (npm install @microsoft/sarif-multitool, then set SARIF_MULTITOOL to its command)",
+    ),
+    "corpus": (find_corpus, "LAUNCHLINT_CORPUS does not name a directory with a ros1 folder of public launch files"),
+}
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        for marker, (find, reason) in NEEDS.items():
+            if item.get_closest_marker(marker) and find() is None:
+                item.add_marker(pytest.mark.skip(reason=reason))
+
+
+def _needed(marker: str) -> str:
+    find, reason = NEEDS[marker]
+    found = find()
+    if found is None:
+        pytest.skip(reason)
+    return found
+
+
+@pytest.fixture
+def ros_python() -> str:
+    """Command of a Python that can import roslaunch; the test carries the marker ``ros``."""
+    return _needed("ros")
+
+
+@pytest.fixture
+def chromium() -> str:
+    """Command of a headless browser; the test carries the marker ``chromium``."""
+    return _needed("chromium")
+
+
+@pytest.fixture
+def sarif_multitool() -> str:
+    """Command of the SARIF validator; the test carries the marker ``npm``."""
+    return _needed("npm")
+
+
+@pytest.fixture
+def corpus() -> Path:
+    """Directory of the corpus; the test carries the marker ``corpus``."""
+    return Path(_needed("corpus"))

@@ -1,0 +1,63 @@
+"""Every rule's page: what it claims of its examples is true, and it has the parts that readers look for."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from launchlint.finding import Severity
+from launchlint.rules.page import page
+from launchlint.rules.registry import RULES, Entry
+from tests.rules.pipeline import check
+
+SECTIONS = ("Why it matters", "Example", "Use instead")
+every_rule = pytest.mark.parametrize("entry", RULES, ids=lambda entry: entry.id)
+
+
+def findings(entry: Entry, section: str, directory: Path, select: str) -> list[dict[str, Any]]:
+    """What a check of the files of one section finds."""
+    examples = [example for example in page(entry).examples if example.section == section]
+    assert examples, f"the page has no example under {section}"
+    for example in examples:
+        file = directory / example.file
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(example.text, encoding="utf-8")
+        if example.text.startswith("#!"):
+            file.chmod(0o755)
+    _, output = check(directory, "-v", "--select", select, "--format", "json", ".")
+    found: list[dict[str, Any]] = json.loads(output)["findings"]
+    return found
+
+
+@every_rule
+def test_registry_and_rule_agree(entry: Entry) -> None:
+    module = entry.load()
+    rule = module.RULE
+    assert (rule.id, rule.name, rule.severity, rule.default) == (entry.id, entry.name, entry.severity, entry.default)
+    assert module.__name__.rpartition(".")[2] == entry.name.replace("-", "_")
+    assert callable(module.tell if entry.on else module.check)
+    assert not (entry.on and entry.view != "problem")
+
+
+@every_rule
+def test_page_has_its_parts(entry: Entry) -> None:
+    text = page(entry)
+    assert re.findall(r"^## (.+)$", text.markdown, re.MULTILINE)[: len(SECTIONS)] == list(SECTIONS)
+    assert re.fullmatch(r"[A-Z`<$](?:[^.!?]|[.!?](?!\s))*\.", text.summary), f"the summary is one sentence: {text.summary}"
+    assert text.markdown.count("```") % 2 == 0
+
+
+@every_rule
+def test_example_shows_the_mistake(entry: Entry, tmp_path: Path) -> None:
+    found = findings(entry, "Example", tmp_path, entry.id)
+    assert (entry.id, entry.severity.word) in {(finding["rule"], finding["severity"]) for finding in found}
+
+
+@every_rule
+def test_use_instead_is_in_order(entry: Entry, tmp_path: Path) -> None:
+    found = findings(entry, "Use instead", tmp_path, "all")
+    assert [finding for finding in found if finding["rule"] == entry.id or finding["severity"] == Severity.ERROR.word] == []

@@ -1,0 +1,219 @@
+"""The house plan, checked: who may import whom, how modules are called, how long they are, what is imported when."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+PACKAGE = Path(__file__).resolve().parent.parent / "launchlint"
+
+# From the top of the house to its foundation. Rooms on one line are neighbours and may import each other; all else points downward.
+FLOORS = (
+    ("cli",),
+    ("report",),
+    ("probe",),
+    ("check", "baseline"),
+    ("fix",),
+    ("rules",),
+    ("suppression",),
+    ("graph",),
+    ("library",),
+    ("extract",),
+    ("evaluate",),
+    ("syntax",),
+    ("workspace",),
+    ("atomic", "fingerprint", "order", "spelling"),
+    ("model",),
+    ("finding", "problem", "source", "errors"),
+    ("launchlint",),  # launchlint/__init__.py: the version, nothing else
+)
+FLOOR = {room: len(FLOORS) - number for number, rooms in enumerate(FLOORS) for room in rooms}
+
+# What a room must not know although it lies below: "what it must not know" of the house plan.
+UNKNOWN_TO = {
+    "report": {"check", "suppression", "baseline", "fix", "evaluate", "syntax", "workspace", "extract", "probe"},
+    "fix": {"rules"},
+    "rules": {"workspace"},
+    "graph": {"workspace", "syntax"},
+    "library": {"evaluate", "syntax"},
+    "extract": {"evaluate", "syntax"},
+}
+
+# What a room does know on purpose: the views are where packages are handed to rules, so that no rule looks for them itself.
+KNOWN_TO = {"launchlint.rules.view": {"workspace"}}
+
+# Libraries that a room must not know at all.
+FOREIGN_TO = {
+    "fix": {"click"},
+    "rules": {"click", "json", "lxml", "os", "pathlib", "xml"},
+    "report": {"click"},
+}
+
+SAYS_NOTHING = {"utils", "util", "helpers", "helper", "common", "misc", "manager", "base"}
+
+# Too heavy for the start of `launchlint check`: imported in the function that needs them.
+LAZY = {
+    "attr",
+    "attrs",
+    "asyncio",
+    "concurrent",
+    "docker",
+    "jinja2",
+    "lxml",
+    "multiprocessing",
+    "networkx",
+    "sarif_om",
+    "tree_sitter",
+    "yaml",
+}
+
+
+class Import(NamedTuple):
+    """One imported module: where, which, and whether it happens when the importing module is loaded or only for type checkers."""
+
+    module: str
+    line: int
+    target: str
+    at_load: bool
+    for_types: bool
+
+
+def module_name(path: Path) -> str:
+    parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+MODULES = {module_name(path): path for path in sorted(PACKAGE.rglob("*.py"))}
+
+
+def room(module: str) -> str:
+    """`launchlint.rules.registry` → `rules`; the package itself is its own room."""
+    parts = module.split(".")
+    return parts[1] if len(parts) > 1 else parts[0]
+
+
+def floor(module: str) -> int:
+    """How high above the foundation a module stands; what is not on the plan has a test of its own."""
+    return FLOOR.get(room(module), 0)
+
+
+def targets(node: ast.Import | ast.ImportFrom, module: str) -> Iterator[str]:
+    """The modules an import statement names: `from launchlint import errors` names `launchlint.errors`."""
+    if isinstance(node, ast.Import):
+        yield from (alias.name for alias in node.names)
+        return
+    source = node.module or ""
+    if node.level:
+        package = module.split(".") if MODULES[module].name == "__init__.py" else module.split(".")[:-1]
+        source = ".".join([*package[: len(package) - node.level + 1], *filter(None, [source])])
+    for alias in node.names:
+        inner = f"{source}.{alias.name}"
+        yield inner if inner in MODULES else source
+
+
+def is_type_checking(test: ast.expr) -> bool:
+    return (test.id if isinstance(test, ast.Name) else getattr(test, "attr", "")) == "TYPE_CHECKING"
+
+
+def walk(nodes: list[ast.AST], module: str, at_load: bool, for_types: bool) -> Iterator[Import]:
+    for node in nodes:
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            yield from (Import(module, node.lineno, target, at_load, for_types) for target in targets(node, module))
+        elif isinstance(node, ast.If) and is_type_checking(node.test):
+            yield from walk(list(node.body), module, at_load=False, for_types=True)
+            yield from walk(list(node.orelse), module, at_load, for_types)
+        else:
+            inside_function = isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda))
+            yield from walk(list(ast.iter_child_nodes(node)), module, at_load and not inside_function, for_types)
+
+
+@cache
+def imports() -> tuple[Import, ...]:
+    """Every import of the package, those inside functions included."""
+    found: list[Import] = []
+    for module, path in MODULES.items():
+        found += walk([ast.parse(path.read_text(encoding="utf-8"))], module, at_load=True, for_types=False)
+    return tuple(found)
+
+
+def inner_imports() -> list[Import]:
+    return [entry for entry in imports() if entry.target.split(".")[0] == "launchlint"]
+
+
+def test_every_room_is_on_the_plan() -> None:
+    strangers = sorted({room(module) for module in MODULES} - FLOOR.keys())
+    assert strangers == [], f"say in FLOORS where these belong: {strangers}"
+
+
+def test_imports_point_downward() -> None:
+    upward = [
+        f"{entry.module}:{entry.line} imports {entry.target}"
+        for entry in inner_imports()
+        if room(entry.module) != room(entry.target) and floor(entry.target) > floor(entry.module)
+    ]
+    assert upward == []
+
+
+def test_rooms_do_not_know_what_is_none_of_their_business() -> None:
+    """Naming a type for a type checker is not knowing: views hand rules objects that other rooms made."""
+    curious = [
+        f"{entry.module}:{entry.line} imports {entry.target}"
+        for entry in inner_imports()
+        if room(entry.target) in UNKNOWN_TO.get(room(entry.module), set()) - KNOWN_TO.get(entry.module, set()) and not entry.for_types
+    ]
+    assert curious == []
+
+
+def test_rooms_keep_away_from_foreign_libraries() -> None:
+    foreign = [
+        f"{entry.module}:{entry.line} imports {entry.target}"
+        for entry in imports()
+        if entry.target.split(".")[0] in FOREIGN_TO.get(room(entry.module), ())
+    ]
+    assert foreign == []
+
+
+def test_only_the_graph_room_knows_networkx() -> None:
+    users = sorted({room(entry.module) for entry in imports() if entry.target.split(".")[0] == "networkx"})
+    assert users in ([], ["graph"])
+
+
+def test_heavy_libraries_are_imported_where_they_are_needed() -> None:
+    eager = [
+        f"{entry.module}:{entry.line} imports {entry.target}" for entry in imports() if entry.at_load and entry.target.split(".")[0] in LAZY
+    ]
+    assert eager == [], "import these inside the function that needs them"
+
+
+def test_nothing_of_a_checked_repository_can_be_executed() -> None:
+    """No import machinery pointed at files, and no shell: what is checked is never run (the probe room starts containers on purpose)."""
+    dangerous = {"runpy", "code", "codeop", "ctypes", "pickle", "shelve", "marshal", "socket", "urllib.request", "http.client"}
+    found = [
+        f"{entry.module}:{entry.line} imports {entry.target}"
+        for entry in imports()
+        if entry.target in dangerous and room(entry.module) != "probe"
+    ]
+    assert found == []
+
+
+@pytest.mark.parametrize("path", MODULES.values(), ids=MODULES.keys())
+def test_module_is_one_room_with_a_name_that_says_something(path: Path) -> None:
+    assert path.stem not in SAYS_NOTHING
+    assert not SAYS_NOTHING.intersection(path.relative_to(PACKAGE).parts[:-1])
+    length = len(path.read_text(encoding="utf-8").splitlines())
+    assert length <= 500, f"{length} lines: two rooms in one"
+
+
+@pytest.mark.parametrize("path", MODULES.values(), ids=MODULES.keys())
+def test_module_postpones_its_annotations(path: Path) -> None:
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    statements = [node for node in tree.body if not (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))]
+    if any(isinstance(node, (ast.FunctionDef, ast.ClassDef, ast.AnnAssign)) for node in statements):
+        first = statements[0]
+        assert isinstance(first, ast.ImportFrom)
+        assert (first.module, [alias.name for alias in first.names]) == ("__future__", ["annotations"])

@@ -1,0 +1,114 @@
+"""Cold start is the product: what `launchlint check one.launch` imports, and what it does not.
+
+Timers lie on busy machines, `sys.modules` does not.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+
+PLAIN = """\
+<launch>
+  <arg name="rate" default="10"/>
+  <group ns="robot">
+    <node name="talker" pkg="demo_nodes" type="talker" output="screen">
+      <param name="rate" value="$(arg rate)"/>
+      <remap from="chatter" to="talk"/>
+    </node>
+  </group>
+</launch>
+"""
+
+# Each of these costs milliseconds, or hundreds of them, and one file needs none of them.
+HEAVY = (
+    "asyncio",
+    "attr",
+    "concurrent.futures",
+    "dataclasses",
+    "docker",
+    "email",
+    "http",
+    "jinja2",
+    "lxml",
+    "multiprocessing",
+    "networkx",
+    "requests",
+    "sarif_om",
+    "ssl",
+    "tree_sitter",
+    "unittest",
+    "urllib.request",
+    "yaml",
+)
+
+SHOW_MODULES = """
+import json, sys
+before = set(sys.modules)
+from launchlint.cli import main
+try:
+    main(sys.argv[1:], standalone_mode=False)
+except SystemExit:
+    pass
+print()
+print(json.dumps(sorted(set(sys.modules) - before)))
+"""
+
+
+def modules_after(arguments: list[str], directory: Path) -> set[str]:
+    """Names of all modules that launchlint, run with ``arguments`` in ``directory``, has imported."""
+    command = [sys.executable, "-c", SHOW_MODULES, *arguments]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "XDG_CACHE_HOME": str(directory / ".cache")}
+    run = subprocess.run(command, cwd=directory, env=environment, capture_output=True, text=True, timeout=60, check=False)
+    assert run.returncode == 0, run.stderr
+    return set(json.loads(run.stdout.splitlines()[-1]))
+
+
+def among(modules: set[str], names: tuple[str, ...]) -> list[str]:
+    return [name for name in names if name in modules or any(module.startswith(f"{name}.") for module in modules)]
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    """A package with one plain launch file."""
+    (tmp_path / ".git").mkdir()
+    (tmp_path / "package.xml").write_text(
+        '<package format="2"><name>demo</name><version>1.0.0</version><description>A demo.</description>'
+        '<maintainer email="a@example.com">A</maintainer><license>MIT</license><exec_depend>demo_nodes</exec_depend></package>\n',
+        encoding="utf-8",
+    )
+    (tmp_path / "plain.launch").write_text(PLAIN, encoding="utf-8")
+    return tmp_path
+
+
+def test_check_of_one_plain_file_imports_nothing_heavy(package: Path) -> None:
+    modules = modules_after(["check", "plain.launch"], package)
+    assert "launchlint.cli" in modules
+    assert among(modules, HEAVY) == []
+
+
+def test_second_check_with_a_warm_cache_imports_nothing_heavy(package: Path) -> None:
+    modules_after(["check", "plain.launch"], package)
+    assert among(modules_after(["check", "plain.launch"], package), HEAVY) == []
+
+
+def test_check_of_a_file_with_rosparam_may_import_yaml_and_no_more(package: Path) -> None:
+    text = PLAIN.replace('<group ns="robot">', '<rosparam>{gain: 1.5}</rosparam>\n  <group ns="robot">')
+    (package / "yaml.launch").write_text(text, encoding="utf-8")
+    heavier = tuple(name for name in HEAVY if name != "yaml")
+    assert among(modules_after(["check", "yaml.launch"], package), heavier) == []
+
+
+def test_version_and_help_import_hardly_anything(package: Path) -> None:
+    for option in ("--version", "--help"):
+        modules = modules_after([option], package)
+        assert among(modules, HEAVY) == []
+        rooms = {module.split(".")[1] for module in modules if module.startswith("launchlint.")}
+        assert rooms & {"evaluate", "syntax", "rules", "workspace", "report"} == set(), option
