@@ -73,6 +73,9 @@ class Fix(NamedTuple):
     edits: tuple[Edit, ...]
 
 
+Key = tuple[str, str, int, int, str]
+
+
 class Finding(NamedTuple):
     """One mistake, at one place.
 
@@ -99,6 +102,11 @@ class Finding(NamedTuple):
     element: str = ""
     fix: Fix | None = None
     topic: str = ""
+
+    @property
+    def key(self) -> Key:
+        """Equal for two findings that say the same: rule, path, start, end and topic."""
+        return (self.rule, self.location.path, self.location.start, self.location.end, self.topic)
 
     @property
     def sort_key(self) -> tuple[object, ...]:

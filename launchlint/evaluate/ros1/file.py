@@ -24,7 +24,7 @@ from launchlint.model import Condition, ScopedSetting, Unknown
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Span
 from launchlint.syntax.ros1.domains import parse_condition, parse_flag
-from launchlint.syntax.ros1.validate import if_and_unless, missing_attribute
+from launchlint.syntax.ros1.problems import if_and_unless, missing_attribute
 from launchlint.syntax.tree import Attribute, Document, Element
 
 T = TypeVar("T")
@@ -345,7 +345,7 @@ class FileEvaluation:
             try:
                 truth = parse_condition(value)
             except ValueError as error:
-                facts = {"attribute": name, "value": value, "text": attribute.value, "reason": str(error)}
+                facts: dict[str, Any] = {"attribute": name, "value": value, "text": attribute.value, "reason": str(error)}
                 self.problem("condition-not-boolean", span, refused=True, **facts)
         taken = (True if truth is None else truth) is (name == "if")
         origin = Origin(self.place(span))

@@ -154,10 +154,10 @@ def _check_arguments(
     path = document.source.path
     for name, place in explicit.items():
         if name in block.refused_overrides:
-            related = ((block.refused_overrides[name], "its value is fixed here"),)
-            file.problem("arg-override-refused", place.span, refused=True, related=related, name=name, by_include=True, file=path)
+            fixed = ((block.refused_overrides[name], "its value is fixed here"),)
+            file.problem("arg-override-refused", place.span, refused=True, related=fixed, name=name, by_include=True, file=path)
         elif name not in block.declared and not block.assumed_declarations:
-            facts = {"name": name, "file": path, "known": tuple(sorted(block.open_arguments)), "target": document.source.file}
+            facts: dict[str, Any] = {"name": name, "file": path, "known": tuple(sorted(block.open_arguments)), "target": document.source.file}
             file.problem("include-undeclared-arg" if not pass_all else "pass-all-hides-typo", place.span, refused=not pass_all, **facts)
     for name, (declaration, read) in block.missing.items():
         facts = {"name": name, "file": path, "passed": tuple(sorted(explicit)), "target": document.source.file}

@@ -9,7 +9,7 @@ from launchlint.evaluate.names import canonical, join
 from launchlint.evaluate.ros1.file import FileEvaluation
 from launchlint.evaluate.ros1.scope import Context, set_private
 from launchlint.evaluate.ros1.substitution import resolve
-from launchlint.evaluate.ros1.values import convert_value
+from launchlint.evaluate.ros1.values import UnknownValue, convert_value
 from launchlint.model import Binary, Command, ParameterSetting, Unknown
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.ros1.problems import conflicting_attributes, missing_attribute
@@ -119,6 +119,8 @@ def _convert(file: FileEvaluation, attribute: Attribute, text: str, type_: str, 
         file.problem("param-value-type", at.value_span if at.raw else at.name_span, refused=True, value=text[:200], type=type_,
                      known=known, reason=str(error))  # fmt: skip
         return Unknown(text, "the value does not fit its type")
+    except UnknownValue as unknown:
+        return Unknown(text[:200], str(unknown))
 
 
 def rosparam(file: FileEvaluation, element: Element, context: Context, namespace: str, *, in_node: bool = False) -> None:
@@ -208,7 +210,9 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
 
     try:
         loaded = load(content)
-    except YamlUnknown:
+    except YamlUnknown as unknown:
+        value = Unknown("", str(unknown))
+        file.effect(ParameterSetting(canonical(full), value, Origin(file.place(element.start_span)), "rosparam", None, file.conditions))
         return
     except YamlError as error:
         at = place(error.offset, min(error.offset + 1, len(content)))
@@ -234,5 +238,11 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
         target = full
         for key in path:
             target = join(target, key)
+        if target == "/":
+            file.record_at(place(key_start, key_end), "param-yaml-invalid", refused=True, file="" if source is None else source.path,
+                           in_file=source is not None, reason="an empty key in the global namespace names no parameter", hint="")  # fmt: skip
+            continue
+        if isinstance(value, UnknownValue):
+            value = Unknown("", str(value))
         where = Origin(place(key_start, key_end)) if path else Origin(file.place(element.start_span))
         file.effect(ParameterSetting(canonical(target), value, where, "rosparam", None, file.conditions))

@@ -118,7 +118,7 @@ def deprecated_construct(
 ) -> Problem:
     """``deprecated-construct``: facts ``tag``, ``construct``, ``instead``.
 
-    Constructs: ``<master>``, ``machine ros-root`` (and the other ros-*), ``rosparam ns``, ``xacro.py``.
+    Constructs: ``<master>``, ``machine env``, ``machine ros-root`` (and the other ros-*), ``rosparam ns``, ``xacro.py``.
     """
     return _problem(
         "deprecated-construct", document, span, {"tag": element.tag.lower(), "construct": construct, "instead": instead}, step, refused

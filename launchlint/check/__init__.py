@@ -1,0 +1,1 @@
+"""The pipeline: entry files in, findings out; workers, cache, suppressions."""

@@ -1,0 +1,121 @@
+"""Results as plain JSON values and back: what the cache keeps.
+
+JSON and not pickle, since a cache directory may be restored from somewhere else and must not be able to run anything.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from launchlint.check.entry import EntryResult
+from launchlint.check.file import FileResult, Guarded
+from launchlint.check.options import EntryRequest
+from launchlint.finding import Edit, Finding, Fix, Location, Related, Severity
+from launchlint.rules.rule import Fine
+from launchlint.rules.view import BrokenCall, EntrySummary
+from launchlint.source import Span
+from launchlint.suppression import Name, Suppression
+
+
+def file_to_json(result: FileResult) -> list[Any]:
+    """A file's result as JSON values."""
+    suppressions = [
+        [list(item.location), sorted(item.rules), [[name.text, *name.span] for name in item.names], item.covers, item.reason, item.problem, item.removal]
+        for item in result.suppressions
+    ]  # fmt: skip
+    return [result.path, [[_finding_to_json(finding), guard] for finding, guard in result.findings], suppressions, result.root]
+
+
+def file_from_json(value: Any) -> FileResult:
+    """The inverse of :func:`file_to_json`. Raises TypeError, ValueError or KeyError for anything else."""
+    path, findings, suppressions, root = value
+    return FileResult(
+        path,
+        tuple(Guarded(_finding_from_json(finding), guard) for finding, guard in findings),
+        tuple(
+            Suppression(
+                Location(*location),
+                frozenset(rules),
+                tuple(Name(text, Span(start, end)) for text, start, end in names),
+                None if covers is None else Span(*covers),
+                reason,
+                problem,
+                Edit(*removal),
+            )
+            for location, rules, names, covers, reason, problem, removal in suppressions
+        ),
+        None if root is None else Location(*root),
+    )
+
+
+def entry_to_json(result: EntryResult) -> list[Any]:
+    """An entry's result as JSON values; its files are named only."""
+    summary = result.summary
+    return [
+        result.path,
+        result.verdict,
+        result.error,
+        [_finding_to_json(finding) for finding in result.findings],
+        [list(fine) for fine in result.fine],
+        result.visited,
+        [file.path for file in result.files],
+        [summary.path, summary.refused, summary.included, [[*call[:3], call.location] for call in summary.broken_calls], summary.roots],
+        result.needs_caller,
+        result.configurations,
+        result.dependencies,
+        result.variables,
+    ]
+
+
+def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResult]) -> EntryResult:
+    """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
+    path, verdict, error, findings, fine, visited, names, summary, needs_caller, configurations, dependencies, variables = value
+    entry, refused, included, calls, roots = summary
+    return EntryResult(
+        request,
+        path,
+        verdict,
+        None if error is None else (error[0], error[1]),
+        tuple(_finding_from_json(finding) for finding in findings),
+        tuple(Fine(*item) for item in fine),
+        tuple((name, tuple(indices)) for name, indices in visited),
+        tuple(files[name] for name in names),
+        EntrySummary(
+            entry,
+            refused,
+            tuple(included),
+            tuple(BrokenCall(target, name, missing, Location(*location)) for target, name, missing, location in calls),
+            tuple((name, Location(*location)) for name, location in roots),
+        ),
+        needs_caller,
+        configurations,
+        tuple((name, digest) for name, digest in dependencies),
+        tuple((name, text) for name, text in variables),
+    )
+
+
+def _finding_to_json(finding: Finding) -> list[Any]:
+    fix = None if finding.fix is None else [finding.fix.message, finding.fix.safe, finding.fix.edits]
+    return [*finding[:2], int(finding.severity), *finding[3:14], fix, finding.topic]
+
+
+def _finding_from_json(value: Any) -> Finding:
+    rule, name, severity, location, message, label, related, chain, notes, help_, entry, arguments, entries, element, fix, topic = value
+    return Finding(
+        rule,
+        name,
+        Severity(severity),
+        Location(*location),
+        message,
+        label,
+        tuple(Related(Location(*place), text) for place, text in related),
+        tuple(Location(*place) for place in chain),
+        tuple(notes),
+        help_,
+        entry,
+        tuple((key, text) for key, text in arguments),
+        entries,
+        element,
+        None if fix is None else Fix(fix[0], fix[1], tuple(Edit(*edit) for edit in fix[2])),
+        topic,
+    )

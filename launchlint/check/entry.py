@@ -1,0 +1,187 @@
+"""The checks of one entry file: every configuration of it, and the files it reaches."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from launchlint.check.file import FileResult, check_file, run_rule, tell
+from launchlint.check.options import EntryRequest, Options
+from launchlint.evaluate.assemble import Evaluation
+from launchlint.evaluate.configurations import configurations
+from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.session import Session
+from launchlint.finding import Finding, Key, Location, Severity
+from launchlint.problem import Problem
+from launchlint.rules.registry import RULES, Entry, rule_of
+from launchlint.rules.rule import Fine
+from launchlint.rules.view import BrokenCall, EntrySummary, FileView, LaunchView
+from launchlint.syntax.tree import Document
+from launchlint.workspace.packages import Packages
+
+CALL_KINDS = ("include-undeclared-arg", "include-missing-arg")
+ALONE_KINDS = frozenset({"required-arg-unset", "undeclared-arg", "used-before-declaration"})
+"""Problems that say a file is made to be included: it lacks args that only its callers can give."""
+
+
+class EntryResult(NamedTuple):
+    """What one entry file gives.
+
+    ``needs_caller``: it does not load alone, because args are missing that an including file would give. ``dependencies`` are the files it was made
+    from with the digest of their content (empty: not there), ``variables`` the environment variables it read.
+    """
+
+    request: EntryRequest
+    path: str
+    verdict: str
+    error: tuple[str, str] | None
+    findings: tuple[Finding, ...]
+    fine: tuple[Fine, ...]
+    visited: tuple[tuple[str, tuple[int, ...]], ...]
+    files: tuple[FileResult, ...]
+    summary: EntrySummary
+    needs_caller: bool
+    configurations: int
+    dependencies: tuple[tuple[str, str], ...] = ()
+    variables: tuple[tuple[str, str | None], ...] = ()
+
+
+class EntryChecker:
+    """Checks entry files one after another, sharing parsed files and evaluated blocks."""
+
+    def __init__(self, options: Options, overlay: Mapping[str, bytes] | None = None) -> None:
+        self.options = options
+        self.packages = Packages(options.workspaces, options.variables, explicit=options.explicit, complete=options.complete)
+        self.session = Session(self.packages, options.variables, options.root, overlay)
+        self.rules: tuple[Entry, ...] = tuple(rule for rule in RULES if rule.id in options.rules)
+        self.launch_rules = tuple(rule for rule in self.rules if rule.view == "launch")
+        self._files: dict[str, FileResult] = {}
+
+    def check(self, request: EntryRequest) -> EntryResult:
+        """All findings of one entry file."""
+        session = self._session_for(request)
+        session.begin_entry()
+        findings: dict[Key, Finding] = {}
+        fine: dict[Fine, None] = {}
+        visited: dict[str, set[int]] = {}
+        files: dict[str, FileResult] = {}
+        included: dict[str, None] = {}
+        first: Evaluation | None = None
+        count = 0
+        for evaluation in configurations(session, request.at, request.arguments):
+            first = first or evaluation
+            count += 1
+            for path, document in evaluation.documents.items():
+                if path not in files:
+                    files[path] = self._file(session, path, document)
+            for path, indices in evaluation.visited.items():
+                visited.setdefault(path, set()).update(indices)
+            for include in evaluation.launch.includes:
+                if include.source is not None:
+                    included[include.source.path] = None
+            here: dict[Key, Finding] = {}
+            for found in self._launch_findings(evaluation, request):
+                if isinstance(found, Fine):
+                    fine[found] = None
+                else:
+                    key = found.key
+                    if key not in here or len(found.chain) < len(here[key].chain):
+                        here[key] = found
+            for key, finding in here.items():
+                if key not in findings or len(finding.chain) < len(findings[key].chain):
+                    findings[key] = finding
+            if self.options.default_only:
+                break
+        assert first is not None
+        result = self._result(request, first, findings, fine, visited, files, tuple(included), count)
+        return result._replace(
+            dependencies=tuple((name, session.read(name).digest) for name in sorted(session.touched)),
+            variables=tuple((name, session.environment.get(name)) for name in sorted(session.variables)),
+        )
+
+    def model(self, request: EntryRequest) -> tuple[Evaluation, tuple[str, str] | None]:
+        """What one entry file starts as given, and why roslaunch refuses it: rule ID and message of the first reason, if it does."""
+        session = self._session_for(request)
+        session.begin_entry()
+        evaluation = evaluate(session, request.at, request.arguments)
+        refused = evaluation.launch.refused
+        if refused is None:
+            return evaluation, None
+        view = LaunchView(evaluation.launch, self.packages, request.declared)
+        told = [finding.message for finding in tell(refused, view, self.options.rules)]
+        return evaluation, (rule_of(refused.kind), told[0] if told else refused.kind)
+
+    def _session_for(self, request: EntryRequest) -> Session:
+        """The shared session, or one of its own where other text stands in for a file."""
+        if request.file == request.at:
+            return self.session
+        content = self.session.read(request.file)
+        return self.session if content.data is None else self.session.with_text(request.at, content.data)
+
+    def _file(self, session: Session, path: str, document: Document) -> FileResult:
+        shared = session is self.session
+        if shared and path in self._files:
+            return self._files[path]
+        result = check_file(FileView(document, self.packages), self.rules)
+        if shared:
+            self._files[path] = result
+        return result
+
+    def _launch_findings(self, evaluation: Evaluation, request: EntryRequest) -> Iterator[Finding | Fine]:
+        launch = evaluation.launch
+        view = LaunchView(launch, self.packages, request.declared)
+        for problem in launch.problems:
+            for finding in tell(problem, view, self.options.rules):
+                yield self._at_home(finding, evaluation, assumed=problem.assumed)
+        for rule in self.launch_rules:
+            for found in run_rule(rule, view, launch.entry.path):
+                yield found if isinstance(found, Fine) else self._at_home(found, evaluation, assumed=False)
+
+    def _at_home(self, finding: Finding, evaluation: Evaluation, *, assumed: bool) -> Finding:
+        """``finding`` with the entry file and args that show it; under a condition of unknown value it is no more than a warning."""
+        severity = min(finding.severity, Severity.WARNING) if assumed else finding.severity
+        return finding._replace(severity=severity, entry=evaluation.launch.entry.path, arguments=evaluation.launch.given, entries=1)
+
+    def _result(
+        self,
+        request: EntryRequest,
+        first: Evaluation,
+        findings: dict[Key, Finding],
+        fine: dict[Fine, None],
+        visited: dict[str, set[int]],
+        files: dict[str, FileResult],
+        included: tuple[str, ...],
+        count: int,
+    ) -> EntryResult:
+        launch = first.launch
+        path = launch.entry.path
+        refused = launch.refused
+        error = None
+        if refused is not None:
+            told = next((finding.message for finding in findings.values() if finding.location.start == refused.place.span.start
+                         and finding.location.path == refused.place.source.path), refused.kind)  # fmt: skip
+            error = (rule_of(refused.kind), told)
+        reasons = {problem.kind for problem in launch.problems if problem.refused and problem.place.source.path == path}
+        roots = tuple((known.path, known.root) for known in files.values() if known.root is not None)
+        needs_caller = bool(reasons & ALONE_KINDS) and not request.declared and not request.arguments
+        summary = EntrySummary(path, refused is not None, included, tuple(_broken_calls(launch.problems)), roots, needs_caller)
+        return EntryResult(
+            request,
+            path,
+            "ok" if refused is None else "error",
+            error,
+            tuple(findings.values()),
+            tuple(fine),
+            tuple((known, tuple(sorted(indices))) for known, indices in visited.items()),
+            tuple(files.values()),
+            summary,
+            needs_caller,
+            count,
+        )
+
+
+def _broken_calls(problems: tuple[Problem, ...]) -> Iterator[BrokenCall]:
+    for problem in problems:
+        if problem.kind in CALL_KINDS and problem.refused:
+            missing = problem.kind == "include-missing-arg"
+            yield BrokenCall(problem.facts["file"], problem.facts["name"], missing, Location.of(problem.place))

@@ -1,0 +1,114 @@
+"""The checks of one launch file as it is written, whoever includes it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from launchlint.finding import Finding, Location
+from launchlint.problem import Problem
+from launchlint.rules.registry import Entry, by_kind
+from launchlint.rules.rule import Fine
+from launchlint.rules.view import FileView
+from launchlint.suppression import Suppression
+from launchlint.syntax.tree import Document, Element
+
+
+class Guarded(NamedTuple):
+    """A finding, and the conditional element around it (its index): where that is never evaluated, nobody is hurt yet."""
+
+    finding: Finding
+    guard: int | None
+
+
+class FileResult(NamedTuple):
+    """What one launch file by itself gives."""
+
+    path: str
+    findings: tuple[Guarded, ...]
+    suppressions: tuple[Suppression, ...]
+    root: Location | None
+
+
+def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
+    """Run the rules that look at the text of one launch file."""
+    document = view.document
+    selected = frozenset(rule.id for rule in rules)
+    findings: list[Guarded] = []
+    for problem in _problems(document):
+        for finding in tell(problem, view, selected):
+            findings.append(Guarded(finding, _guard(document, finding.location)))
+    if document.launch is not None:
+        for rule in rules:
+            if rule.view == "file":
+                for found in run_rule(rule, view, document.source.path):
+                    if isinstance(found, Finding):
+                        findings.append(Guarded(found, _guard(document, found.location)))
+    suppressions: tuple[Suppression, ...] = ()
+    if any("launchlint" in comment.text for comment in document.comments):
+        from launchlint.suppression import read
+
+        suppressions = tuple(read(document))
+    root = None if document.root is None else Location.of(document.place(document.root.name_span))
+    return FileResult(document.source.path, tuple(findings), suppressions, root)
+
+
+def _problems(document: Document) -> Iterator[Problem]:
+    yield from document.problems
+    if document.launch is not None:
+        from launchlint.syntax.ros1.validate import validate
+
+        yield from validate(document)
+
+
+_KINDS: dict[str, tuple[Entry, ...]] = {}
+
+
+def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[Finding]:
+    """What the rules for this kind of problem say about it."""
+    if not _KINDS:
+        _KINDS.update(by_kind())
+    for rule in _KINDS.get(problem.kind, ()):
+        if rule.id in selected:
+            try:
+                yield from rule.load().tell(problem, view)
+            except Exception as error:  # a rule must never take the run down
+                yield internal_error(rule, problem.place.source.path, error)
+
+
+def run_rule(rule: Entry, view: object, path: str) -> Iterator[Finding | Fine]:
+    """What a view rule says; a crash becomes a finding that names the rule and the file."""
+    try:
+        yield from rule.load().check(view)
+    except Exception as error:  # a rule must never take the run down
+        yield internal_error(rule, path, error)
+
+
+INTERNAL_ERROR = "LL000"
+
+
+def internal_error(rule: Entry, path: str, error: Exception) -> Finding:
+    """The finding for a crash inside a rule: the run goes on, and ends with exit status 2."""
+    import traceback
+
+    from launchlint.finding import Severity
+
+    frames = traceback.extract_tb(error.__traceback__)
+    where = f"{frames[-1].name}, line {frames[-1].lineno}" if frames else "unknown place"
+    return Finding(
+        INTERNAL_ERROR, "internal-error", Severity.ERROR, Location(path, 1, 1, 1, 1, 0, 0, ""),
+        f"rule {rule.id} {rule.name} crashed on this file: {type(error).__name__}: {error}",
+        notes=(f"in {where}; all other rules went on",), help="please report this, with the launch file if you can share it",
+    )  # fmt: skip
+
+
+def _guard(document: Document, location: Location) -> int | None:
+    if location.path != document.source.path or document.launch is None:
+        return None
+    element: Element | None = document.element_from(location.start)
+    while element is not None:
+        if "if" in element.attributes or "unless" in element.attributes:
+            return element.index
+        element = element.parent
+    return None
+

@@ -1,0 +1,121 @@
+"""Join the results of all entry files: each finding once, at its own place, with the shortest way to it."""
+
+from __future__ import annotations
+
+import fnmatch
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from launchlint.check.entry import EntryResult
+from launchlint.check.file import INTERNAL_ERROR, FileResult, run_rule
+from launchlint.check.options import Options
+from launchlint.finding import Finding, Key, Severity
+from launchlint.order import ordered
+from launchlint.rules.registry import RULES, find
+from launchlint.rules.rule import Fine
+from launchlint.rules.view import RunView, SuppressionView
+from launchlint.workspace.packages import Packages
+
+NEVER_EVALUATED = "no configuration that was found evaluates this element, so that nobody is stopped by it yet"
+
+class Outcome(NamedTuple):
+    """All findings of a run in report order, and how much was looked at."""
+
+    findings: tuple[Finding, ...]
+    files: int
+    entries: int
+    crashed: bool
+
+
+def merge(
+    results: Sequence[EntryResult], options: Options, packages: Packages, per_file: Mapping[str, tuple[str, ...]], *, workspace: bool = True,
+    alone: bool = False,
+) -> Outcome:
+    """The findings of a whole run.
+
+    A file that others include and that lacks args when started alone is not an entry file: what was found in it that way is left out.
+    ``per_file`` maps path patterns to rules that are off there. ``workspace`` runs the rules that look at the whole run;
+    ``alone`` keeps every entry, whoever includes it.
+    """
+    elsewhere = {path for result in results for path in result.summary.included if path != result.path}
+    entries = [result for result in results if alone or not (result.needs_caller and result.path in elsewhere)]
+    findings: dict[Key, Finding] = {}
+    reached: dict[Key, set[str]] = {}
+    fine: set[Fine] = set()
+    visited: dict[str, set[int]] = {}
+    files: dict[str, FileResult] = {}
+    for result in entries:
+        fine.update(result.fine)
+        for path, indices in result.visited:
+            visited.setdefault(path, set()).update(indices)
+        for finding in result.findings:
+            key = finding.key
+            reached.setdefault(key, set()).add(result.path)
+            known = findings.get(key)
+            if known is None or _better(finding, known):
+                findings[key] = finding
+    for result in results:
+        for file in result.files:
+            files.setdefault(file.path, file)
+    collected = [
+        finding._replace(entries=len(reached[key]))
+        for key, finding in findings.items()
+        if Fine(finding.rule, finding.location.path, finding.location.start) not in fine
+    ]
+    own = {finding.key for finding in collected}
+    for file in files.values():
+        evaluated = visited.get(file.path, set())
+        for finding, guard in file.findings:
+            if finding.key in own:
+                continue
+            own.add(finding.key)
+            if guard is not None and guard not in evaluated and finding.severity is Severity.ERROR:
+                finding = finding._replace(severity=Severity.WARNING, notes=(*finding.notes, NEVER_EVALUATED))
+            collected.append(finding)
+    if workspace:
+        view = RunView(tuple(result.summary for result in results), packages, options.root)
+        for rule in RULES:
+            if rule.view == "run" and rule.id in options.rules:
+                collected.extend(found for found in run_rule(rule, view, "") if isinstance(found, Finding))
+    kept = _suppress(_adjust(collected, options, per_file), files.values(), options)
+    crashed = any(finding.rule == INTERNAL_ERROR for finding in kept)
+    return Outcome(tuple(ordered(kept)), len(files) or len(results), len(entries), crashed)
+
+
+def _better(finding: Finding, known: Finding) -> bool:
+    """Whether ``finding`` shows the same mistake more plainly: worse first, then nearer to an entry file, fewer args, first by name."""
+
+    def rank(item: Finding) -> tuple[object, ...]:
+        return (-int(item.severity), len(item.chain), len(item.arguments), item.entry, item.arguments, item.message)
+
+    return rank(finding) < rank(known)
+
+
+def _adjust(findings: Iterable[Finding], options: Options, per_file: Mapping[str, tuple[str, ...]]) -> list[Finding]:
+    """Severities and per-file ignores as people asked for them."""
+    kept: list[Finding] = []
+    for finding in findings:
+        if any(finding.rule in rules and fnmatch.fnmatchcase(finding.location.path, pattern) for pattern, rules in per_file.items()):
+            continue
+        kept.append(finding._replace(severity=options.severities.get(finding.rule, finding.severity)))
+    return kept
+
+
+def _suppress(findings: list[Finding], files: Iterable[FileResult], options: Options) -> list[Finding]:
+    from launchlint.suppression import apply
+
+    suppressions = [suppression for file in files for suppression in file.suppressions]
+    if not suppressions:
+        return findings
+
+    def resolve(word: str) -> str | None:
+        rule = find(word)
+        return None if rule is None else rule.id
+
+    kept, used = apply(findings, suppressions, resolve)
+    view = SuppressionView(tuple(suppressions), frozenset(used), resolve, options.rules, tuple(rule.name for rule in RULES))
+    for rule in RULES:
+        if rule.view == "suppression" and rule.id in options.rules:
+            told = (found for found in run_rule(rule, view, "") if isinstance(found, Finding))
+            kept.extend(_adjust(told, options, {}))
+    return kept

@@ -1,0 +1,39 @@
+"""What a check is asked to do, in plain values that can be sent to a worker and hashed for the cache."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from launchlint.finding import Severity
+
+Arguments = tuple[tuple[str, str], ...]
+
+
+class EntryRequest(NamedTuple):
+    """One entry file to check: ``file`` is read, and judged as if it stood at ``at`` (usually the same path).
+
+    ``arguments`` are what people give on the command line; ``declared`` says that the configuration names this file as one people start.
+    """
+
+    file: str
+    at: str
+    arguments: Arguments = ()
+    declared: bool = False
+
+
+class Options(NamedTuple):
+    """All that changes findings, apart from the files themselves.
+
+    ``rules`` are the IDs that are on; ``severities`` replace a rule's own; ``complete`` says whether every package is here (None: find out);
+    ``variables`` is the environment launch files see.
+    """
+
+    rules: frozenset[str]
+    workspaces: tuple[str, ...]
+    explicit: bool
+    variables: Mapping[str, str]
+    root: str
+    severities: Mapping[str, Severity] = {}
+    complete: bool | None = None
+    default_only: bool = False

@@ -1,0 +1,90 @@
+"""The command line: one file per command, imported when the command is called."""
+
+from __future__ import annotations
+
+import sys
+from importlib import import_module
+
+import click
+
+from launchlint import __version__
+from launchlint.errors import LaunchlintError
+
+COMMANDS = {
+    "check": ("launchlint.cli.check", "Find the mistakes in launch files."),
+    "model": ("launchlint.cli.model", "Print what roslaunch would start."),
+    "rules": ("launchlint.cli.rules", "List all rules."),
+    "explain": ("launchlint.cli.explain", "Explain a rule."),
+    "schema": ("launchlint.cli.schema", "Print a dialect as RelaxNG, for editors."),
+}
+
+
+class LazyGroup(click.Group):
+    """A group whose commands are imported only when they are called: ``--help`` and a single command stay fast."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """The names of all commands, in the order people meet them."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import and return the command."""
+        if cmd_name not in COMMANDS:
+            return None
+        command: click.Command = import_module(COMMANDS[cmd_name][0]).command
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """The list in ``--help``, without importing anything."""
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, summary) for name, (_, summary) in COMMANDS.items()])
+
+    def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple[str | None, click.Command | None, list[str]]:
+        """Name the nearest command for one that does not exist."""
+        if args and args[0] not in COMMANDS and not args[0].startswith("-"):
+            from launchlint.report.escape import visible
+            from launchlint.spelling import did_you_mean
+
+            hint = did_you_mean(args[0], COMMANDS) or f"the commands are {', '.join(COMMANDS)}"
+            ctx.fail(f"There is no command '{visible(args[0])}': {hint}")
+        return super().resolve_command(ctx, args)
+
+
+@click.group(cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.version_option(__version__, "-V", "--version", prog_name="launchlint")
+def main_group() -> None:
+    """launchlint finds the mistakes in ROS launch files before the robot does, without ROS and without running anything."""
+
+
+def main(args: list[str] | None = None, *, standalone_mode: bool = True) -> int:
+    """Run launchlint with ``args`` (default: the process's own) and end the process with its exit status.
+
+    Exit status: 0 nothing at or above ``--fail-on``, 1 findings at or above it, 2 usage, configuration or a crash in a rule. With
+    ``standalone_mode=False`` the status is returned instead.
+    """
+    status = _run(args)
+    if standalone_mode:
+        sys.exit(status)
+    return status
+
+
+def _run(args: list[str] | None) -> int:
+    try:
+        result = main_group.main(args, prog_name="launchlint", standalone_mode=False)
+        return result if isinstance(result, int) else 0
+    except click.exceptions.Exit as exit_:
+        return exit_.exit_code
+    except click.ClickException as error:
+        error.show()
+        return 2
+    except LaunchlintError as error:
+        from launchlint.report.escape import visible
+
+        lines = "\n".join(visible(line) for line in str(error).splitlines())
+        click.echo(f"launchlint: {lines}", err=True)
+        return 2
+    except (KeyboardInterrupt, click.Abort):
+        click.echo("launchlint: stopped", err=True)
+        return 130
+    except BrokenPipeError:
+        sys.stderr.close()
+        return 0

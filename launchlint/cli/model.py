@@ -1,0 +1,44 @@
+"""``launchlint model``."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+
+from launchlint.cli.options import EntryOptions, entry_options
+
+
+@click.command("model")
+@entry_options
+@click.option("--format", "format_", type=click.Choice(["text", "json", "jsonl"]), default="text", show_default=True, help="How to print it.")
+def command(entry: EntryOptions, format_: str) -> int:
+    """Print what roslaunch would start for FILE: nodes with their remaps and parameters, under their resolved names.
+
+    Nothing is started and no command= is run. The exit status is 1 where roslaunch would refuse a file.
+    """
+    import json
+
+    from launchlint.check.entry import EntryChecker
+    from launchlint.report.formats import emit
+    from launchlint.report.model import as_object, table
+
+    requests, overlay = entry.requests()
+    checker = EntryChecker(entry.options(everything=True), overlay)
+    refused = False
+    collected: list[object] = []
+    for request in requests:
+        evaluation, error = checker.model(request)
+        refused |= error is not None
+        if format_ == "text":
+            title = f"{evaluation.launch.entry.path}:\n" if len(requests) > 1 else ""
+            emit(title + table(evaluation.launch, error), sys.stdout)
+            continue
+        item = as_object(evaluation, request.file, error)
+        if format_ == "jsonl":
+            emit(json.dumps(item, ensure_ascii=True, default=str) + "\n", sys.stdout)
+        else:
+            collected.append(item)
+    if format_ == "json":
+        emit(json.dumps(collected[0] if len(collected) == 1 else collected, indent=2, ensure_ascii=True, default=str) + "\n", sys.stdout)
+    return int(refused)

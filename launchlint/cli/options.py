@@ -1,0 +1,161 @@
+"""Options that several commands share, and what they come to."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
+
+import click
+
+from launchlint.check.options import Arguments, EntryRequest, Options
+from launchlint.errors import UsageError
+from launchlint.finding import Severity
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.configuration import Configuration
+
+
+class EntryOptions:
+    """What ``PATHS``, ``--arg``, ``--entries``, ``--workspace`` and ``--config`` say."""
+
+    def __init__(
+        self, paths: tuple[str, ...], args: tuple[str, ...], entries: str | None, workspace: tuple[str, ...], config: str | None
+    ) -> None:
+        self.paths = paths or (() if entries else (".",))
+        self.arguments = tuple(parse_argument(text) for text in args)
+        self.entries = entries
+        self.workspace = workspace
+        self.configuration = read_configuration(config, self.paths)
+
+    def requests(self, stdin_filename: str | None = None) -> tuple[list[EntryRequest], dict[str, bytes]]:
+        """The entry files that are asked for, in order, and text that stands in for files: standard input for ``-``.
+
+        Raises UsageError for a path that does not exist.
+        """
+        if self.paths == ("-",):
+            name = stdin_filename or "stdin.launch"
+            return [EntryRequest(name, name, self.arguments)], {name: sys.stdin.buffer.read()}
+        if "-" in self.paths:
+            raise UsageError("- stands for standard input and cannot be mixed with other paths; check them in two calls")
+        if stdin_filename is not None:
+            raise UsageError("--stdin-filename names standard input; give - as the path too")
+        if self.entries is not None:
+            return self._listed(), {}
+        from launchlint.workspace.discovery import discover
+
+        configuration = self.configuration
+        declared = {os.path.abspath(entry.file): tuple(entry.arguments.items()) for entry in configuration.entries or ()}
+        files = discover(self.paths, configuration.exclude, configuration.directory)
+        profiles = [tuple(arguments.items()) for arguments in configuration.args.values()]
+        requests: list[EntryRequest] = []
+        for file in files:
+            given = declared.get(os.path.abspath(file))
+            requests.append(EntryRequest(file, file, merge_arguments(given or (), self.arguments), given is not None))
+            requests += [EntryRequest(file, file, merge_arguments(profile, self.arguments)) for profile in profiles]
+        return requests, {}
+
+    def _listed(self) -> list[EntryRequest]:
+        from launchlint.workspace.entries import load_entries
+
+        assert self.entries is not None
+        return [
+            EntryRequest(entry.file, entry.as_ or entry.file, merge_arguments(tuple(entry.arguments.items()), self.arguments))
+            for entry in load_entries(self.entries)
+        ]
+
+    def options(
+        self, *, everything: bool = False, select: Iterable[str] = (), ignore: Iterable[str] = (), severity: Iterable[str] = ()
+    ) -> Options:
+        """All that changes findings. ``everything``: all rules, with their own severities."""
+        from launchlint.cli.selection import selected_rules, severities
+
+        configuration = self.configuration
+        rules = selected_rules(tuple(select), tuple(ignore), configuration, everything=everything)
+        workspaces = self.workspace or configuration.workspace
+        for directory in self.workspace:
+            if not os.path.isdir(directory):
+                raise UsageError(f"--workspace {directory}: there is no such directory; packages are looked for in it, so give one that exists")
+        if not workspaces:
+            from launchlint.workspace.repository import default_workspaces
+
+            workspaces = tuple(default_workspaces(list(self.paths) or ["."]))
+        return Options(
+            rules=rules,
+            workspaces=tuple(os.path.abspath(directory) for directory in workspaces),
+            explicit=bool(self.workspace or configuration.workspace),
+            variables={**os.environ, **configuration.env},
+            root=os.getcwd(),
+            severities={} if everything else severities(tuple(severity), configuration),
+            complete=None if configuration.packages is None else configuration.packages == "complete",
+        )
+
+
+def parse_argument(text: str) -> tuple[str, str]:
+    """``name:=value``, as on roslaunch's own command line. Raises UsageError."""
+    name, separator, value = text.partition(":=")
+    if not separator or not name:
+        raise UsageError(f"--arg {text}: an arg is given as name:=value, as to roslaunch")
+    return name, value
+
+
+def merge_arguments(base: Arguments, over: Arguments) -> Arguments:
+    """``base`` with the pairs of ``over`` in place of those of the same name."""
+    return tuple({**dict(base), **dict(over)}.items())
+
+
+def read_configuration(config: str | None, paths: tuple[str, ...]) -> Configuration:
+    """The configuration file named, or the nearest one to the first path; defaults where there is none."""
+    from launchlint.workspace.configuration import Configuration, find_configuration, load
+
+    if config is not None:
+        return load(config)
+    first = paths[0] if paths and paths[0] != "-" else "."
+    found = find_configuration(first)
+    return Configuration() if found is None else load(os.path.relpath(found))
+
+
+def entry_options(function: F) -> F:
+    """Add the options of :class:`EntryOptions` to a command, which gets one as ``entry``."""
+
+    def call(
+        paths: tuple[str, ...], args: tuple[str, ...], entries: str | None, workspace: tuple[str, ...], config: str | None, **others: Any
+    ) -> Any:
+        return function(entry=EntryOptions(paths, args, entries, workspace, config), **others)
+
+    call.__doc__ = function.__doc__
+    call.__name__ = function.__name__
+    if hasattr(function, "__click_params__"):
+        call.__click_params__ = function.__click_params__  # type: ignore[attr-defined]  # click keeps the options given so far there
+    for decorate in (
+        click.option("--config", metavar="FILE", help="Configuration file; default: the nearest .launchlint.yaml."),
+        click.option("--workspace", multiple=True, metavar="DIR", help="Where packages are; repeatable, the first that has a package wins."),
+        click.option("--entries", metavar="FILE", help="Evaluate the files, with the args, that a YAML or JSON list names."),
+        click.option("--arg", "args", multiple=True, metavar="NAME:=VALUE", help="An arg, as on roslaunch's command line; repeatable."),
+        click.argument("paths", nargs=-1, metavar="[PATHS]..."),
+    ):
+        call = decorate(call)
+    return call  # type: ignore[return-value]  # the decorated function stands for the one given
+
+
+def use_color(choice: str) -> bool:
+    """Whether to colour: as asked, else as NO_COLOR and FORCE_COLOR say, else where standard output is a terminal."""
+    if choice != "auto":
+        return choice == "always"
+    if os.environ.get("NO_COLOR"):
+        return False
+    if os.environ.get("FORCE_COLOR"):
+        return True
+    return sys.stdout.isatty()
+
+
+def parse_severity(word: str, what: str) -> Severity:
+    """``error``, ``warning`` or ``info``. Raises UsageError."""
+    try:
+        return Severity[word.upper()]
+    except KeyError:
+        raise UsageError(f"{what}: {word} is no severity; write error, warning or info") from None

@@ -1,0 +1,107 @@
+"""What ``check`` prints, and the exit status it ends with."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple, TextIO
+
+from launchlint.check.entry import EntryResult
+from launchlint.check.merge import Outcome, merge
+from launchlint.check.options import Options
+from launchlint.finding import Severity
+from launchlint.report.formats import emit, parse, write
+from launchlint.report.run import RuleMetadata, Run, files_below
+from launchlint.workspace.packages import Packages
+
+HELP_URI = "https://launchlint.readthedocs.io/en/stable/rules/"
+
+
+class Request(NamedTuple):
+    """How findings are to be shown, and when they count as failure."""
+
+    formats: tuple[str, ...]
+    fail_on: Severity
+    color: bool
+    verbose: bool
+    quiet: bool
+    statistics: bool
+    exit_zero: bool
+    version: str
+    root: str
+
+
+def report(outcome: Outcome, request: Request, notices: tuple[str, ...] = ()) -> int:
+    """Print the outcome in every format asked for. Returns the exit status."""
+    run = Run(
+        version=request.version,
+        rules=rule_metadata,
+        files_checked=outcome.files,
+        entries_checked=outcome.entries,
+        color=request.color,
+        verbose=request.verbose,
+        width=_width(),
+        fail_on=request.fail_on,
+        root=request.root,
+        notices=notices,
+        successful=not outcome.crashed,
+        read=files_below(request.root),
+    )
+    for format_ in request.formats:
+        if not (request.quiet and parse(format_).file is None):
+            write(format_, outcome.findings, run)
+    if request.statistics and not request.quiet:
+        from launchlint.report.text import statistics
+
+        emit(statistics(outcome.findings), sys.stdout)
+    return exit_status(outcome, request)
+
+
+def exit_status(outcome: Outcome, request: Request) -> int:
+    """2 where a rule crashed, 1 where a finding is as severe as asked for, else 0."""
+    if outcome.crashed:
+        return 2
+    if request.exit_zero:
+        return 0
+    return int(any(finding.severity >= request.fail_on for finding in outcome.findings))
+
+
+def entry_lines(
+    results: Sequence[EntryResult],
+    options: Options,
+    packages: Packages,
+    per_file: Mapping[str, tuple[str, ...]],
+    request: Request,
+    stream: TextIO,
+) -> int:
+    """One JSON line for each entry of ``--entries``, each judged by itself. Returns the exit status."""
+    from launchlint.report.jsonl import entry_line
+
+    status = 0
+    for result in results:
+        outcome = merge([result], options, packages, per_file, workspace=False, alone=True)
+        emit(entry_line(result.request.file, result.request.at, result.verdict, outcome.findings), stream)
+        status = max(status, exit_status(outcome, request))
+    return status
+
+
+def rule_metadata() -> dict[str, RuleMetadata]:
+    """Every rule as SARIF describes it."""
+    from launchlint.rules.page import page
+    from launchlint.rules.registry import RULES
+
+    rules: dict[str, RuleMetadata] = {}
+    for rule in RULES:
+        text = page(rule)
+        category = rule.module.split(".")[0]
+        precision = "very-high" if rule.severity is Severity.ERROR else "high"
+        rules[rule.id] = RuleMetadata(
+            rule.id, rule.name, rule.severity, text.summary, text.text, text.markdown, f"{HELP_URI}{rule.id}/", ("ros", category), precision
+        )
+    return rules
+
+
+def _width() -> int:
+    import shutil
+
+    return shutil.get_terminal_size((120, 24)).columns

@@ -1,0 +1,66 @@
+"""An arg is used above its declaration, or args need each other.
+
+roslaunch reads a file from top to bottom: what an arg's value uses must have been declared above it. Where args need
+each other in a circle, no order helps; the whole circle is shown.
+
+## Why it matters
+
+roslaunch refuses the file, unless the arg is given on the command line: it may work for its author and for nobody
+else.
+
+## Example
+
+```xml
+<launch>
+  <arg name="map" default="$(arg site)_map"/>
+  <arg name="site" default="office"/>
+  <node pkg="map_server" type="map_server" name="map_server" args="$(arg map).yaml"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <arg name="site" default="office"/>
+  <arg name="map" default="$(arg site)_map"/>
+  <node pkg="map_server" type="map_server" name="map_server" args="$(arg map).yaml"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.source import Place
+
+RULE = Rule("LL205", "arg-cycle", Severity.ERROR, roslaunch="refuses")
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Show the circle, or the later declaration; facts: ``name``, ``declaration`` (a place), ``cycle`` (name and place of each)."""
+    name = problem.facts["name"]
+    cycle: tuple[tuple[str, Place], ...] = problem.facts["cycle"]
+    related: tuple[tuple[Place, str], ...] = ((problem.facts["declaration"], "declared here"),)
+    if len(cycle) == 1:
+        message, advice, related = f"the arg {name} is made from itself", "write its value out, or use an arg of another name", ()
+    elif cycle:
+        names = [each for each, _ in cycle]
+        message = f"args need each other: {' needs '.join([*names, names[0]])}"
+        advice = "give one of them a value that does not need the others"
+        related = tuple((place, f"{each} needs {after}") for (each, place), after in zip(cycle, [*names[1:], names[0]], strict=True))
+    else:
+        message, advice = f"the arg {name} is used above its declaration", f"move the declaration of {name} up, above its first use"
+    yield RULE.at(
+        problem.origin,
+        message,
+        severity=Severity.ERROR if problem.refused else Severity.WARNING,
+        label=f"{name} has no value yet",
+        related=related,
+        notes=("roslaunch reads from top to bottom and stops here",),
+        help=advice,
+    )

@@ -1,0 +1,73 @@
+"""A `$(…)` is not one that roslaunch can resolve.
+
+It has a command that does not exist, too few or too many words, or another substitution or parenthesis inside it. The
+commands are `find`, `env`, `optenv`, `dirname`, `anon` and `arg`; `$(eval …)` must be the whole value.
+
+## Why it matters
+
+roslaunch refuses the file when it gets to the value.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="map_server" type="map_server" name="map_server" args="$(dir)/office.yaml"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="map_server" type="map_server" name="map_server" args="$(dirname)/office.yaml"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.spelling import closest
+from launchlint.syntax.ros1.dialect import ROS2_SUBSTITUTIONS
+
+RULE = Rule("LL207", "bad-substitution", Severity.ERROR, roslaunch="refuses")
+COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
+EVAL_ALONE = "$(eval …) must be the whole value: write the text around it as strings in the expression"
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Say what is wrong with it; facts: ``reason``, ``text``. What ROS 2 has is LL112's."""
+    reason, text = problem.facts["reason"], problem.facts["text"]
+    words = text.removeprefix("$(").rstrip(")").split()
+    command = words[0] if words else ""
+    if command in ROS2_SUBSTITUTIONS:
+        return
+    yield RULE.at(
+        problem.origin,
+        f"{text[:60]} cannot be resolved: {reason}",
+        severity=Severity.ERROR if problem.refused else Severity.WARNING,
+        notes=("roslaunch stops when it gets here",),
+        help=_advice(reason, command, words),
+    )
+
+
+def _advice(reason: str, command: str, words: list[str]) -> str:
+    if command == "eval":
+        return EVAL_ALONE
+    if "inside" in reason:
+        if "$" in reason or "substitution cannot" in reason:
+            return "make the inner one an <arg> of its own, or write the whole as $(eval …) with arg('…') and find('…')"
+        return "write it without the parenthesis"
+    if command in COMMANDS:
+        return f"write $({command} name)" if len(words) < 2 else f"{command} takes a single name: is there a ) missing before {words[2]}?"
+    glued = next((known for known in COMMANDS if command.startswith(known) and known != command), None)
+    near = closest(command, COMMANDS)
+    if near is None and glued is not None and glued != "dirname":
+        return f"did you mean $({glued} {command.removeprefix(glued)})?"
+    if near is not None:
+        return f"did you mean {near}?"
+    return f"the commands are {', '.join(COMMANDS)}, and eval for the whole value"

@@ -1,0 +1,76 @@
+"""The value of an `if` or `unless` is no boolean.
+
+It must be `true`, `false`, `1` or `0` (in any letter case) once all substitutions are resolved: `yes`, `2`, an empty
+text and a comparison without `$(eval …)` are refused. All configurations are tried; the command that shows the
+mistake is printed.
+
+## Why it matters
+
+roslaunch refuses the file with `Value error`, and does not say which line.
+
+## Example
+
+```xml
+<launch>
+  <arg name="sim" default="yes"/>
+  <node pkg="gazebo_ros" type="gzserver" name="gazebo" if="$(arg sim)"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <arg name="sim" default="true"/>
+  <node pkg="gazebo_ros" type="gzserver" name="gazebo" if="$(arg sim)"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.spelling import closest
+
+RULE = Rule("LL214", "condition-not-boolean", Severity.ERROR, roslaunch="refuses")
+WORDS = {"yes": "true", "on": "true", "enabled": "true", "y": "true", "no": "false", "off": "false", "disabled": "false", "n": "false"}
+COMPUTED = re.compile(r"[=!<>]=|[<>]|\b(?:and|or|not|in)\b")
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Show the value; facts: ``attribute``, ``value``, ``text``. What is told of the file alone comes as ``invalid-value``."""
+    facts = problem.facts
+    name, value = facts["attribute"], facts["value"]
+    if problem.kind == "invalid-value" and (name not in ("if", "unless") or "$" in value):
+        return
+    text = facts.get("text", value)
+    made = f" (from {text[:60]})" if text != value else ""
+    shown = "is empty" if not value.strip() else f"comes to {value[:60]!r}{made}" if made else f"is {value[:60]!r}"
+    yield RULE.at(
+        problem.origin,
+        f"{name} {shown}, which is no boolean",
+        severity=Severity.ERROR if problem.refused else Severity.WARNING,
+        label="must be true, false, 1 or 0",
+        notes=(f"roslaunch stops with: Value error: {value.lower().strip()[:60]} is not a 'bool' type",),
+        help=_advice(name, value, text),
+    )
+
+
+def _advice(name: str, value: str, text: str) -> str:
+    word = WORDS.get(value.strip().lower()) or closest(value.strip().lower(), ("true", "false"))
+    if text.startswith("$(eval "):
+        return "make the expression a comparison, so that it gives True or False"
+    if text == value and word is not None:
+        return f'write {name}="{word}"'
+    if "$(" in text and COMPUTED.search(re.sub(r"\$\([^)]*\)", "", text)):
+        return "comparisons need $(eval …), as in $(eval arg('mode') == 'fast')"
+    if COMPUTED.search(text):
+        return f'write {name}="$(eval …)" to compute something'
+    if word is not None:
+        return f"make the arg {word}"
+    return "to compare with a text, write $(eval arg('mode') == 'fast')" if "$(arg" in text else "write true or false"

@@ -1,0 +1,58 @@
+"""A `$(env …)` reads an environment variable that is not set here.
+
+Variables that every login or ROS installation sets are not told of. Others may be set on the robot and not where this
+check runs; `env:` in `.launchlint.yaml` gives them a value for the check.
+
+## Why it matters
+
+Where the variable is not set roslaunch refuses the file. `$(optenv NAME default)` works everywhere.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="map_server" type="map_server" name="map_server" args="$(env SITE_MAP)"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="map_server" type="map_server" name="map_server" args="$(optenv SITE_MAP /maps/office.yaml)"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.spelling import one_slip
+
+RULE = Rule("LL209", "env-unset", Severity.WARNING, roslaunch="refuses")
+USUAL = (
+    *("HOME", "LANG", "LOGNAME", "PATH", "PWD", "SHELL", "USER"),
+    *("ROS_DISTRO", "ROS_ETC_DIR", "ROS_MASTER_URI", "ROS_PACKAGE_PATH", "ROS_ROOT"),
+)
+"""Set by every login shell, or by the set-up file of every ROS installation."""
+OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE")
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Suggest a default; facts: ``variable``."""
+    name = problem.facts["variable"]
+    if name in USUAL:
+        return
+    slip = one_slip(name, (*USUAL, *OPTIONAL))
+    given = f"write $(optenv {name} DEFAULT), or give it a value under env: in .launchlint.yaml if it is always set"
+    yield RULE.at(
+        problem.origin,
+        f"the environment variable {name} is not set here",
+        notes=(f"where it is not set roslaunch stops with: environment variable '{name}' is not set",),
+        help=given if slip is None else f"did you mean {slip}?",
+        topic=name,
+    )

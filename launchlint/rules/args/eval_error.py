@@ -1,0 +1,73 @@
+"""A `$(eval …)` fails.
+
+The expression is computed as roslaunch would, with the args as they are in each configuration: it has a syntax error,
+uses a name that does not exist, or does something that its values do not allow, such as adding a number to a text.
+Expressions that use parts of Python which launchlint does not compute are named as information.
+
+## Why it matters
+
+roslaunch refuses the file; its message is Python's, without the line.
+
+## Example
+
+```xml
+<launch>
+  <arg name="speed" default="fast"/>
+  <arg name="limit" value="$(eval speed * 1.5)"/>
+  <param name="limit" value="$(arg limit)"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <arg name="speed" default="2"/>
+  <arg name="limit" value="$(eval speed * 1.5)"/>
+  <param name="limit" value="$(arg limit)"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.spelling import closest
+
+RULE = Rule("LL208", "eval-error", Severity.ERROR, roslaunch="refuses")
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Say why; facts: ``reason``, for an error also ``expression`` and ``known`` (args with a value)."""
+    reason: str = problem.facts["reason"]
+    if problem.kind == "eval-not-covered":
+        yield RULE.at(
+            problem.origin,
+            f"launchlint does not compute this $(eval …): {reason}",
+            severity=Severity.INFO,
+            notes=("what depends on it is not checked any further",),
+        )
+        return
+    expression: str = problem.facts["expression"]
+    yield RULE.at(
+        problem.origin,
+        f"$(eval …) fails: {reason}",
+        severity=Severity.ERROR if problem.refused else Severity.WARNING,
+        notes=("roslaunch stops with the same error of Python's",),
+        help=_advice(reason, expression, problem.place.text, problem.facts["known"]),
+    )
+
+
+def _advice(reason: str, expression: str, at: str, known: tuple[str, ...]) -> str:
+    if "$(" in expression:
+        return "inside $(eval …) write arg('name') or just name, and find('package'): no $(…)"
+    if "__" in expression:
+        return "roslaunch refuses two underscores in a row in any $(eval …): pass the value as an arg"
+    if "not defined" in reason or "no arg" in reason:
+        near = closest(at, known)
+        return f"did you mean {near}?" if near is not None else f"put quotes around {at} if it is a text" if at.isidentifier() else ""
+    return ""

@@ -1,0 +1,55 @@
+"""A `$(find …)` names a package that does not exist.
+
+A checkout does not hold what is installed on the robot, so that a package which is merely not here is nothing to tell
+of. It is an error where the name is one slip away from a package that does exist (here, in a `package.xml`, or in the
+public ROS index), or where everything is here: a ROS installation is set up on this machine, or the configuration
+says `packages: complete`. It is a warning where nobody has ever heard of the name.
+
+## Why it matters
+
+roslaunch refuses the file.
+
+## Example
+
+```xml
+<launch>
+  <include file="$(find turtlebot3_bringpu)/launch/turtlebot3_robot.launch"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <include file="$(find turtlebot3_bringup)/launch/turtlebot3_robot.launch"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.missing_package import judge
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
+
+RULE = Rule("LL210", "package-not-found", Severity.ERROR, roslaunch="refuses")
+
+
+def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+    """Judge the name; facts: ``package``, ``near`` (the entry file)."""
+    name = problem.facts["package"]
+    judgement = judge(name, view.packages, problem.place.source.file)
+    if judgement is None:
+        return
+    yield RULE.at(
+        problem.origin,
+        f"there is no package {name}",
+        severity=judgement.severity if problem.refused else min(judgement.severity, Severity.WARNING),
+        notes=(f"roslaunch stops with: Resource not found: {name}", *((judgement.why,) if judgement.why else ())),
+        help=judgement.help,
+        topic=name,
+    )

@@ -1,0 +1,109 @@
+"""The args of a launch file do not fit the files that include it.
+
+What it does: it looks at all includes of the run together. Where two or more of them fail at the same arg of one file, it tells
+so at that file, with its callers: the file has most likely changed.
+
+## Why it matters
+
+Each of the callers is told of its own mistake (LL403, LL404). Seen from the file that changed, it is one mistake, and mended in
+one place.
+
+## Example
+
+```xml
+<launch>
+  <include file="$(dirname)/camera.launch">
+    <arg name="rate" value="15"/>
+  </include>
+</launch>
+```
+
+```xml second.launch
+<launch>
+  <include file="$(dirname)/camera.launch">
+    <arg name="rate" value="30"/>
+  </include>
+</launch>
+```
+
+```xml camera.launch
+<launch>
+  <arg name="frame_rate" default="30"/>
+  <node pkg="usb_cam" type="usb_cam_node" name="camera">
+    <param name="framerate" value="$(arg frame_rate)"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <include file="$(dirname)/camera.launch">
+    <arg name="frame_rate" value="15"/>
+  </include>
+</launch>
+```
+
+```xml second.launch
+<launch>
+  <include file="$(dirname)/camera.launch">
+    <arg name="frame_rate" value="30"/>
+  </include>
+</launch>
+```
+
+```xml camera.launch
+<launch>
+  <arg name="frame_rate" default="30"/>
+  <node pkg="usb_cam" type="usb_cam_node" name="camera">
+    <param name="framerate" value="$(arg frame_rate)"/>
+  </node>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Location, Related, Severity
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import RunView
+
+RULE = Rule("LL407", "broken-caller", Severity.ERROR, roslaunch="refuses")
+
+_MOST_SHOWN = 8
+
+
+def check(view: RunView) -> Iterator[Finding]:
+    """Yield one finding for each arg of a file that several includes get wrong."""
+    roots: dict[str, Location] = {}
+    calls: dict[tuple[str, str, bool], dict[tuple[str, int], Location]] = {}
+    included = {path for entry in view.entries for path in entry.included if path != entry.path}
+    for entry in view.entries:
+        roots.update(entry.roots)
+        if entry.needs_caller and entry.path in included:
+            continue  # what it lacks when started alone, its callers give
+        for call in entry.broken_calls:
+            calls.setdefault((call.target, call.name, call.missing), {})[call.location.path, call.location.start] = call.location
+    for (target, name, missing), callers in sorted(calls.items()):
+        root = roots.get(target)
+        if root is None or len({path for path, _ in callers}) < 2:
+            continue
+        places = [callers[key] for key in sorted(callers)]
+        wrong = f"do not pass the arg {name}, which it needs" if missing else f"pass the arg {name}, which it does not declare"
+        more = (f"and {len(places) - _MOST_SHOWN} more",) if len(places) > _MOST_SHOWN else ()
+        yield Finding(
+            RULE.id,
+            RULE.name,
+            RULE.severity,
+            root,
+            f"{len(places)} includes of this file {wrong}",
+            label="this file",
+            related=tuple(Related(place, "breaks here") for place in places[:_MOST_SHOWN]),
+            notes=(*more, "roslaunch refuses each of the launch files that hold them"),
+            help=f"give {name} a default here, or pass it there" if missing else f"declare {name} here, or stop passing it there",
+            element=f"{target} {name}",
+            topic=f"{name} {'missing' if missing else 'undeclared'}",
+        )

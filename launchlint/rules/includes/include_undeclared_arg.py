@@ -1,0 +1,94 @@
+"""An `<include>` passes an arg that the included file does not declare.
+
+What it does: it compares the `<arg>` children of every include with the args that the included file declares at its top level, in
+this configuration. An arg that is declared only in a group, or under a condition that is false, does not count.
+
+## Why it matters
+
+roslaunch refuses the whole launch. It is also how a mistyped arg shows.
+
+## Example
+
+```xml
+<launch>
+  <include file="$(dirname)/camera.launch">
+    <arg name="frame_rat" value="15"/>
+  </include>
+</launch>
+```
+
+```xml camera.launch
+<launch>
+  <arg name="frame_rate" default="30"/>
+  <node pkg="usb_cam" type="usb_cam_node" name="camera">
+    <param name="framerate" value="$(arg frame_rate)"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <include file="$(dirname)/camera.launch">
+    <arg name="frame_rate" value="15"/>
+  </include>
+</launch>
+```
+
+```xml camera.launch
+<launch>
+  <arg name="frame_rate" default="30"/>
+  <node pkg="usb_cam" type="usb_cam_node" name="camera">
+    <param name="framerate" value="$(arg frame_rate)"/>
+  </node>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
+from launchlint.source import Place, Span
+from launchlint.spelling import did_you_mean
+
+RULE = Rule("LL403", "include-undeclared-arg", Severity.ERROR, roslaunch="refuses")
+
+_MOST_NAMED = 8
+
+
+def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+    """Speak about ``include-undeclared-arg`` (roslaunch.loader.LoaderContext, ``post_process_include_args``)."""
+    name, file, known = problem.facts["name"], problem.facts["file"], problem.facts["known"]
+    conditional = _declared_elsewhere(name, file, view)
+    has = ", ".join(known[:_MOST_NAMED]) + (" …" if len(known) > _MOST_NAMED else "")
+    notes = [f"roslaunch stops with: unused args [{name}] for include of [{problem.facts['target']}]"]
+    notes.append(f"{file} takes: {has}" if known else f"{file} takes no args")
+    yield RULE.at(
+        problem.origin,
+        f"{file} does not declare the arg {name}",
+        label="passed here",
+        related=() if conditional is None else ((conditional, "declared in a group or under a false condition: that does not count"),),
+        notes=tuple(notes),
+        help="declare it at the top level of the included file, without a condition"
+        if conditional is not None
+        else did_you_mean(name, known) or "remove it here, or declare it there",
+    )
+
+
+def _declared_elsewhere(name: str, file: str, view: LaunchView) -> Place | None:
+    """Where the included file does hold an ``<arg>`` of this name after all."""
+    source = next((include.source for include in view.launch.includes if include.source is not None and include.source.path == file), None)
+    if source is None:
+        return None
+    text = re.sub(r"<!--.*?-->", lambda match: " " * len(match[0]), source.text, flags=re.DOTALL)
+    # Not an arg that the file itself passes on: that one stands inside an include.
+    text = re.sub(r"<include\b[^>]*[^/]>.*?</include>", lambda match: " " * len(match[0]), text, flags=re.DOTALL)
+    match = re.search(rf"""<arg\b[^>]*?\bname\s*=\s*["']({re.escape(name)})["']""", text)
+    return None if match is None else Place(source, Span(*match.span(1)))

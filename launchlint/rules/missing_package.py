@@ -1,0 +1,126 @@
+"""A package that is not here: is that a mistake, or only this machine?
+
+A checkout in CI holds its own packages and not what is installed on the robot, so that "not found" alone says little. What decides is
+whether the picture is complete, and whether anybody has ever heard of the name. LL210 and LL303 both ask here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from launchlint.finding import Severity
+from launchlint.spelling import closest, one_slip
+from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.public_packages import public_names
+
+SHORTEST_SLIP = 6
+"""Below this many letters most names are one slip away from some other name."""
+
+
+class Judgement(NamedTuple):
+    """How bad it is that a package is not here, ``why`` that is known (one line, may be empty), and the ``help``."""
+
+    severity: Severity
+    why: str
+    help: str
+
+
+def judge(name: str, packages: Packages, near: str) -> Judgement | None:
+    """What to say of package ``name``, which a launch file at ``near`` (a path) uses; ``None`` where there is nothing to say.
+
+    Error: a metapackage, any name where the picture is complete (``Packages.complete``), and a name that is one slip away from a package
+    that exists. Nothing: a package that is here, one of the public index, one that a ``package.xml`` of the workspaces declares, and one
+    whose ``package.xml`` is here and broken (LL704 tells of that). Warning: any other name.
+    """
+    if not name or packages.has(name):
+        return None
+    home = packages.package_of(near)
+    key = (name, "" if home is None else home.directory)
+    known = _answers_for(packages)
+    if key not in known:
+        known[key] = _judge(name, packages, home)
+    return known[key]
+
+
+Key = tuple[str, str]
+_latest: list[tuple[Packages, dict[Key, Judgement | None]]] = []
+
+
+def _answers_for(packages: Packages) -> dict[Key, Judgement | None]:
+    """The answers given so far; a run has one set of packages, so that only those of the latest are kept."""
+    if not _latest or _latest[0][0] is not packages:
+        _latest[:] = [(packages, {})]
+    return _latest[0][1]
+
+
+def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | None:
+    local = [package for place in packages.places[: len(packages.workspaces)] for package in place.everything]
+    for package in local:
+        if package.broken and name in (package.name, package.directory.rpartition("/")[2]):
+            return None
+        if package.is_metapackage and package.name == name:
+            why = f"{name} is a metapackage: it only lists others, and rospack finds nothing under its name"
+            return Judgement(Severity.ERROR, why, "name the package of it that holds the file or node")
+    public = public_names()
+    declared = _declared(([home] if home is not None else []) + local)
+    if packages.complete:
+        here = packages.names()
+        near = closest(name, here)
+        if name in public and near is None:
+            return Judgement(
+                Severity.ERROR,
+                "every package that exists here is known",
+                f"install it: rosdep install {name}, or your system's package of it",
+            )
+        return Judgement(Severity.ERROR, "every package that exists here is known", _did_you_mean(near) or _add(name))
+    if name in public or name in declared:
+        return None
+    slip = _one_slip(name, [*packages.names(), *declared, *public])
+    if slip is not None:
+        return Judgement(
+            Severity.ERROR, f"no package.xml here and no public package bears this name, and {slip} does exist", _did_you_mean(slip)
+        )
+    near = closest(name, {*packages.names(), *declared})
+    why = "no package.xml here declares it, and the public ROS index does not know it"
+    return Judgement(Severity.WARNING, why, _did_you_mean(near) or _add(name))
+
+
+def _declared(packages: Iterable[Package]) -> set[str]:
+    """Everything that the manifests of ``packages`` depend on: somebody does know those names."""
+    return {name for package in packages if package.manifest is not None for name in package.manifest.depends()}
+
+
+def _one_slip(name: str, names: Sequence[str]) -> str | None:
+    """The one existing name that ``name`` must be a slip for.
+
+    Names that differ in a digit, or in a final ``s`` only, are neighbours in every workspace (``arm_2``, ``ur5``) and no slips.
+    """
+    if len(name) < SHORTEST_SLIP:
+        return None
+    folded = _fold(name)
+    half = (len(folded) - 2) // 2
+    start, end = folded[:half], folded[-half:]
+    # One slip leaves one of the halves as it is: that spares comparing with thousands of names.
+    similar = [other for other in names if abs(len(other) - len(name)) <= 1 and _fold(other).startswith(start)]
+    similar += [other for other in names if abs(len(other) - len(name)) <= 1 and _fold(other).endswith(end)]
+    slip = one_slip(name, similar)
+    if slip is None or _digits(slip) != _digits(name):
+        return None
+    return slip
+
+
+def _fold(name: str) -> str:
+    return name.casefold().replace("-", "_")
+
+
+def _digits(name: str) -> str:
+    return "".join(filter(str.isdigit, name))
+
+
+def _did_you_mean(name: str | None) -> str:
+    return "" if name is None else f"did you mean {name}?"
+
+
+def _add(name: str) -> str:
+    return f"correct the name; or, if {name} exists elsewhere, declare it in package.xml, or show where it is with --workspace"

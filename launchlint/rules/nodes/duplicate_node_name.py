@@ -1,0 +1,95 @@
+"""Two nodes of one launch have the same name.
+
+What it does: it compares the full names of all nodes that would start together, after namespaces, arguments and includes are
+worked out and with the conditions as they are. Nodes that exclude each other by `if` and `unless` are no duplicates. `/rosout`
+belongs to roscore.
+
+## Why it matters
+
+A name is the address of a node: its private parameters, its logs and its private topics hang on it. roslaunch refuses to start
+anything as soon as two nodes share one, often because a file is included twice.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="localization"/>
+  <include file="sensors.launch"/>
+</launch>
+```
+
+```xml sensors.launch
+<launch>
+  <node pkg="ekf" type="filter" name="localization"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="localization"/>
+  <include file="sensors.launch"/>
+</launch>
+```
+
+```xml sensors.launch
+<launch>
+  <node pkg="ekf" type="filter" name="odometry_filter"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.model import Node
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
+from launchlint.source import Place
+
+RULE = Rule("LL301", "duplicate-node-name", Severity.ERROR, roslaunch="refuses")
+
+
+def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+    """Speak about ``duplicate-node`` (roslaunch.config.ROSLaunchConfig.add_node)."""
+    name = problem.facts["name"]
+    stops = f"roslaunch stops with: roslaunch file contains multiple nodes named [{name}]"
+    if problem.facts["core"]:
+        yield RULE.at(
+            problem.origin, f"{name} is the name of a node that roscore starts itself", label="taken", notes=(stops,),
+            help="give the node another name, or put it into a namespace",
+        )  # fmt: skip
+        return
+    first: Node = problem.facts["first"]
+    second: Node = problem.facts["second"]
+    related = _way_to(first, second)
+    twice = first.origin.place == second.origin.place
+    if not twice:
+        related = ((problem.related[0][0], "the first one"), *related)
+    yield RULE.at(
+        problem.origin,
+        f"the node {name} is started twice" if twice else f"two nodes are named {name}",
+        label="its file is included twice" if twice else "the second one",
+        related=related,
+        notes=(stops,),
+        help=_advice(first, second, twice),
+    )
+
+
+def _way_to(first: Node, second: Node) -> tuple[tuple[Place, str], ...]:
+    """The includes that lead to the first node and not to the second."""
+    shared = set(second.origin.chain)
+    return tuple((place, "the first one comes from this include") for place in first.origin.chain if place not in shared)[-3:]
+
+
+def _advice(first: Node, second: Node, twice: bool) -> str:
+    written = {node.attributes["name"].text for node in (first, second) if "name" in node.attributes}
+    if len(written) == 1 and "$(anon " in next(iter(written)) and not twice:
+        return "give each $(anon …) an id of its own: one id stands for one name in its scope"
+    if twice:
+        return "include the file once, or with another ns each time"
+    return "rename one, or put them into different namespaces"

@@ -1,0 +1,79 @@
+"""A node has a name that ROS does not allow.
+
+What it does: it looks at the resolved `name` of nodes and tests. A slash or a leading `~` is an error, because roslaunch refuses
+the file. Other characters than letters, digits and `_`, a digit at the start, and an empty name are warnings.
+
+## Why it matters
+
+A C++ node ends at start with an invalid-name exception when its name holds a blank or a hyphen. A Python node runs, but rosnode,
+rqt and the logs may not find it. An empty name is taken, and the node is then called as its program likes, so that nothing can be
+set for it by name.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="robot1/amcl"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl" ns="robot1"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
+
+RULE = Rule("LL302", "invalid-node-name", Severity.ERROR, roslaunch="refuses")
+
+
+def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+    """Speak about ``invalid-node-name`` (roslaunch.core.Node, roslaunch.xmlloader._node_tag, roscpp's this_node)."""
+    name, reason = problem.facts["name"], problem.facts["reason"]
+    if reason == "slash":
+        namespace, _, base = name.strip("/").rpartition("/")
+        yield RULE.at(
+            problem.origin, f"the node name {name} has a slash in it", label="a node name has no namespace",
+            notes=("roslaunch stops with: node name cannot contain a namespace",),
+            help=f'write name="{base}" ns="{namespace}"' if namespace else f'write name="{base}"',
+        )  # fmt: skip
+    elif reason == "private":
+        base = name.lstrip("~/")
+        yield RULE.at(
+            problem.origin, f"the node name {name} begins with ~", label="~ stands for a node's own namespace",
+            notes=(f"roslaunch stops with: cannot turn [{name}] into a global name",),
+            help=f'write name="{base}"' if base else "write a name",
+        )  # fmt: skip
+    elif reason == "empty":
+        yield RULE.at(
+            problem.origin, "the node has an empty name", severity=Severity.WARNING, label="empty",
+            notes=("roslaunch starts it under the name its program chooses: no parameter, remap or log can be told to be its own",),
+            help="give it a name; where it does not matter which, write $(anon id)",
+        )  # fmt: skip
+    else:
+        good = re.sub(r"\W", "_", name.strip(), flags=re.ASCII)
+        good = good if good[:1].isalpha() else f"n{good}" if good.startswith("_") else f"n_{good}"
+        yield RULE.at(
+            problem.origin, f"the node name {name!r} is not a valid ROS name", severity=Severity.WARNING, label=_fault(name),
+            notes=("a C++ node ends at start with an invalid-name exception, and tools such as rosnode may not find a Python one",),
+            help=f"use letters, digits and _, a letter first: {good}",
+        )  # fmt: skip
+
+
+def _fault(name: str) -> str:
+    if not re.match(r"[A-Za-z]", name):
+        return "does not begin with a letter"
+    wrong = re.search(r"\W", name, re.ASCII)
+    return "invalid" if wrong is None else "has a blank in it" if wrong[0].isspace() else f"{wrong[0]} is not allowed"

@@ -1,0 +1,123 @@
+"""A nodelet is loaded into a manager that no node of the launch provides.
+
+What it does: for every `nodelet load CLASS MANAGER` it resolves the manager's name as the node does and looks for a node of that
+full name. It is an error where the name is one slip away from a node of the launch, a warning where the launch has other
+managers, and an info where it has none at all: a file may be meant to be included beside a manager, or to be started beside one.
+
+## Why it matters
+
+The nodelet waits for its manager for ever: no error, no output, no topics.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="nodelet" type="nodelet" name="camera_manager" args="manager"/>
+  <node pkg="nodelet" type="nodelet" name="rectify" args="load image_proc/rectify camera_manger"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="nodelet" type="nodelet" name="camera_manager" args="manager"/>
+  <node pkg="nodelet" type="nodelet" name="rectify" args="load image_proc/rectify camera_manager"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.model import Node
+from launchlint.rules.rule import Fine, Rule
+from launchlint.rules.view import LaunchView
+from launchlint.source import Origin
+from launchlint.spelling import closest, one_slip
+
+RULE = Rule("LL308", "nodelet-manager-missing", Severity.ERROR)
+
+
+def check(view: LaunchView) -> Iterator[Finding | Fine]:
+    """Yield one finding for each nodelet without a manager (nodelet's ``nodelet load``, roscpp's NodeHandle.resolveName)."""
+    launch = view.launch
+    loading = [(node, words) for node in launch.nodes if (words := _load(node)) is not None]
+    if not loading:
+        return
+    known = not any(node.unknown & {"name", "ns"} for node in launch.nodes)
+    names = {node.full_name for node in launch.nodes if node.name}
+    managers = {node.full_name for node in launch.nodes if _is_manager(node)}
+    here = (f"the managers here are {', '.join(sorted(managers)[:6])}",) if managers else ()
+    for node, manager in loading:
+        place = node.attributes.get("args", node.origin.place)
+        full = manager if manager.startswith("/") else node.namespace + manager
+        if full in names:
+            yield RULE.fine(place)
+            continue
+        unsure = not launch.complete or not known or "ns" in node.unknown or any(condition.assumed for condition in node.conditions)
+        if unsure or manager.startswith("~") or _is_remapped(node, full):
+            continue
+        slip = _slip(full, names - {node.full_name})
+        yield RULE.at(
+            Origin(place, node.origin.step),
+            f"no node is called {full}, the manager of this nodelet",
+            severity=_severity(slip, bool(managers), view.declared_entry),
+            label="no such manager",
+            notes=(*here, "the nodelet waits for its manager for ever"),
+            help=_help(full, slip or _near(full, managers)),
+        )
+
+
+def _load(node: Node) -> str | None:
+    """The manager's name as given, where the node loads a nodelet into one."""
+    if node.package != "nodelet" or node.executable != "nodelet" or node.unknown & {"args", "pkg", "type"}:
+        return None
+    try:
+        words = [word for word in shlex.split(node.arguments) if ":=" not in word]
+    except ValueError:
+        return None
+    return words[2].rstrip("/") if len(words) > 2 and words[0] == "load" and words[2].rstrip("/") else None
+
+
+def _is_manager(node: Node) -> bool:
+    return node.package == "nodelet" and node.executable == "nodelet" and node.arguments.split()[:1] == ["manager"]
+
+
+def _is_remapped(node: Node, full: str) -> bool:
+    """Whether a remap may lead the nodelet to another manager's service."""
+    wanted = (full, f"{full}/load_nodelet")
+    return any((remap.source if remap.source.startswith("/") else node.namespace + remap.source) in wanted for remap in node.remaps)
+
+
+def _slip(full: str, names: set[str]) -> str | None:
+    """The one node that ``full`` must be a slip for; names that differ in a digit stand for different robots or cameras."""
+    slip = one_slip(full, names)
+    return None if slip is None or _digits(slip) != _digits(full) else slip
+
+
+def _digits(name: str) -> str:
+    return "".join(filter(str.isdigit, name))
+
+
+def _severity(slip: str | None, managers: bool, declared: bool) -> Severity:
+    if slip is not None:
+        return Severity.ERROR
+    level = Severity.WARNING if managers else Severity.INFO
+    return Severity(level + 1) if declared else level
+
+
+def _near(full: str, managers: set[str]) -> str | None:
+    """A manager of the same name in another namespace, or one of a similar name."""
+    base = full.rpartition("/")[2]
+    same = sorted(name for name in managers if name.rpartition("/")[2] == base)
+    return same[0] if same else closest(full, managers)
+
+
+def _help(full: str, near: str | None) -> str:
+    if near is None:
+        return f'start a manager of that name: <node pkg="nodelet" type="nodelet" name="{full.rpartition("/")[2]}" args="manager"/>'
+    return f"did you mean {near}?"

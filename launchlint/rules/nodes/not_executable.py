@@ -1,0 +1,113 @@
+"""A node's script cannot be run: it lacks the executable bit or the `#!` line.
+
+What it does: where the package of a node lies in the workspace or is installed, it looks at the script that `type` names.
+Programs that CMake builds or that `catkin_install_python` wraps are passed over.
+
+## Why it matters
+
+roslaunch does not find a file without the executable bit, however plain it lies there. A script without a first line such as
+`#!/usr/bin/env python3` is found, but the system does not know what to run it with. Both show only when the node is started.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="my_robot" type="teleop.py" name="teleop"/>
+</launch>
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+  <buildtool_depend>catkin</buildtool_depend>
+</package>
+```
+
+```python scripts/teleop.py
+import rospy
+
+rospy.init_node("teleop")
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="my_robot" type="teleop.py" name="teleop"/>
+</launch>
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+  <buildtool_depend>catkin</buildtool_depend>
+</package>
+```
+
+```python scripts/teleop.py
+#!/usr/bin/env python3
+import rospy
+
+rospy.init_node("teleop")
+```
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.other_file import line_of, root_of, shown
+from launchlint.rules.package_contents import contents
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
+from launchlint.source import Origin
+
+RULE = Rule("LL305", "not-executable", Severity.ERROR, roslaunch="reports")
+
+
+def check(view: LaunchView) -> Iterator[Finding]:
+    """Yield one finding for each node or test whose script cannot be started (roslib.packages.find_node, execve(2))."""
+    if os.name == "nt":  # files have no executable bit there
+        return
+    launch = view.launch
+    root = root_of(launch.entry)
+    for node in (*launch.nodes, *launch.tests):
+        if node.unknown & {"pkg", "type"} or not node.executable.strip() or "/" in node.executable:
+            continue
+        package = view.packages.get(node.package, launch.entry.file)
+        flaw = None if package is None else contents(view.packages).executables(package).flaw(node.executable)
+        if flaw is None:
+            continue
+        path = shown(flaw.path, root)
+        wrong, help = _words(path, flaw.lacks_bit, flaw.lacks_shebang)
+        notes = ["roslaunch loads the file and fails when it starts this node"]
+        if flaw.lacks_bit:
+            notes.append("roslaunch looks only at files with the executable bit")
+        assumed = any(condition.assumed for condition in node.conditions)
+        yield RULE.at(
+            Origin(node.attributes.get("type", node.origin.place), node.origin.step),
+            f"{node.executable} cannot be run: {wrong}",
+            severity=Severity.WARNING if assumed else None,
+            label="this file",
+            related=((line_of(flaw.path, root), "its first line"),),
+            notes=tuple(notes),
+            help=help,
+        )
+
+
+def _words(path: str, lacks_bit: bool, lacks_shebang: bool) -> tuple[str, str]:
+    line = "put a line such as #!/usr/bin/env python3 at its top"
+    mode = f"chmod +x {path}, and git update-index --chmod=+x {path}"
+    if lacks_bit and lacks_shebang:
+        return "it has neither the executable bit nor a #! line", f"{line}, then {mode}"
+    return ("it has no executable bit", mode) if lacks_bit else ("it has no #! line", line)

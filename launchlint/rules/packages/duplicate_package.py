@@ -1,0 +1,91 @@
+"""Two packages of one workspace have the same name.
+
+What it does: it compares the names of all packages in each workspace. Copies that are built for ROS 2 only (ament) are passed
+over, and so are directories with a `CATKIN_IGNORE`.
+
+## Why it matters
+
+Which of them `$(find …)` and `pkg` mean hangs on the order in which the file system lists directories: it can be another one on
+another machine. catkin refuses to build such a workspace.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="my_robot" type="drive.py" name="drive"/>
+</launch>
+```
+
+```xml first/package.xml
+<package format="2">
+  <name>my_robot</name>
+</package>
+```
+
+```xml second/package.xml
+<package format="2">
+  <name>my_robot</name>
+</package>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="my_robot" type="drive.py" name="drive"/>
+</launch>
+```
+
+```xml first/package.xml
+<package format="2">
+  <name>my_robot</name>
+</package>
+```
+
+```xml second/package.xml
+<package format="2">
+  <name>my_second_robot</name>
+</package>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.other_file import line_of, shown
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import RunView
+from launchlint.source import Place, Source
+from launchlint.workspace.packages import Package
+
+RULE = Rule("LL703", "duplicate-package", Severity.WARNING)
+
+_MOST_SHOWN = 6
+
+
+def check(view: RunView) -> Iterator[Finding]:
+    """Yield one finding for each further package of a name (rospkg.rospack.list_by_path keeps the one it meets last)."""
+    for name, copies in view.packages.duplicates().items():
+        built = [copy for copy in copies if copy.manifest is None or not copy.manifest.is_ament]
+        places = [_place(copy, view.root) for copy in built[: _MOST_SHOWN + 1]]
+        if len(places) < 2:
+            continue
+        more = (f"there are {len(built)} of them",) if len(built) > 2 else ()
+        yield RULE.at(
+            places[1],
+            f"{len(built)} packages are named {name}",
+            label="the second one" if len(built) > 1 else "",
+            related=((places[0], "the first one"), *((place, "another one") for place in places[2:_MOST_SHOWN])),
+            notes=(*more, f"whether $(find {name}) means the one or the other hangs on the order of the file system"),
+            help=f"rename one, remove it, or put a CATKIN_IGNORE file into {shown(built[1].directory, view.root)}",
+            topic=name,
+        )
+
+
+def _place(package: Package, root: str) -> Place:
+    manifest = package.manifest
+    if manifest is None or manifest.name_span is None:
+        return line_of(package.manifest_path, root)
+    return Place(Source(shown(package.manifest_path, root), manifest.source.text, package.manifest_path), manifest.name_span)

@@ -1,0 +1,105 @@
+"""A launch file is not among the files that its package installs.
+
+What it does: where `CMakeLists.txt` can be read to the end and installs something, it looks whether some `install(DIRECTORY …)`
+or `install(FILES …)` takes the launch file. Test files are passed over, and packages that install nothing at all.
+
+## Why it matters
+
+From a source workspace the file is found. From an installed or released package it is missing.
+
+## Example
+
+```xml launch/example.launch
+<launch>
+  <node pkg="usb_cam" type="usb_cam_node" name="camera"/>
+</launch>
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+  <buildtool_depend>catkin</buildtool_depend>
+  <exec_depend>usb_cam</exec_depend>
+</package>
+```
+
+```cmake CMakeLists.txt
+project(my_robot)
+find_package(catkin REQUIRED)
+catkin_package()
+install(DIRECTORY config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+```
+
+## Use instead
+
+```xml launch/example.launch
+<launch>
+  <node pkg="usb_cam" type="usb_cam_node" name="camera"/>
+</launch>
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+  <buildtool_depend>catkin</buildtool_depend>
+  <exec_depend>usb_cam</exec_depend>
+</package>
+```
+
+```cmake CMakeLists.txt
+project(my_robot)
+find_package(catkin REQUIRED)
+catkin_package()
+install(DIRECTORY config launch DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+```
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.other_file import is_inside, root_of, shown
+from launchlint.rules.package_contents import contents
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import FileView
+
+RULE = Rule("LL702", "launch-not-installed", Severity.WARNING)
+
+_NOT_MEANT = re.compile(r"(?:^|/)(?:tests?|examples?|debug|dev|sandbox|scripts)/|\.test(?:\.xml)?$")
+
+
+def check(view: FileView) -> Iterator[Finding]:
+    """Yield a finding where the launch file is not installed (cmake-commands(7), install)."""
+    document, packages = view.document, view.packages
+    file = os.path.abspath(document.source.file)
+    package = packages.package_of(file)
+    if package is None or package.broken or package.is_metapackage or not is_inside(file, packages.workspaces):
+        return
+    inside = os.path.relpath(file, package.directory).replace(os.sep, "/")
+    cmake = os.path.join(package.directory, "CMakeLists.txt")
+    if document.launch is None or _NOT_MEANT.search(inside) or not os.path.isfile(cmake):
+        return
+    installed = contents(packages).installs(package)
+    if not installed.installs or not installed.exhaustive or installed.covers(file):
+        return
+    name = shown(cmake, root_of(document.source))
+    directory = inside.partition("/")[0] if "/" in inside else ""
+    share = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
+    yield RULE.at(
+        document.place(document.launch.name_span),
+        f"{name} does not install this file",
+        label="missing from an installed package",
+        notes=("it installs other files, so that the package is meant to be installed",),
+        help=f"add install(DIRECTORY {directory} {share})" if directory else f"add install(FILES {inside} {share})",
+    )

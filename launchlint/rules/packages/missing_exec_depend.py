@@ -1,0 +1,163 @@
+"""A launch file uses a package that its own package's `package.xml` does not declare.
+
+What it does: for every launch file it collects the packages of its nodes and tests, and those in `$(find …)`, as far as their
+names are written out, and compares them with the run dependencies (`<exec_depend>`, `<depend>`, `<run_depend>`) in the
+`package.xml` above it. Test dependencies count for tests. What a declared package or metapackage itself declares counts too.
+Names that nobody knows are LL210 and LL303. Each package is told of once, at the `package.xml`.
+
+## Why it matters
+
+On the developer's machine the package happens to be there. Where only the declared dependencies are installed (rosdep, the build
+farm, a fresh robot) the launch fails.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="robot_state_publisher" type="robot_state_publisher" name="robot_state_publisher"/>
+</launch>
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+</package>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="robot_state_publisher" type="robot_state_publisher" name="robot_state_publisher"/>
+</launch>
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+  <exec_depend>robot_state_publisher</exec_depend>
+</package>
+```
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.other_file import is_inside, root_of, shown
+from launchlint.rules.packages.metapackages import members
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import FileView
+from launchlint.source import Place, Source, Span
+from launchlint.syntax.tree import Document, Element
+from launchlint.workspace.manifest import Manifest
+from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.public_packages import public_names
+
+RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports")
+
+_FIND = re.compile(r"\$\(\s*find\s+([A-Za-z][\w-]*)\s*\)|\bfind\(\s*['\"]([A-Za-z][\w-]*)['\"]\s*\)")
+_NAME = re.compile(r"[A-Za-z][\w-]*")
+
+
+def check(view: FileView) -> Iterator[Finding]:
+    """Yield one finding for each undeclared package of one launch file (roslaunch.depends, roslaunch.rlutil.check_roslaunch)."""
+    document, packages = view.document, view.packages
+    file = document.source.file
+    home = packages.package_of(file)
+    if home is None or home.broken or home.is_metapackage or not home.name or not is_inside(home.manifest_path, packages.workspaces):
+        return
+    manifest = home.manifest
+    if manifest is None or manifest.is_ament:
+        return
+    uses = _uses(document)
+    wanted = sorted(name for name in uses if name != home.name)
+    if not wanted:
+        return
+    declared = set(home.run_dependencies)
+    if _is_test(document):
+        declared |= home.test_dependencies
+    missing = [name for name in wanted if name not in declared]
+    if not missing:
+        return
+    declared = _with_what_they_declare(declared, packages, file)
+    place = _place(manifest, root_of(document.source))
+    for name in missing:
+        if name in declared or not (packages.has(name) or name in public_names()):
+            continue
+        where, how = uses[name]
+        tag = "run_depend" if manifest.format == 1 else "exec_depend" if manifest.format else "depend"
+        line = f'<depend package="{name}"/>' if tag == "depend" else f"<{tag}>{name}</{tag}>"
+        yield RULE.at(
+            place,
+            f"{shown(home.manifest_path, root_of(document.source))} does not declare {name}, which {document.source.path} {how}",
+            label=f"no {name} here",
+            related=((where, "used here"),),
+            notes=("where only the declared dependencies are installed, this launch fails",),
+            help=f"add {line}",
+            topic=name,
+        )
+
+
+def _uses(document: Document) -> dict[str, tuple[Place, str]]:
+    """Package → the first place that uses it, and how."""
+    found: dict[str, tuple[Place, str]] = {}
+    for element in document.elements:
+        if element.tag in ("node", "test"):
+            package = element.attributes.get("pkg")
+            if package is not None and _NAME.fullmatch(package.value):
+                found.setdefault(package.value, (document.place(package.shown_span), _started(element)))
+        for attribute in element.attributes.values():
+            if "find" in attribute.value:
+                for match in _FIND.finditer(attribute.value):
+                    name = match[1] or match[2]
+                    how = "includes a file of" if element.tag == "include" else "uses files of"
+                    found.setdefault(name, (document.place(attribute.span_of(*match.span())), how))
+    return found
+
+
+def _started(element: Element) -> str:
+    return "runs a test of" if element.tag == "test" else "starts a node of"
+
+
+def _is_test(document: Document) -> bool:
+    path = f"/{document.source.path}"
+    if path.endswith((".test", ".test.xml")) or re.search(r"/tests?/", path) is not None:
+        return True
+    return any(each.tag == "test" for each in document.elements)
+
+
+def _with_what_they_declare(names: set[str], packages: Packages, near: str) -> set[str]:
+    """``names``, and all that they need to run, as far as they can be seen here; of well-known metapackages the members."""
+    reached: set[str] = set()
+    waiting = sorted(names)
+    here = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]
+    metapackages = {each.name: each for each in here if each.is_metapackage}
+    while waiting:
+        name = waiting.pop()
+        if name in reached:
+            continue
+        reached.add(name)
+        waiting += members(name)
+        package: Package | None = packages.get(name, near) or metapackages.get(name)
+        if package is not None:
+            waiting += sorted(package.run_dependencies)
+    return reached
+
+
+def _place(manifest: Manifest, root: str) -> Place:
+    """The last dependency of the manifest, after which the missing one can be written; else its name, else its start."""
+    source = Source(shown(manifest.source.file, root), manifest.source.text, manifest.source.file)
+    last = manifest.last_dependency
+    span = last.span if last is not None else manifest.name_span
+    return Place(source, span or Span(0, 0))

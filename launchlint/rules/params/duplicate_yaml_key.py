@@ -1,0 +1,61 @@
+'''A key stands twice in one YAML dictionary.
+
+The YAML parser takes the last one and drops the others without a word. Where both have the same value, it is an info.
+
+## Why it matters
+
+The value that one reads first is not the one the robot runs with; whole blocks of settings get lost when the key of a block is
+repeated.
+
+## Example
+
+```xml
+<launch>
+  <rosparam file="$(dirname)/costmap.yaml"/>
+</launch>
+```
+
+```yaml costmap.yaml
+costmap:
+  resolution: 0.05
+  width: 10
+  resolution: 0.1
+```
+
+## Use instead
+
+```xml
+<launch>
+  <rosparam file="$(dirname)/costmap.yaml"/>
+</launch>
+```
+
+```yaml costmap.yaml
+costmap:
+  resolution: 0.1
+  width: 10
+```
+'''
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+
+RULE = Rule("LL513", "duplicate-yaml-key", Severity.WARNING)
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Show both keys; facts: ``key`` (the path, with ``/``), ``same``."""
+    key, same = problem.facts["key"], problem.facts["same"]
+    yield RULE.at(
+        problem.origin,
+        f"the key {key} stands twice with the same value" if same else f"the key {key} stands twice: the first value is lost",
+        severity=Severity.INFO if same else None,
+        label="the last one counts",
+        related=problem.related,
+        help="remove one of the two" if same else "remove one of the two, or merge what is below them",
+    )

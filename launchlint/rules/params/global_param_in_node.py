@@ -1,0 +1,53 @@
+'''A parameter inside a node has a global name, which roslaunch makes private.
+
+Inside a `<node>` every `<param>` belongs to the node, also one whose name begins with `/`.
+
+## Why it matters
+
+`/use_sim_time` inside the node `/slam` becomes `/slam/use_sim_time`: the global parameter is not set, and the node does not
+look under that name.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="gmapping" type="slam_gmapping" name="slam">
+    <param name="/use_sim_time" value="true"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <param name="/use_sim_time" value="true"/>
+  <node pkg="gmapping" type="slam_gmapping" name="slam"/>
+</launch>
+```
+'''
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.evaluate.names import UNKNOWN_NAMESPACE, canonical
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+
+RULE = Rule("LL511", "global-param-in-node", Severity.WARNING)
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Say which parameter is set instead; facts: ``name``, ``namespace``."""
+    name, namespace = problem.facts["name"], problem.facts["namespace"]
+    private = canonical(namespace + name)
+    becomes = "a private parameter of the node" if UNKNOWN_NAMESPACE in namespace else private
+    yield RULE.at(
+        problem.origin,
+        f"the global name {name} becomes {becomes} inside a node",
+        label="not global here",
+        related=problem.related,
+        help=f"put the <param> above the <node> to set {name}, or write {name.lstrip('/')} for the private one",
+    )

@@ -1,0 +1,106 @@
+'''A password, token or key is written into the launch file.
+
+Told are the `password` of a `<machine>`, and literal values of parameters, args and environment variables whose name ends in a
+word such as `password`, `secret`, `token` or `api_key`. Empty values, substitutions, file names and placeholders are left alone. The
+value itself is never printed: what is shown of the line has asterisks in its place.
+
+## Why it matters
+
+Launch files are published, copied and kept in version control for ever, and so is everything that stands in them.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="axis_camera" type="axis.py" name="camera">
+    <param name="username" value="root"/>
+    <param name="password" value="hunter2"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="axis_camera" type="axis.py" name="camera">
+    <param name="username" value="root"/>
+    <param name="password" value="$(optenv CAMERA_PASSWORD)"/>
+  </node>
+</launch>
+```
+'''
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Location, Severity
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import FileView
+from launchlint.source import Place
+from launchlint.syntax.tree import Attribute, Document, Element
+
+RULE = Rule("LL509", "hard-coded-secret", Severity.WARNING)
+
+_SECRET = re.compile(
+    r"(?:^|[\W_]|(?<=[a-z])(?=[A-Z]))(?:password|passwd|passphrase|passcode|secret|secret_?key|api_?key|access_?key|auth_?key|"
+    r"auth_?token|access_?token|api_?token|bearer_?token|token|private_?key|encryption_?key)$",
+    re.IGNORECASE,
+)
+_PLACEHOLDER = re.compile(
+    r"<.*>|\{.*\}|%.*%|\[.*\]|(.)\1*|(?:your|my|the|some|enter|insert|put)[\W_].*|.*(?:change_?me|replace_?me|placeholder|example|dummy).*|"
+    r"(?:none|null|nil|n/?a|todo|tbd|true|false|yes|no|on|off|unset|default|secret|token|password|passwd|passphrase|\W*)",
+    re.IGNORECASE | re.DOTALL,
+)
+_FILE = re.compile(r"[~.]*[/\\].*|[\w. /\\-]+\.[A-Za-z]{2,6}", re.DOTALL)
+
+
+def check(view: FileView) -> Iterator[Finding]:
+    """Look at every attribute that holds a value."""
+    document = view.document
+    for element in document.elements:
+        tag = element.tag.lower()
+        if tag == "machine":
+            if _is_literal(element.attributes.get("password")):
+                yield _finding(document, element, "password", f"the password of machine {element.get('name') or ''}".rstrip())
+        elif tag in ("param", "arg", "env"):
+            name = element.get("name") or ""
+            if _SECRET.search(name.strip()) is not None:
+                for attribute in ("value", "default"):
+                    if _is_literal(element.attributes.get(attribute)):
+                        yield _finding(document, element, attribute, name.strip())
+
+
+def _is_literal(attribute: Attribute | None) -> bool:
+    """Whether this looks like a real secret."""
+    if attribute is None:
+        return False
+    value = attribute.value.strip()
+    return "$" not in value and _PLACEHOLDER.fullmatch(value) is None and _FILE.fullmatch(value) is None
+
+
+def _finding(document: Document, element: Element, name: str, what: str) -> Finding:
+    attribute = element.attributes[name]
+    at = Location.of(Place(document.source, attribute.name_span))
+    variable = re.sub(r"\W+", "_", element.get("name") or "").strip("_").upper() or "PASSWORD"
+    if element.tag.lower() == "machine":
+        help_ = "log in with an SSH key and leave the password out, and change it where it is in use"
+    else:
+        help_ = f"read it from the environment, $(env {variable}), or from a file that is not published; and change it where it is in use"
+    return RULE.at_location(
+        _masked(at, attribute),
+        f"{what} is written into the launch file",
+        label="a literal secret",
+        help=help_,
+        element=f"{element.tag} {element.get('name') or ''} {name}",
+    )
+
+
+def _masked(at: Location, attribute: Attribute) -> Location:
+    """``at`` with asterisks for the secret in the line that is shown, so that reports and logs do not spread it."""
+    line_start = at.start - (at.column - 1)
+    start, end = attribute.value_span.start - line_start, attribute.value_span.end - line_start
+    text = at.text
+    return at._replace(text=text[:start] + "*" * (min(end, len(text)) - start) + text[end:] if start < len(text) else text)

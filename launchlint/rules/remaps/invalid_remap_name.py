@@ -1,0 +1,77 @@
+'''A remap has an empty name, or one that is no ROS name.
+
+A name begins with a letter, `/` or `~` and goes on with letters, digits, `_` and `/`.
+
+## Why it matters
+
+roslaunch refuses the file.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl">
+    <remap from="scan" to="front-laser/scan"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl">
+    <remap from="scan" to="front_laser/scan"/>
+  </node>
+</launch>
+```
+'''
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+
+RULE = Rule("LL607", "invalid-remap-name", Severity.ERROR, roslaunch="refuses")
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Name the character at fault; facts: ``attribute``, ``value``, ``reason`` (``empty`` or ``illegal``)."""
+    attribute, value = problem.facts["attribute"], problem.facts["value"]
+    if problem.facts["reason"] == "empty":
+        yield RULE.at(
+            problem.origin,
+            f"the attribute {attribute} of this remap is empty",
+            related=problem.related,
+            notes=("roslaunch stops with: remap from/to attributes cannot be empty",),
+            help="give a topic or service name; a remap cannot switch a topic off, but can send it to a name that nobody uses",
+        )
+        return
+    message, help_ = _fault(value)
+    yield RULE.at(
+        problem.origin,
+        message,
+        label="no ROS name",
+        related=problem.related,
+        notes=(f"roslaunch stops with: remap {attribute} [{value}] is not a valid ROS name",),
+        help=help_,
+    )
+
+
+def _fault(name: str) -> tuple[str, str]:
+    """What is wrong with the name, and what to write."""
+    if ":=" in name:
+        source, _, target = name.partition(":=")
+        return f"{name!r} is how remaps are written on the command line", f'write from="{source}" to="{target}"'
+    found = re.search(r"[^\w/~]|(?<!^)~", name)
+    if found is not None and any(char in name for char in "*?"):
+        return f"{name!r} is no ROS name: there are no patterns in remaps", "write one <remap> for each name"
+    if found is not None:
+        what = "a blank" if found[0].isspace() else f"the character {found[0]!r}"
+        legal = re.sub("_{2,}", "_", re.sub(r"[^\w/]+", "_", name)).strip("_")
+        return f"{name!r} is no ROS name: {what} is not allowed{' there' if found[0] == '~' else ''}", f"write {legal}" if legal else ""
+    return f"{name!r} is no ROS name: it begins with {name[:1]!r}", "begin it with a letter or /"

@@ -1,0 +1,53 @@
+'''A remap stands below the nodes it was meant for.
+
+Outside a node, a `<remap>` acts on the nodes that come after it in the same group or file, and on nothing above it.
+
+## Why it matters
+
+The remap does nothing, roslaunch does not say so, and the node talks on the topic of its old name.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="rviz" type="rviz" name="rviz"/>
+  <remap from="scan" to="front/scan"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <remap from="scan" to="front/scan"/>
+  <node pkg="rviz" type="rviz" name="rviz"/>
+</launch>
+```
+'''
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.reach import settings_of
+from launchlint.rules.rule import Fine, Rule
+from launchlint.rules.view import LaunchView
+
+RULE = Rule("LL602", "remap-after-node", Severity.WARNING)
+
+
+def check(view: LaunchView) -> Iterator[Finding | Fine]:
+    """Look at every remap outside a node that has nodes above it."""
+    for setting, acts in settings_of(view.launch, "remap"):
+        if acts:
+            yield RULE.fine(setting.origin)
+        elif acts is False and setting.before:
+            count = len(setting.before)
+            yield RULE.at(
+                setting.origin,
+                f"the remap of {setting.key} stands below all nodes of its scope, and acts on none of them",
+                label="acts on no node",
+                related=((setting.before[-1], "stands above it" if count == 1 else f"the last of {count} above it"),),
+                help="put it above the nodes, or into the <node> that it is meant for",
+            )

@@ -1,0 +1,105 @@
+'''One name is remapped twice for the same nodes.
+
+Of two remaps with the same `from` in one node, or in one scope without a node between them, only the last acts. The same name written in two ways,
+such as `scan` and `/scan`, is worse: roslaunch passes both, rospy takes the last one and roscpp the one that its own order leaves last.
+
+## Why it matters
+
+One of the two remaps does nothing, and roslaunch does not say so.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="rviz" type="rviz" name="rviz">
+    <remap from="scan" to="front/scan"/>
+    <remap from="scan" to="rear/scan"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="rviz" type="rviz" name="rviz">
+    <remap from="scan" to="rear/scan"/>
+  </node>
+</launch>
+```
+'''
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.model import Launch, Remap
+from launchlint.rules.remaps.resolved import has_known_name, resolve
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
+from launchlint.source import Origin, Place
+
+RULE = Rule("LL604", "remap-duplicate", Severity.WARNING)
+
+
+def check(view: LaunchView) -> Iterator[Finding]:
+    """Look into nodes, into scopes, and for two spellings of one name."""
+    launch = view.launch
+    for problem in launch.problems:
+        if problem.kind == "remap-replaced" and problem.facts["always"] and not problem.assumed:
+            first = problem.related[0][0]
+            facts = problem.facts
+            yield _finding(facts["key"], problem.origin, first, facts["old"], facts["new"])
+    yield from _in_one_scope(launch)
+    for node in (*launch.nodes, *launch.tests):
+        if len(node.remaps) < 2 or not has_known_name(node) or any(condition.assumed for condition in node.conditions):
+            continue
+        seen: dict[str, Remap] = {}
+        for remap in node.remaps:
+            name = resolve(node, remap.source)
+            earlier = seen.setdefault(name, remap)
+            if earlier is not remap and resolve(node, earlier.target) != resolve(node, remap.target):
+                yield _two_spellings(name, earlier, remap)
+
+
+def _in_one_scope(launch: Launch) -> Iterator[Finding]:
+    """A remap that is replaced before any node has followed."""
+    settings = {(item.origin.place.source.path, item.origin.place.span.start): item for item in launch.settings if item.kind == "remap"}
+    for setting in settings.values():
+        replaced = setting.replaced
+        earlier = None if replaced is None else settings.get((replaced.source.path, replaced.span.start))
+        if earlier is None or earlier.reached or not set(setting.conditions) <= set(earlier.conditions):
+            continue
+        if not any(condition.assumed for condition in earlier.conditions):
+            yield _finding(setting.key, setting.origin, earlier.origin.place, earlier.value.target, setting.value.target)
+
+
+def _finding(name: str, second: Origin, first: Place, old: str, new: str) -> Finding:
+    if old == new:
+        return RULE.at(
+            second,
+            f"{name} is remapped to {new} twice",
+            severity=Severity.INFO,
+            label="once more",
+            related=((first, "the first one"),),
+            help="remove one of the two",
+        )
+    return RULE.at(
+        second,
+        f"{name} is remapped twice, to {old} and to {new}: only the last remap acts",
+        label="this one acts",
+        related=((first, "has no effect"),),
+        help=f"remove one of the two; nothing can be remapped to two names, but a node such as topic_tools/relay can copy {new} to {old}",
+    )
+
+
+def _two_spellings(name: str, earlier: Remap, remap: Remap) -> Finding:
+    return RULE.at(
+        remap.origin,
+        f"{earlier.source} and {remap.source} are both {name} here, and are remapped to different names, {earlier.target} and {remap.target}",
+        label="the same name",
+        related=((earlier.origin.place, "the first one"),),
+        notes=("roslaunch passes both: rospy takes the last one, roscpp the one that its own order leaves last",),
+        help="remove one of the two",
+    )

@@ -1,0 +1,70 @@
+'''A remap gives a name its own name.
+
+## Why it matters
+
+It does nothing, unless a scope around it remaps the same name: then it takes that back for this node. Where it is only there to show the name
+it can go, and where one side is a slip of the pen, the remap that was wanted is missing.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl">
+    <remap from="scan" to="scan"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl">
+    <remap from="scan" to="base_scan"/>
+  </node>
+</launch>
+```
+'''
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.evaluate.names import canonical
+from launchlint.finding import Finding, Severity
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import FileView
+from launchlint.syntax.tree import Element
+
+RULE = Rule("LL605", "remap-identity", Severity.INFO)
+
+
+def check(view: FileView) -> Iterator[Finding]:
+    """Compare ``from`` and ``to`` as they are written."""
+    document = view.document
+    for element in document.elements:
+        if element.tag.lower() != "remap":
+            continue
+        source, target = _name(element, "from"), _name(element, "to")
+        if source and source == target and not _takes_back(element, source):
+            yield RULE.at(
+                document.place(element.start_span),
+                f"{source} is remapped to itself",
+                label="does nothing",
+                help="remove it, or correct one of the names",
+            )
+
+
+def _name(element: Element, attribute: str) -> str:
+    return canonical((element.get(attribute) or "").strip())
+
+
+def _takes_back(element: Element, source: str) -> bool:
+    """Whether an earlier remap of the same name is in force here, which this one takes back."""
+    scope: Element | None = element
+    while scope is not None and scope.parent is not None:
+        for sibling in scope.parent.children[: scope.parent.children.index(scope)]:
+            if sibling.tag.lower() == "remap" and _name(sibling, "from") == source:
+                return True
+        scope = scope.parent
+    return False

@@ -1,0 +1,100 @@
+"""What a rule is, and how it says something.
+
+A rule module has a docstring (the published page: *What it does*, *Why it matters*, *Example*, *Use instead*), a constant ``RULE`` and one function:
+
+* ``tell(problem, view)`` where the registry names the problem kinds it speaks about, or
+* ``check(view)`` where it looks at a whole view.
+
+Both yield :class:`~launchlint.finding.Finding`, made with :meth:`Rule.at`. A ``check`` function may also yield :class:`Fine`: "this place is in
+order here". A finding of the same rule at a place that is in order in any configuration of any entry file is dropped.
+"""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple
+
+from launchlint.finding import Finding, Fix, Location, Related, Severity
+from launchlint.source import Origin, Place
+
+
+class Fine(NamedTuple):
+    """The place where rule ``rule`` has looked and found nothing wrong, although it may in other configurations."""
+
+    rule: str
+    path: str
+    start: int
+
+
+class Rule(NamedTuple):
+    """The declaration of a rule.
+
+    ``roslaunch`` says who tells people today: roslaunch ``refuses`` the file, roslaunch-check ``reports`` it, or ``nobody``.
+    ``fixable`` says whether ``--fix`` can repair it: ``safe``, ``unsafe`` or ``never``. ``default`` is false for rules that are off until selected.
+    """
+
+    id: str
+    name: str
+    severity: Severity
+    roslaunch: Literal["refuses", "reports", "nobody"] = "nobody"
+    fixable: Literal["safe", "unsafe", "never"] = "never"
+    default: bool = True
+
+    def at(
+        self,
+        where: Origin | Place,
+        message: str,
+        *,
+        severity: Severity | None = None,
+        label: str = "",
+        related: tuple[tuple[Place, str], ...] = (),
+        notes: tuple[str, ...] = (),
+        help: str = "",
+        fix: Fix | None = None,
+        topic: str = "",
+    ) -> Finding:
+        """Make the finding of this rule at ``where``. ``message`` and ``help`` are single lines without a full stop.
+
+        ``topic`` tells apart several findings of this rule at one place.
+        """
+        origin = where if isinstance(where, Origin) else Origin(where)
+        finding = self.at_location(
+            Location.of(origin.place), message, severity=severity, label=label, notes=notes, help=help, fix=fix, topic=topic
+        )
+        return finding._replace(
+            related=tuple(Related(Location.of(place), text) for place, text in related),
+            chain=tuple(Location.of(place) for place in origin.chain),
+            element=" ".join(origin.place.text.split())[:200],
+        )
+
+    def at_location(
+        self,
+        location: Location,
+        message: str,
+        *,
+        severity: Severity | None = None,
+        label: str = "",
+        notes: tuple[str, ...] = (),
+        help: str = "",
+        fix: Fix | None = None,
+        topic: str = "",
+        element: str = "",
+    ) -> Finding:
+        """As :meth:`at`, where the place is no longer at hand; ``element`` is what the fingerprint is made from."""
+        return Finding(
+            self.id,
+            self.name,
+            self.severity if severity is None else severity,
+            location,
+            message,
+            label=label,
+            notes=notes,
+            help=help,
+            element=element,
+            fix=fix,
+            topic=topic,
+        )
+
+    def fine(self, where: Origin | Place) -> Fine:
+        """Say that ``where`` is in order in this configuration."""
+        place = where.place if isinstance(where, Origin) else where
+        return Fine(self.id, place.source.path, place.span.start)

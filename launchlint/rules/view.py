@@ -1,0 +1,74 @@
+"""What a rule sees: one view per kind of question, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+from launchlint.finding import Location
+from launchlint.model import Launch
+from launchlint.syntax.tree import Document
+from launchlint.workspace.packages import Packages
+
+if TYPE_CHECKING:
+    from launchlint.suppression import Suppression
+
+
+class FileView(NamedTuple):
+    """The syntax view: one launch file as it is written, and the packages around it."""
+
+    document: Document
+    packages: Packages
+
+
+class LaunchView(NamedTuple):
+    """The launch view: what one entry file starts in one configuration. ``declared_entry``: the configuration file says how it is started."""
+
+    launch: Launch
+    packages: Packages
+    declared_entry: bool
+
+
+class BrokenCall(NamedTuple):
+    """An include that passes (``missing`` false) an arg its target does not declare, or does not pass one it requires."""
+
+    target: str
+    name: str
+    missing: bool
+    location: Location
+
+
+class EntrySummary(NamedTuple):
+    """What is left of an evaluated entry file when all have been evaluated; paths as shown.
+
+    ``needs_caller``: it does not load alone, because args are missing that an including file would give.
+    """
+
+    path: str
+    refused: bool
+    included: tuple[str, ...]
+    broken_calls: tuple[BrokenCall, ...]
+    roots: tuple[tuple[str, Location], ...]
+    needs_caller: bool = False
+
+
+class RunView(NamedTuple):
+    """The workspace view: all entry files of the run, and the directory (``root``) that shown paths are relative to."""
+
+    entries: tuple[EntrySummary, ...]
+    packages: Packages
+    root: str = ""
+
+
+class SuppressionView(NamedTuple):
+    """All suppressions of the run.
+
+    ``used`` holds each suppression with each name in it that suppressed something; ``resolve`` gives the ID for an ID or name; ``on`` are the IDs of
+    the rules that ran; ``names`` the names of all rules.
+    """
+
+    suppressions: tuple[Suppression, ...]
+    used: frozenset[tuple[Suppression, str]]
+    resolve: Callable[[str], str | None]
+    on: frozenset[str]
+    names: tuple[str, ...]

@@ -1,0 +1,85 @@
+"""Attributes of an element contradict each other.
+
+A node cannot be both `respawn` and `required`; a `<param>` has exactly one of `value`, `textfile`, `binfile` and
+`command`; `ns` cannot be empty; `clear_params` on a group or include needs an `ns` that says what to clear;
+`command="delete"` of a `<rosparam>` takes no `file`. (What a `<test>` may not have is told by LL310.)
+
+## Why it matters
+
+roslaunch refuses the file.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl" respawn="true" required="true"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl" respawn="true"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+
+RULE = Rule("LL110", "conflicting-attributes", Severity.ERROR, roslaunch="refuses")
+
+# Reason → message, what roslaunch prints, help.
+WORDS = {
+    "respawn-and-required": (
+        "a node cannot be both respawn and required",
+        "respawn and required cannot both be set to true",
+        "keep respawn to have it started again, or required to have everything stop when it ends",
+    ),
+    "empty-ns": ("<{tag}> has an empty ns", "<{tag}> tag has an empty 'ns' attribute", 'remove ns, or write ns="/" for the root'),
+    "clear-params-without-ns": (
+        "clear_params on <{tag}> needs ns",
+        "'ns' attribute must be set in order to use 'clear_params'",
+        'add ns="…", the namespace whose parameters are deleted, or remove clear_params',
+    ),
+    "clear-params-without-name": (
+        "clear_params needs the node to have a name",
+        "<node> tag must have a 'name' attribute to use 'clear_params' attribute",
+        'add name="…", or remove clear_params',
+    ),
+    "delete-with-file": (
+        '<rosparam command="delete"> takes no file',
+        "'file' attribute is invalid with 'delete' command.",
+        "name the parameters to delete with param or ns, or remove command to load the file",
+    ),
+}
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Say which attributes exclude each other; facts: ``tag``, ``attributes``, ``reason``. ``test-attribute`` is LL310's."""
+    reason, tag = problem.facts["reason"], problem.facts["tag"]
+    attributes: tuple[str, ...] = problem.facts["attributes"]
+    if reason == "test-attribute":
+        return
+    if reason == "param-sources":
+        names = " and ".join(attributes) if len(attributes) < 3 else f"{', '.join(attributes[:-1])} and {attributes[-1]}"
+        message = f"<param> has {names}: one value too many" if attributes else "<param> has no value"
+        stops = "<param> tag must have one and only one of value/textfile/binfile."
+        advice = "keep one of them" if attributes else 'add value="…" (or textfile, binfile, command)'
+    else:
+        message, stops, advice = (words.format(tag=tag) for words in WORDS[reason])
+    yield RULE.at(
+        problem.origin,
+        message,
+        severity=Severity.ERROR if problem.refused else Severity.WARNING,
+        related=problem.related,
+        notes=(f"roslaunch stops with: {stops}",),
+        help=advice,
+        topic=reason,
+    )

@@ -1,0 +1,71 @@
+"""Something that older versions of ROS knew and that has no place in a launch file any more.
+
+The `<master>` tag (roslaunch starts a master by itself), the `ros-root`, `ros-package-path`, `ros-ip` and
+`ros-hostname` attributes and the `<env>` children of a `<machine>`, the `ns` attribute of `<rosparam>` (it is called
+`param` now), and the program `xacro.py`, which ROS Noetic does not have.
+
+## Why it matters
+
+Some are ignored, some still work, some make roslaunch refuse the file: none does what the author once relied on.
+
+## Example
+
+```xml
+<launch>
+  <master auto="start"/>
+  <node pkg="amcl" type="amcl" name="amcl"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+
+RULE = Rule("LL111", "deprecated-construct", Severity.WARNING)
+
+
+STOPS = "roslaunch stops with: <machine>: {} not supported since ROS Fuerte."
+SCRIPT = "set the environment in a script and name that in env-loader"
+
+# Construct → message, note, help; the attributes of <machine> are all alike.
+WORDS = {
+    "<master>": (
+        "<master> has no effect",
+        "roslaunch ignores it since ROS Fuerte, and says so",
+        "remove it: roslaunch starts a master by itself",
+    ),
+    "rosparam ns": (
+        "ns on <rosparam> is the old name of param",
+        "both still work, and are joined where both are given",
+        "write param instead of ns",
+    ),
+    "xacro.py": (
+        "ROS Noetic has no xacro.py",
+        "the command is not found there, and the parameter that it fills cannot be set",
+        "write xacro instead, which ROS Kinetic and Melodic have too",
+    ),
+    "machine env": ("<machine> takes no <env>", STOPS.format("<env> tag is"), SCRIPT),
+}
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Say what has taken its place; facts: ``construct``, ``instead``."""
+    construct: str = problem.facts["construct"]
+    attribute = construct.partition(" ")[2]
+    machine = (f"<machine> takes no {attribute} any more", STOPS.format("ros-* attributes are"), SCRIPT)
+    message, note, advice = WORDS.get(construct, machine)
+    severity = Severity.ERROR if problem.refused else Severity.WARNING
+    yield RULE.at(problem.origin, message, severity=severity, label="out of date", notes=(note,), help=advice)

@@ -1,0 +1,71 @@
+"""An attribute has a value that it does not take.
+
+Checked are booleans (`respawn`, `required`, `clear_params`, `pass_all_args` and `subst_value` take `true` or `false`
+only, not `1`), numbers, and the attributes that take one of a few words: `output`, `cwd`, `type`, `command` and
+`default` of a machine. Values made by substitutions are checked as they come out. Quotes in `args` and
+`launch-prefix` must be balanced. (For `if` and `unless` see LL214.)
+
+## Why it matters
+
+roslaunch refuses the file. Unbalanced quotes are worse: it loads the file, starts the first nodes, and then shuts
+everything down.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl" output="scren"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl" output="screen"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.spelling import closest
+
+RULE = Rule("LL109", "invalid-value", Severity.ERROR, roslaunch="refuses")
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Name what the attribute takes; facts: ``tag``, ``attribute``, ``value``, ``expected``, maybe ``choices``.
+
+    ``unbalanced-quotes`` has ``attribute`` and ``reason``. Conditions belong to LL214 and LL114.
+    """
+    facts = problem.facts
+    severity = Severity.ERROR if problem.refused else Severity.WARNING
+    name = facts["attribute"]
+    if problem.kind == "unbalanced-quotes":
+        yield RULE.at(
+            problem.origin,
+            f"the quotes in {name} do not match ({facts['reason']})",
+            severity=severity,
+            notes=(f"roslaunch splits {name} as a shell does; it fails on this when it starts the node, and then stops all others",),
+            help="close the quote; write \\' or \\\" for a quote that is meant as such",
+        )
+        return
+    if name in ("if", "unless"):
+        return
+    value, expected = facts["value"], facts["expected"]
+    choices: tuple[str, ...] = facts.get("choices", ())
+    near = closest(value.strip(), choices)
+    problem_text = f"{name} is empty" if not value else f"{name}={value[:60]!r} is not {expected}"
+    yield RULE.at(
+        problem.origin,
+        problem_text,
+        severity=severity,
+        label=f"must be {expected}",
+        help=f"did you mean {near}?" if near is not None else f"write {expected}" if choices else f"{name} takes {expected}",
+    )

@@ -1,0 +1,56 @@
+"""The file is not well-formed XML.
+
+It names the slip behind the parser's complaint: the element that was never closed, the quote that is missing, the
+character that must be escaped. The caret stands where the mistake is, not where the parser noticed it.
+
+## Why it matters
+
+roslaunch stops before it looks at a single tag, with a line number that is often far below the mistake.
+
+## Example
+
+```xml
+<launch>
+  <group ns="robot1">
+    <node pkg="amcl" type="amcl" name="amcl"/>
+
+  <node pkg="map_server" type="map_server" name="map_server"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <group ns="robot1">
+    <node pkg="amcl" type="amcl" name="amcl"/>
+  </group>
+
+  <node pkg="map_server" type="map_server" name="map_server"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+
+RULE = Rule("LL101", "malformed-xml", Severity.ERROR, roslaunch="refuses")
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Say what is wrong with the XML; facts: ``message``, ``hint``, ``code``."""
+    facts = problem.facts
+    label = "here" if problem.related else ""
+    yield RULE.at(
+        problem.origin,
+        f"not well-formed XML: {facts['message']}",
+        label=label,
+        related=problem.related,
+        notes=("roslaunch stops with: Invalid roslaunch XML syntax",),
+        help=facts["hint"],
+    )

@@ -1,0 +1,79 @@
+"""An element stands inside one that does not take it.
+
+A `<remap>` in an `<include>`, a `<node>` in a `<node>`, an `<arg>` in a `<node>`: the tag exists, and roslaunch skips
+it there, with all that it contains.
+
+## Why it matters
+
+The setting looks as if it worked. Inside nodes and includes roslaunch prints a warning among its other output; inside
+`<param>`, `<arg>`, `<remap>`, `<env>` and `<rosparam>` it says nothing.
+
+## Example
+
+```xml
+<launch>
+  <include file="$(dirname)/camera.launch">
+    <remap from="image" to="image_raw"/>
+  </include>
+</launch>
+```
+
+```xml camera.launch
+<launch>
+  <node pkg="usb_cam" type="usb_cam_node" name="camera"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <group>
+    <remap from="image" to="image_raw"/>
+    <include file="$(dirname)/camera.launch"/>
+  </group>
+</launch>
+```
+
+```xml camera.launch
+<launch>
+  <node pkg="usb_cam" type="usb_cam_node" name="camera"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.syntax.ros1.dialect import TAGS
+
+RULE = Rule("LL106", "misplaced-tag", Severity.ERROR, roslaunch="reports")
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Say where the tag belongs; facts: ``tag``, ``parent``, ``reported`` (roslaunch warns)."""
+    tag, parent = problem.facts["tag"], problem.facts["parent"]
+    reported: bool = problem.facts["reported"]
+    said = "roslaunch prints a warning and skips it, with all that it contains" if reported else "roslaunch skips it without a word"
+    yield RULE.at(
+        problem.origin,
+        f"<{tag}> has no effect inside <{parent}>",
+        severity=Severity.ERROR if reported or problem.refused else Severity.WARNING,
+        label="skipped",
+        notes=(said,),
+        help=_advice(tag, parent),
+    )
+
+
+def _advice(tag: str, parent: str) -> str:
+    rule = TAGS.get(tag) or TAGS.get(tag.lower())
+    if parent == "include" and tag.lower() in ("remap", "param", "rosparam"):
+        return f"put the <include> into a <group>, and the <{tag}> into that group before it"
+    parents = () if rule is None else rule.parents
+    if parents == ("launch", "group"):
+        return f"move it out of <{parent}>: it stands in <launch> or <group>"
+    return f"move it out of <{parent}>: it stands in {', '.join(f'<{name}>' for name in parents)}" if parents else "remove it"

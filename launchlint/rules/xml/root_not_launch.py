@@ -1,0 +1,65 @@
+"""A launch file has exactly one `<launch>` element, and this one has none or several.
+
+roslaunch looks for the `<launch>` element anywhere in the file and works on that. It refuses a file without one, a
+file whose root is misspelt (`<Launch>`), and a file in which a second `<launch>` stands inside the first.
+
+## Why it matters
+
+Nothing of the file is started.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="map_server" type="map_server" name="map_server"/>
+  <launch>
+    <node pkg="amcl" type="amcl" name="amcl"/>
+  </launch>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="map_server" type="map_server" name="map_server"/>
+  <group>
+    <node pkg="amcl" type="amcl" name="amcl"/>
+  </group>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.spelling import closest
+
+RULE = Rule("LL102", "root-not-launch", Severity.ERROR, roslaunch="refuses")
+STOPS = "roslaunch stops with: Invalid roslaunch XML syntax: no root <launch> tag"
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Say what stands there instead; facts: ``tag`` of the root, ``count`` of ``<launch>`` elements."""
+    tag, count = problem.facts.get("tag", ""), problem.facts.get("count", 0)
+    if count > 1:
+        yield RULE.at(
+            problem.origin,
+            "a <launch> stands inside another <launch>",
+            label="the second one",
+            related=problem.related,
+            notes=(STOPS,),
+            help="use <group> for a part of the file, or <include> for a file of its own",
+        )
+        return
+    near = closest(tag, ("launch",)) is not None
+    yield RULE.at(
+        problem.origin,
+        f"the root element is <{tag}>, not <launch>",
+        notes=(STOPS,),
+        help="did you mean <launch>?" if near else "if this is a launch file, put everything into one <launch> element; if not, exclude it",
+    )

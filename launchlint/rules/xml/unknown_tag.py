@@ -1,0 +1,61 @@
+"""An element has a tag that roslaunch does not know.
+
+The tags of roslaunch are few, and letter case matters: `<Node>` is not `<node>`. What stands inside an unknown
+element is skipped with it.
+
+## Why it matters
+
+roslaunch starts everything else, and its warning scrolls by with the rest of the output (inside `<param>`, `<arg>`
+and other tags that take no children there is not even a warning). The node or parameter that was meant is simply
+missing on the robot.
+
+## Example
+
+```xml
+<launch>
+  <nodes pkg="map_server" type="map_server" name="map_server"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="map_server" type="map_server" name="map_server"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.problem import Problem
+from launchlint.rules.rule import Rule
+from launchlint.spelling import closest
+from launchlint.syntax.ros1.dialect import TAGS
+
+RULE = Rule("LL103", "unknown-tag", Severity.ERROR, roslaunch="reports")
+
+
+def tell(problem: Problem, view: object) -> Iterator[Finding]:
+    """Name the tag that was meant; facts: ``tag``, ``parent``, ``known`` (what may stand there), ``ignored`` (without a word)."""
+    tag, parent, known = problem.facts["tag"], problem.facts["parent"], problem.facts["known"]
+    ignored: bool = problem.facts["ignored"]
+    near = closest(tag, known) or closest(tag, TAGS)
+    if near is not None:
+        advice = f"did you mean <{near}>?"
+    elif known:
+        advice = f"<{parent}> takes {', '.join(f'<{name}>' for name in known if name != 'master')}"
+    else:
+        advice = f"<{parent}> takes no elements: remove it"
+    said = "roslaunch skips it without a word" if ignored else "roslaunch prints a warning and skips it, with all that it contains"
+    yield RULE.at(
+        problem.origin,
+        f"there is no tag <{tag}>",
+        severity=Severity.WARNING if ignored else Severity.ERROR,
+        label="skipped",
+        notes=(said,),
+        help=advice,
+    )
