@@ -18,22 +18,40 @@ def write_text(path: str, text: str, *, what: str = "the file") -> None:
     """
     data = text.encode("utf-8", "replace")
     try:
-        target = os.path.realpath(path)
-        mode = _mode(target)
-        if mode is not None and stat.S_ISDIR(mode):
-            raise UsageError(f"cannot write {what} to {path!r}: it is a directory; give the name of a file")
+        target, mode = _checked(path, what)
         if mode is not None and not stat.S_ISREG(mode):
             with open(path, "wb") as special:
                 special.write(data)
             return
-        if not os.path.isdir(os.path.dirname(target)):
-            raise UsageError(
-                f"cannot write {what} to {path!r}: the directory {os.path.dirname(path) or '.'!r} does not exist; create it first"
-            )
         _replace(target, data, None if mode is None else stat.S_IMODE(mode))
     except (OSError, ValueError) as error:  # ValueError: a null byte in the name
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise UsageError(f"cannot write {what} to {path!r}: {reason}") from error
+        raise _cannot(path, what, error) from error
+
+
+def check_target(path: str, *, what: str = "the file") -> None:
+    """Raise the :class:`UsageError` of :func:`write_text` where ``path`` is a directory or lies in none, without writing anything."""
+    try:
+        _checked(path, what)
+    except (OSError, ValueError) as error:
+        raise _cannot(path, what, error) from error
+
+
+def _checked(path: str, what: str) -> tuple[str, int | None]:
+    """The file that ``path`` leads to, and its mode if it is there."""
+    target = os.path.realpath(path)
+    mode = _mode(target)
+    if mode is not None and stat.S_ISDIR(mode):
+        raise UsageError(f"cannot write {what} to {path!r}: it is a directory; give the name of a file")
+    if (mode is None or stat.S_ISREG(mode)) and not os.path.isdir(os.path.dirname(target)):
+        raise UsageError(
+            f"cannot write {what} to {path!r}: the directory {os.path.dirname(path) or '.'!r} does not exist; create it first"
+        )
+    return target, mode
+
+
+def _cannot(path: str, what: str, error: OSError | ValueError) -> UsageError:
+    reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    return UsageError(f"cannot write {what} to {path!r}: {reason}")
 
 
 def _mode(path: str) -> int | None:

@@ -12,6 +12,10 @@ from typing import NamedTuple
 from launchlint.source import Place, Source, Span
 
 
+LONGEST_LINE = 4_000
+"""Characters of a line that a finding carries; terminals show a few hundred."""
+
+
 class Severity(IntEnum):
     """How bad it is; a larger number is worse."""
 
@@ -29,7 +33,8 @@ class Location(NamedTuple):
     """A place, resolved: lines and columns from 1, ``end_column`` exclusive.
 
     ``start`` and ``end`` are the code point offsets of the same span (edits and suppressions need them), ``text`` is the whole
-    first line without its line end, so that reports can show it.
+    first line without its line end, so that reports can show it. Of a very long line it is the beginning only, and nothing where the span
+    stands behind that: many findings in one line of megabytes must not each carry all of it.
     """
 
     path: str
@@ -46,7 +51,8 @@ class Location(NamedTuple):
         """Resolve ``place``."""
         source, span = place
         first, last = source.position(span.start), source.position(span.end)
-        return cls(source.path, first.line, first.column, last.line, last.column, span.start, span.end, source.line(first.line))
+        text = source.line(first.line, LONGEST_LINE) if first.column <= LONGEST_LINE else ""
+        return cls(source.path, first.line, first.column, last.line, last.column, span.start, span.end, text)
 
 
 class Related(NamedTuple):

@@ -59,12 +59,14 @@ class Source:
         line = bisect_right(starts, offset)
         return Position(line, offset - starts[line - 1] + 1)
 
-    def line(self, number: int) -> str:
-        """Text of line ``number`` (from 1) without its line end; empty where there is no such line."""
+    def line(self, number: int, longest: int | None = None) -> str:
+        """Text of line ``number`` (from 1) without its line end, of a longer one the first ``longest`` characters; empty where there is none."""
         starts = self.line_starts
         if not 1 <= number <= len(starts):
             return ""
         end = starts[number] if number < len(starts) else len(self.text)
+        if longest is not None:
+            end = min(end, starts[number - 1] + longest)
         return self.text[starts[number - 1] : end].rstrip("\r\n")
 
 

@@ -1,8 +1,7 @@
 """Results of earlier runs, used again where nothing they depend on has changed.
 
-An entry's result depends on launchlint's version, the options, the names of the files of the workspaces and what their manifests and build files say (all in
-the name of the database), and on the content of every file that was looked at and the value of every environment variable (checked
-for each result). Modification times play no part, so that the cache holds across fresh checkouts.
+What every result depends on (:mod:`.surroundings`) is in the name of the database. What one result depends on is checked for each: the content
+of every file that was read, the value of every environment variable, and what was there wherever a rule looked around.
 """
 
 from __future__ import annotations
@@ -10,109 +9,153 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import stat
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from launchlint import __version__
 from launchlint.check.codec import entry_from_json, entry_to_json, file_from_json, file_to_json
-from launchlint.check.entry import EntryResult
-from launchlint.check.file import FileResult
-from launchlint.check.options import EntryRequest, Options
-from launchlint.evaluate.session import Session
+from launchlint.check.entry import EntryChecker, EntryResult
+from launchlint.check.file import INTERNAL_ERROR, FileResult
+from launchlint.check.options import EntryRequest
+from launchlint.check.surroundings import digest
+from launchlint.workspace.looking import state
 
 if TYPE_CHECKING:
     import sqlite3
 
-FORMAT = 1
-MOST_FILES = 300_000
-CONTENT_COUNTS = ("package.xml", "manifest.xml", "CMakeLists.txt", "CATKIN_IGNORE", "rospack_nosubdirs", ".catkin")
-LAUNCH_ENDS = (".launch", ".test", ".xml", ".yaml", ".yml")
+MOST_DATABASES = 24
+"""Databases that are kept, the latest used; each set of options and workspaces has one."""
+BROKEN = (ValueError, TypeError, KeyError, IndexError, AttributeError, RecursionError)
+"""What reading a row that somebody else wrote may raise."""
 
 
 class Cache:
     """The database for one set of options and workspaces. Whatever goes wrong with it, the check goes on without."""
 
-    def __init__(self, directory: str, options: Options) -> None:
-        self.file = os.path.join(directory, f"{_fingerprint(options)}.sqlite")
-        self.variables = options.variables
-        self._database: sqlite3.Connection | None = None
-        try:
-            self._database = self._open(directory)
-        except (OSError, self._error()):
-            self._database = None
-
-    @staticmethod
-    def _error() -> type[Exception]:
+    def __init__(self, directory: str, checker: EntryChecker) -> None:
         import sqlite3
 
-        return sqlite3.Error
+        self._error: tuple[type[Exception], ...] = (OSError, sqlite3.Error, *BROKEN)
+        self._session = checker.session
+        self._variables = checker.options.variables
+        self._states: dict[str, str] = {}
+        self._files: dict[str, FileResult | None] = {}
+        self._database: sqlite3.Connection | None = None
+        name = digest(checker.options, checker.packages)
+        try:
+            if name is not None:
+                self._database = self._open(directory, f"{name}.sqlite")
+        except self._error:
+            self._database = None
 
-    def _open(self, directory: str) -> sqlite3.Connection:
+    def _open(self, directory: str, name: str) -> sqlite3.Connection:
         import sqlite3
 
         os.makedirs(directory, mode=0o700, exist_ok=True)
-        database = sqlite3.connect(self.file, timeout=2)
-        database.execute("CREATE TABLE IF NOT EXISTS entries (key TEXT PRIMARY KEY, value TEXT)")
-        database.execute("CREATE TABLE IF NOT EXISTS files (path TEXT PRIMARY KEY, digest TEXT, value TEXT)")
+        file = os.path.join(directory, name)
+        if not os.path.exists(file):
+            _forget_oldest(directory)
+        database = sqlite3.connect(file, timeout=2)
+        try:
+            database.execute("CREATE TABLE IF NOT EXISTS entries (key TEXT PRIMARY KEY, value TEXT)")
+            database.execute("CREATE TABLE IF NOT EXISTS files (path TEXT PRIMARY KEY, value TEXT)")
+        except sqlite3.DatabaseError as error:
+            database.close()
+            if isinstance(error, sqlite3.OperationalError):
+                raise
+            os.unlink(file)  # it is no database (any more)
+            raise
+        os.utime(file)
         return database
 
-    def look_up(self, requests: Sequence[EntryRequest], session: Session) -> list[EntryResult | None]:
+    def look_up(self, requests: Sequence[EntryRequest]) -> list[EntryResult | None]:
         """For each request its result, where it is known and still true."""
+        return [self._look_up(request) for request in requests]
+
+    def _look_up(self, request: EntryRequest) -> EntryResult | None:
+        value = self._row("SELECT value FROM entries WHERE key = ?", _key(request))
+        if value is None or not _is_plain(request):
+            return None
+        try:
+            dependencies, variables, looks, names, entry = value
+            if any(self._variables.get(name) != text for name, text in variables):
+                return None
+            if any(self._session.read(path).digest != known for path, known in dependencies) or not self._holds(looks):
+                return None
+            known_files = {name: self._file(name) for name in names}
+            files = {name: file for name, file in known_files.items() if file is not None}
+            return entry_from_json(entry, request, files)
+        except BROKEN:
+            return None
+
+    def _row(self, query: str, key: str) -> Any:
+        """The value of a row; None where there is none, or where it is not what was written."""
         if self._database is None:
-            return [None] * len(requests)
-        try:
-            rows = dict(self._database.execute("SELECT key, value FROM entries"))
-            files = self._files(session)
-        except self._error():
-            return [None] * len(requests)
-        return [self._known(rows.get(_key(request)), request, files, session) for request in requests]
-
-    def _files(self, session: Session) -> dict[str, FileResult]:
-        assert self._database is not None
-        files: dict[str, FileResult] = {}
-        for path, digest, value in self._database.execute("SELECT path, digest, value FROM files"):
-            if session.read(os.path.join(session.root, path)).digest == digest:
-                try:
-                    files[path] = file_from_json(json.loads(value))
-                except (ValueError, TypeError, KeyError):
-                    continue
-        return files
-
-    def _known(self, row: str | None, request: EntryRequest, files: dict[str, FileResult], session: Session) -> EntryResult | None:
-        if row is None:
             return None
         try:
-            result = entry_from_json(json.loads(row), request, files)
-        except (ValueError, TypeError, KeyError):
+            row = self._database.execute(query, (key,)).fetchone()
+            if row is None or row[0][:40] != _seal(key, row[0][40:]):
+                return None
+            return json.loads(row[0][40:])
+        except self._error:
             return None
-        if any(self.variables.get(name) != value for name, value in result.variables):
-            return None
-        if any(session.read(path).digest != digest for path, digest in result.dependencies):
-            return None
-        return result
 
-    def store(self, results: Iterable[EntryResult], session: Session) -> None:
+    def _file(self, path: str) -> FileResult | None:
+        """The result of one launch file, where it is known and still true."""
+        if path not in self._files:
+            self._files[path] = None
+            value = self._row("SELECT value FROM files WHERE path = ?", path)
+            if value is not None:
+                known, result = value[0], file_from_json(value[1])
+                if self._session.read(os.path.join(self._session.root, path)).digest == known and self._holds(result.looks):
+                    self._files[path] = result
+        return self._files[path]
+
+    def _holds(self, looks: Iterable[tuple[str, str]]) -> bool:
+        for path, known in looks:
+            if path not in self._states:
+                self._states[path] = state(path)
+            if self._states[path] != known:
+                return False
+        return True
+
+    def store(self, results: Iterable[EntryResult]) -> None:
         """Keep the results of this run."""
         if self._database is None:
             return
+        entries: list[tuple[str, str]] = []
+        files: dict[str, str] = {}
         try:
+            for result in results:
+                if not _is_plain(result.request) or _has_crashed(result):
+                    continue
+                digests = dict(result.dependencies)
+                for file in result.files:
+                    if file.path not in files:
+                        content = digests[os.path.abspath(os.path.join(self._session.root, file.path))]
+                        files[file.path] = _sealed(file.path, [content, file_to_json(file)])
+                names = [file.path for file in result.files]
+                value = [result.dependencies, result.variables, result.looks, names, entry_to_json(result)]
+                entries.append((_key(result.request), _sealed(_key(result.request), value)))
             with self._database:
-                seen: set[str] = set()
-                for result in results:
-                    self._database.execute("INSERT OR REPLACE INTO entries VALUES (?, ?)", (_key(result.request), _dump(entry_to_json(result))))
-                    for file in result.files:
-                        if file.path not in seen:
-                            seen.add(file.path)
-                            digest = session.read(os.path.join(session.root, file.path)).digest
-                            self._database.execute("INSERT OR REPLACE INTO files VALUES (?, ?, ?)", (file.path, digest, _dump(file_to_json(file))))
-        except (OSError, ValueError, self._error()):
+                self._database.executemany("INSERT OR REPLACE INTO entries VALUES (?, ?)", entries)
+                self._database.executemany("INSERT OR REPLACE INTO files VALUES (?, ?)", files.items())
+        except self._error:
             return
 
     def close(self) -> None:
         """Close the database."""
         if self._database is not None:
             self._database.close()
+
+
+def _is_plain(request: EntryRequest) -> bool:
+    """Whether the file is judged as what it is; text that stands in for another file is not kept."""
+    return request.file == request.at
+
+
+def _has_crashed(result: EntryResult) -> bool:
+    findings = (*result.findings, *(guarded.finding for file in result.files for guarded in file.findings))
+    return any(finding.rule == INTERNAL_ERROR for finding in findings)
 
 
 def _key(request: EntryRequest) -> str:
@@ -123,44 +166,19 @@ def _dump(value: Any) -> str:
     return json.dumps(value, ensure_ascii=True, separators=(",", ":"))
 
 
-def _fingerprint(options: Options) -> str:
-    """Of everything that may change any result and is not a file some entry reads."""
-    settings = [
-        FORMAT, __version__, sorted(options.rules), options.workspaces, options.explicit, options.root, options.complete, options.default_only,
-        [options.variables.get(name) for name in ("ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH", "ROS_DISTRO", "ROS_NAMESPACE")],
-    ]  # fmt: skip
-    digest = hashlib.sha256(_dump(settings).encode())
-    for workspace in options.workspaces:
-        for line in _listing(workspace):
-            digest.update(line.encode("utf-8", "surrogateescape"))
-    return digest.hexdigest()[:40]
+def _sealed(key: str, value: Any) -> str:
+    text = _dump(value)
+    return _seal(key, text) + text
 
 
-def _listing(workspace: str) -> Iterator[str]:
-    """One line for each file of a workspace: its path, whether it may be executed, and what packages and rules read of it."""
-    count = 0
-    for directory, directories, files in os.walk(workspace, followlinks=False):
-        directories[:] = sorted(name for name in directories if name != ".git")
-        for name in sorted(files):
-            count += 1
-            if count > MOST_FILES:
-                return
-            path = os.path.join(directory, name)
-            yield f"{path}\0{_facts(path, name)}\n"
+def _seal(key: str, text: str) -> str:
+    """Tells a row that a broken disk or an unfinished write has changed."""
+    return hashlib.sha1(f"{key}\0{text}".encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
 
 
-def _facts(path: str, name: str) -> str:
-    if name in CONTENT_COUNTS:
-        try:
-            with open(path, "rb") as file:
-                return hashlib.sha1(file.read(1 << 22), usedforsecurity=False).hexdigest()
-        except OSError:
-            return "unreadable"
-    if name.endswith(LAUNCH_ENDS):
-        return ""
-    try:
-        executable = bool(os.stat(path).st_mode & stat.S_IXUSR)
-        with open(path, "rb") as file:
-            return f"{executable} {file.read(2)!r}"
-    except OSError:
-        return "unreadable"
+def _forget_oldest(directory: str) -> None:
+    """Make room for one more database."""
+    databases = [entry for entry in os.scandir(directory) if entry.name.endswith(".sqlite") and entry.is_file(follow_symlinks=False)]
+    databases.sort(key=lambda entry: (entry.stat().st_mtime, entry.name), reverse=True)
+    for entry in databases[MOST_DATABASES - 1 :]:
+        os.unlink(entry.path)

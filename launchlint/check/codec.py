@@ -23,12 +23,13 @@ def file_to_json(result: FileResult) -> list[Any]:
         [list(item.location), sorted(item.rules), [[name.text, *name.span] for name in item.names], item.covers, item.reason, item.problem, item.removal]
         for item in result.suppressions
     ]  # fmt: skip
-    return [result.path, [[_finding_to_json(finding), guard] for finding, guard in result.findings], suppressions, result.root]
+    findings = [[_finding_to_json(finding), guard] for finding, guard in result.findings]
+    return [result.path, findings, suppressions, result.root, result.looks]
 
 
 def file_from_json(value: Any) -> FileResult:
     """The inverse of :func:`file_to_json`. Raises TypeError, ValueError or KeyError for anything else."""
-    path, findings, suppressions, root = value
+    path, findings, suppressions, root, looks = value
     return FileResult(
         path,
         tuple(Guarded(_finding_from_json(finding), guard) for finding, guard in findings),
@@ -45,11 +46,12 @@ def file_from_json(value: Any) -> FileResult:
             for location, rules, names, covers, reason, problem, removal in suppressions
         ),
         None if root is None else Location(*root),
+        tuple((name, state) for name, state in looks),
     )
 
 
 def entry_to_json(result: EntryResult) -> list[Any]:
-    """An entry's result as JSON values; its files are named only."""
+    """An entry's result as JSON values; its files are named only, and what it depends on is left out."""
     summary = result.summary
     return [
         result.path,
@@ -59,18 +61,24 @@ def entry_to_json(result: EntryResult) -> list[Any]:
         [list(fine) for fine in result.fine],
         result.visited,
         [file.path for file in result.files],
-        [summary.path, summary.refused, summary.included, [[*call[:3], call.location] for call in summary.broken_calls], summary.roots],
+        [
+            summary.path,
+            summary.refused,
+            summary.included,
+            [[*call[:3], call.location] for call in summary.broken_calls],
+            summary.roots,
+            summary.needs_caller,
+            summary.undeclared_args,
+        ],
         result.needs_caller,
         result.configurations,
-        result.dependencies,
-        result.variables,
     ]
 
 
 def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResult]) -> EntryResult:
     """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
-    path, verdict, error, findings, fine, visited, names, summary, needs_caller, configurations, dependencies, variables = value
-    entry, refused, included, calls, roots = summary
+    path, verdict, error, findings, fine, visited, names, summary, needs_caller, configurations = value
+    entry, refused, included, calls, roots, *others = summary
     return EntryResult(
         request,
         path,
@@ -86,11 +94,10 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
             tuple(included),
             tuple(BrokenCall(target, name, missing, Location(*location)) for target, name, missing, location in calls),
             tuple((name, Location(*location)) for name, location in roots),
+            *others,
         ),
         needs_caller,
         configurations,
-        tuple((name, digest) for name, digest in dependencies),
-        tuple((name, text) for name, text in variables),
     )
 
 

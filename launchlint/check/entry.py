@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from launchlint.check.file import FileResult, check_file, run_rule, tell
+from launchlint.check.file import FileResult, check_file, internal_error, run_rule, tell
 from launchlint.check.options import EntryRequest, Options
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.configurations import configurations
@@ -17,6 +17,7 @@ from launchlint.rules.registry import RULES, Entry, rule_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary, FileView, LaunchView
 from launchlint.syntax.tree import Document
+from launchlint.workspace.looking import note, noted, state
 from launchlint.workspace.packages import Packages
 
 CALL_KINDS = ("include-undeclared-arg", "include-missing-arg")
@@ -27,8 +28,9 @@ ALONE_KINDS = frozenset({"required-arg-unset", "undeclared-arg", "used-before-de
 class EntryResult(NamedTuple):
     """What one entry file gives.
 
-    ``needs_caller``: it does not load alone, because args are missing that an including file would give. ``dependencies`` are the files it was made
-    from with the digest of their content (empty: not there), ``variables`` the environment variables it read.
+    ``needs_caller``: it does not load alone, because args are missing that an including file would give. For the cache: ``dependencies`` are the
+    files it was made from with the digest of their content or the reason why there is none, ``variables`` the environment variables
+    it read, ``looks`` the paths at which rules looked around, with their state (:func:`launchlint.workspace.looking.state`).
     """
 
     request: EntryRequest
@@ -44,13 +46,18 @@ class EntryResult(NamedTuple):
     configurations: int
     dependencies: tuple[tuple[str, str], ...] = ()
     variables: tuple[tuple[str, str | None], ...] = ()
+    looks: tuple[tuple[str, str], ...] = ()
 
 
 class EntryChecker:
-    """Checks entry files one after another, sharing parsed files and evaluated blocks."""
+    """Checks entry files one after another, sharing parsed files and evaluated blocks.
 
-    def __init__(self, options: Options, overlay: Mapping[str, bytes] | None = None) -> None:
+    ``remember``: results also say what they depend on, so that they can be kept.
+    """
+
+    def __init__(self, options: Options, overlay: Mapping[str, bytes] | None = None, *, remember: bool = False) -> None:
         self.options = options
+        self.remember = remember
         self.packages = Packages(options.workspaces, options.variables, explicit=options.explicit, complete=options.complete)
         self.session = Session(self.packages, options.variables, options.root, overlay)
         self.rules: tuple[Entry, ...] = tuple(rule for rule in RULES if rule.id in options.rules)
@@ -58,9 +65,16 @@ class EntryChecker:
         self._files: dict[str, FileResult] = {}
 
     def check(self, request: EntryRequest) -> EntryResult:
-        """All findings of one entry file."""
+        """All findings of one entry file. Never raises: a crash becomes a finding."""
+        try:
+            return self._check(request)
+        except Exception as error:  # one file must never take the run down
+            return self._crashed(request, error)
+
+    def _check(self, request: EntryRequest) -> EntryResult:
         session = self._session_for(request)
         session.begin_entry()
+        noted()
         findings: dict[Key, Finding] = {}
         fine: dict[Fine, None] = {}
         visited: dict[str, set[int]] = {}
@@ -94,10 +108,20 @@ class EntryChecker:
                 break
         assert first is not None
         result = self._result(request, first, findings, fine, visited, files, tuple(included), count)
+        if not self.remember:
+            return result
+        looks = dict(look for file in files.values() for look in file.looks) | {path: state(path) for path in noted()}
         return result._replace(
             dependencies=tuple((name, session.read(name).digest) for name in sorted(session.touched)),
             variables=tuple((name, session.environment.get(name)) for name in sorted(session.variables)),
+            looks=tuple(sorted(looks.items())),
         )
+
+    def _crashed(self, request: EntryRequest, error: Exception) -> EntryResult:
+        path = self.session.shown(request.at)
+        finding = internal_error("the evaluation", path, error)
+        summary = EntrySummary(path, True, (), (), ())
+        return EntryResult(request, path, "error", (finding.rule, finding.message), (finding,), (), (), (), summary, False, 0)
 
     def model(self, request: EntryRequest) -> tuple[Evaluation, tuple[str, str] | None]:
         """What one entry file starts as given, and why roslaunch refuses it: rule ID and message of the first reason, if it does."""
@@ -122,7 +146,11 @@ class EntryChecker:
         shared = session is self.session
         if shared and path in self._files:
             return self._files[path]
+        before = noted() if self.remember else ()
         result = check_file(FileView(document, self.packages), self.rules)
+        if self.remember:
+            result = result._replace(looks=tuple((path, state(path)) for path in sorted(noted())))
+            note(before)
         if shared:
             self._files[path] = result
         return result
@@ -163,8 +191,9 @@ class EntryChecker:
             error = (rule_of(refused.kind), told)
         reasons = {problem.kind for problem in launch.problems if problem.refused and problem.place.source.path == path}
         roots = tuple((known.path, known.root) for known in files.values() if known.root is not None)
-        needs_caller = bool(reasons & ALONE_KINDS) and not request.declared and not request.arguments
-        summary = EntrySummary(path, refused is not None, included, tuple(_broken_calls(launch.problems)), roots, needs_caller)
+        needs_caller = bool(reasons & ALONE_KINDS) and not request.declared
+        lacks = needs_caller and bool(reasons & (ALONE_KINDS - {"required-arg-unset"}))
+        summary = EntrySummary(path, refused is not None, included, tuple(_broken_calls(launch.problems)), roots, needs_caller, lacks)
         return EntryResult(
             request,
             path,
@@ -184,4 +213,6 @@ def _broken_calls(problems: tuple[Problem, ...]) -> Iterator[BrokenCall]:
     for problem in problems:
         if problem.kind in CALL_KINDS and problem.refused:
             missing = problem.kind == "include-missing-arg"
+            if missing and problem.facts["pass_all"]:
+                continue  # it may come from the command line
             yield BrokenCall(problem.facts["file"], problem.facts["name"], missing, Location.of(problem.place))

@@ -22,12 +22,13 @@ class Guarded(NamedTuple):
 
 
 class FileResult(NamedTuple):
-    """What one launch file by itself gives."""
+    """What one launch file by itself gives; ``looks`` as in :class:`~launchlint.check.entry.EntryResult`."""
 
     path: str
     findings: tuple[Guarded, ...]
     suppressions: tuple[Suppression, ...]
     root: Location | None
+    looks: tuple[tuple[str, str], ...] = ()
 
 
 def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
@@ -73,7 +74,7 @@ def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[F
             try:
                 yield from rule.load().tell(problem, view)
             except Exception as error:  # a rule must never take the run down
-                yield internal_error(rule, problem.place.source.path, error)
+                yield internal_error(f"rule {rule.id} {rule.name}", problem.place.source.path, error)
 
 
 def run_rule(rule: Entry, view: object, path: str) -> Iterator[Finding | Fine]:
@@ -81,34 +82,38 @@ def run_rule(rule: Entry, view: object, path: str) -> Iterator[Finding | Fine]:
     try:
         yield from rule.load().check(view)
     except Exception as error:  # a rule must never take the run down
-        yield internal_error(rule, path, error)
+        yield internal_error(f"rule {rule.id} {rule.name}", path, error)
 
 
 INTERNAL_ERROR = "LL000"
 
 
-def internal_error(rule: Entry, path: str, error: Exception) -> Finding:
-    """The finding for a crash inside a rule: the run goes on, and ends with exit status 2."""
+def internal_error(what: str, path: str, error: Exception) -> Finding:
+    """The finding for a crash inside ``what`` (a rule, say): the run goes on, and ends with exit status 2."""
     import traceback
 
     from launchlint.finding import Severity
+    from launchlint.rules.rule import shortened
 
     frames = traceback.extract_tb(error.__traceback__)
     where = f"{frames[-1].name}, line {frames[-1].lineno}" if frames else "unknown place"
     return Finding(
         INTERNAL_ERROR, "internal-error", Severity.ERROR, Location(path, 1, 1, 1, 1, 0, 0, ""),
-        f"rule {rule.id} {rule.name} crashed on this file: {type(error).__name__}: {error}",
-        notes=(f"in {where}; all other rules went on",), help="please report this, with the launch file if you can share it",
+        shortened(f"{what} crashed on this file: {type(error).__name__}: {error}"),
+        notes=(f"in {where}; everything else went on",), help="please report this, with the launch file if you can share it", topic=what,
     )  # fmt: skip
 
 
 def _guard(document: Document, location: Location) -> int | None:
     if location.path != document.source.path or document.launch is None:
         return None
-    element: Element | None = document.element_from(location.start)
+    # The innermost element around the place: the last one that begins before it, or one around that.
+    after = document.element_from(location.start + 1)
+    element: Element | None = document.elements[(len(document.elements) if after is None else after.index) - 1]
+    while element is not None and element.span.end <= location.start:
+        element = element.parent
     while element is not None:
         if "if" in element.attributes or "unless" in element.attributes:
             return element.index
         element = element.parent
     return None
-

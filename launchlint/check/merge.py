@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import fnmatch
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from launchlint.check.entry import EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult, run_rule
+from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.options import Options
 from launchlint.finding import Finding, Key, Severity
 from launchlint.order import ordered
@@ -17,6 +17,7 @@ from launchlint.rules.view import RunView, SuppressionView
 from launchlint.workspace.packages import Packages
 
 NEVER_EVALUATED = "no configuration that was found evaluates this element, so that nobody is stopped by it yet"
+
 
 class Outcome(NamedTuple):
     """All findings of a run in report order, and how much was looked at."""
@@ -28,17 +29,21 @@ class Outcome(NamedTuple):
 
 
 def merge(
-    results: Sequence[EntryResult], options: Options, packages: Packages, per_file: Mapping[str, tuple[str, ...]], *, workspace: bool = True,
+    results: Sequence[EntryResult],
+    options: Options,
+    packages: Packages,
+    per_file: PerFileIgnores,
+    *,
+    workspace: bool = True,
     alone: bool = False,
 ) -> Outcome:
     """The findings of a whole run.
 
     A file that others include and that lacks args when started alone is not an entry file: what was found in it that way is left out.
-    ``per_file`` maps path patterns to rules that are off there. ``workspace`` runs the rules that look at the whole run;
+    ``per_file`` says which rules are off where. ``workspace`` runs the rules that look at the whole run;
     ``alone`` keeps every entry, whoever includes it.
     """
-    elsewhere = {path for result in results for path in result.summary.included if path != result.path}
-    entries = [result for result in results if alone or not (result.needs_caller and result.path in elsewhere)]
+    entries = list(results) if alone else _entries(results)
     findings: dict[Key, Finding] = {}
     reached: dict[Key, set[str]] = {}
     fine: set[Fine] = set()
@@ -76,10 +81,40 @@ def merge(
         view = RunView(tuple(result.summary for result in results), packages, options.root)
         for rule in RULES:
             if rule.view == "run" and rule.id in options.rules:
-                collected.extend(found for found in run_rule(rule, view, "") if isinstance(found, Finding))
-    kept = _suppress(_adjust(collected, options, per_file), files.values(), options)
-    crashed = any(finding.rule == INTERNAL_ERROR for finding in kept)
-    return Outcome(tuple(ordered(kept)), len(files) or len(results), len(entries), crashed)
+                collected.extend(found for found in run_rule(rule, view, ".") if isinstance(found, Finding))
+    crashes = [finding for finding in collected if finding.rule == INTERNAL_ERROR]
+    others = _adjust((finding for finding in collected if finding.rule != INTERNAL_ERROR), options, per_file)
+    kept, more = _suppress(others, files.values(), options, per_file)
+    crashes += more
+    looked_at = files.keys() | {result.path for result in results}
+    return Outcome(tuple(ordered([*kept, *crashes])), len(looked_at), len(entries), bool(crashes))
+
+
+def _entries(results: Sequence[EntryResult]) -> list[EntryResult]:
+    """The results without those of files that lack args and that another entry file leads to.
+
+    Files that only include each other in a circle are kept, so that the circle is told of.
+    """
+    includes: dict[str, set[str]] = {}
+    for result in results:
+        includes.setdefault(result.path, set()).update(result.summary.included)
+    elsewhere = {path for result in results for path in result.summary.included if path != result.path}
+    dropped = {result.path for result in results if result.needs_caller and result.path in elsewhere}
+    led_to: set[str] = set()
+    waiting = [path for path in includes if path not in dropped]
+    candidates = iter(sorted(dropped))
+    while True:
+        while waiting:
+            path = waiting.pop()
+            if path not in led_to:
+                led_to.add(path)
+                waiting.extend(includes.get(path, ()))
+        in_circle = next((path for path in candidates if path not in led_to), None)
+        if in_circle is None:
+            break
+        dropped.discard(in_circle)
+        waiting.append(in_circle)
+    return [result for result in results if not (result.needs_caller and result.path in dropped)]
 
 
 def _better(finding: Finding, known: Finding) -> bool:
@@ -91,22 +126,23 @@ def _better(finding: Finding, known: Finding) -> bool:
     return rank(finding) < rank(known)
 
 
-def _adjust(findings: Iterable[Finding], options: Options, per_file: Mapping[str, tuple[str, ...]]) -> list[Finding]:
+def _adjust(findings: Iterable[Finding], options: Options, per_file: PerFileIgnores) -> list[Finding]:
     """Severities and per-file ignores as people asked for them."""
-    kept: list[Finding] = []
-    for finding in findings:
-        if any(finding.rule in rules and fnmatch.fnmatchcase(finding.location.path, pattern) for pattern, rules in per_file.items()):
-            continue
-        kept.append(finding._replace(severity=options.severities.get(finding.rule, finding.severity)))
-    return kept
+    return [
+        finding._replace(severity=options.severities.get(finding.rule, finding.severity))
+        for finding in findings
+        if finding.rule not in per_file.off(finding.location.path)
+    ]
 
 
-def _suppress(findings: list[Finding], files: Iterable[FileResult], options: Options) -> list[Finding]:
-    from launchlint.suppression import apply
-
+def _suppress(
+    findings: list[Finding], files: Iterable[FileResult], options: Options, per_file: PerFileIgnores
+) -> tuple[list[Finding], list[Finding]]:
+    """The findings that no comment suppresses, with what is to be said of the comments; then the crashes of those rules."""
     suppressions = [suppression for file in files for suppression in file.suppressions]
     if not suppressions:
-        return findings
+        return findings, []
+    from launchlint.suppression import apply
 
     def resolve(word: str) -> str | None:
         rule = find(word)
@@ -114,8 +150,12 @@ def _suppress(findings: list[Finding], files: Iterable[FileResult], options: Opt
 
     kept, used = apply(findings, suppressions, resolve)
     view = SuppressionView(tuple(suppressions), frozenset(used), resolve, options.rules, tuple(rule.name for rule in RULES))
-    for rule in RULES:
-        if rule.view == "suppression" and rule.id in options.rules:
-            told = (found for found in run_rule(rule, view, "") if isinstance(found, Finding))
-            kept.extend(_adjust(told, options, {}))
-    return kept
+    told = [
+        found
+        for rule in RULES
+        if rule.view == "suppression" and rule.id in options.rules
+        for found in run_rule(rule, view, suppressions[0].location.path)
+        if isinstance(found, Finding)
+    ]
+    kept += _adjust((found for found in told if found.rule != INTERNAL_ERROR), options, per_file)
+    return kept, [found for found in told if found.rule == INTERNAL_ERROR]

@@ -34,13 +34,14 @@ def check_entries(
         return _compute(requests, checker, jobs, progress)
     from launchlint.check.cache import Cache
 
-    cache = Cache(cache_directory, checker.options)
+    checker.remember = True
+    cache = Cache(cache_directory, checker)
     try:
-        known = cache.look_up(requests, checker.session)
+        known = cache.look_up(requests)
         missing = [request for request, result in zip(requests, known) if result is None]
         done = len(requests) - len(missing)
         computed = _compute(missing, checker, jobs, None if progress is None else lambda count: progress(done + count))
-        cache.store(computed, checker.session)
+        cache.store(computed)
         fresh = iter(computed)
         return [next(fresh) if result is None else result for result in known]
     finally:
@@ -49,10 +50,10 @@ def check_entries(
 
 def _compute(requests: Sequence[EntryRequest], checker: EntryChecker, jobs: int, progress: Progress | None) -> list[EntryResult]:
     workers = min(jobs or os.cpu_count() or 1, -(-len(requests) // BATCH))
-    if workers > 1 and (jobs > 1 or len(requests) >= POOL_PAYS):
-        return _in_pool(requests, checker, workers, progress)
     results: list[EntryResult] = []
-    for request in requests:
+    if workers > 1 and (jobs > 1 or len(requests) >= POOL_PAYS):
+        results = _in_pool(requests, checker, workers, progress)
+    for request in requests[len(results) :]:
         results.append(checker.check(request))
         if progress is not None:
             progress(len(results))
@@ -60,15 +61,32 @@ def _compute(requests: Sequence[EntryRequest], checker: EntryChecker, jobs: int,
 
 
 def _in_pool(requests: Sequence[EntryRequest], checker: EntryChecker, workers: int, progress: Progress | None) -> list[EntryResult]:
-    import multiprocessing
+    """The results of several processes, in order; only the first ones where processes cannot be had, or one of them was killed."""
+    from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
 
     results: list[EntryResult] = []
-    with multiprocessing.get_context().Pool(workers, _start, (checker.options, checker.session.overlay)) as pool:
-        for batch in pool.imap(_work, _batches(requests)):
-            results.extend(batch)
-            if progress is not None:
-                progress(len(results))
+    start = (checker.options, checker.session.overlay, checker.remember)
+    try:
+        with ProcessPoolExecutor(workers, initializer=_start, initargs=start) as pool:
+            try:
+                for batch in pool.map(_work, _batches(requests)):
+                    results.extend(batch)
+                    if progress is not None:
+                        progress(len(results))
+            except KeyboardInterrupt:
+                _end_workers()
+                raise
+    except (BrokenProcessPool, OSError):
+        return results
     return results
+
+
+def _end_workers() -> None:
+    import multiprocessing
+
+    for process in multiprocessing.active_children():
+        process.terminate()
 
 
 def _batches(requests: Sequence[EntryRequest]) -> Iterator[list[EntryRequest]]:
@@ -79,18 +97,22 @@ def _batches(requests: Sequence[EntryRequest]) -> Iterator[list[EntryRequest]]:
 _worker: list[EntryChecker] = []
 
 
-def _start(options: Options, overlay: Mapping[str, bytes]) -> None:
+def _start(options: Options, overlay: Mapping[str, bytes], remember: bool) -> None:
     """In a new worker: what it needs for all its batches. Ctrl-C is for the parent, which ends the workers."""
     import signal
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    _worker[:] = [EntryChecker(options, overlay)]
+    _worker[:] = [EntryChecker(options, overlay, remember=remember)]
 
 
 def _work(batch: list[EntryRequest]) -> list[EntryResult]:
     return [_worker[0].check(request) for request in batch]
 
 
-def default_directory(variables: Mapping[str, str]) -> str:
-    """Where results are kept: ``$XDG_CACHE_HOME/launchlint`` or ``~/.cache/launchlint``."""
-    return os.path.join(variables.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache"), "launchlint")
+def default_directory() -> str:
+    """Where results are kept: ``$XDG_CACHE_HOME/launchlint`` or ``~/.cache/launchlint``.
+
+    Only the environment of this process counts: ``env`` in the configuration of a checked repository must not move it.
+    """
+    chosen = os.environ.get("XDG_CACHE_HOME", "")
+    return os.path.join(chosen if os.path.isabs(chosen) else os.path.join(os.path.expanduser("~"), ".cache"), "launchlint")

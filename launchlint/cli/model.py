@@ -6,12 +6,14 @@ import sys
 
 import click
 
-from launchlint.cli.options import EntryOptions, entry_options
+from launchlint.cli.options import EntryOptions, entry_options, leave_ros2_out
 
 
 @click.command("model")
 @entry_options
-@click.option("--format", "format_", type=click.Choice(["text", "json", "jsonl"]), default="text", show_default=True, help="How to print it.")
+@click.option(
+    "--format", "format_", type=click.Choice(["text", "json", "jsonl"]), default="text", show_default=True, help="How to print it."
+)
 def command(entry: EntryOptions, format_: str) -> int:
     """Print what roslaunch would start for FILE: nodes with their remaps and parameters, under their resolved names.
 
@@ -20,21 +22,25 @@ def command(entry: EntryOptions, format_: str) -> int:
     import json
 
     from launchlint.check.entry import EntryChecker
+    from launchlint.report.escape import visible
     from launchlint.report.formats import emit
     from launchlint.report.model import as_object, table
 
     requests, overlay = entry.requests()
     checker = EntryChecker(entry.options(everything=True), overlay)
+    requests, notices = leave_ros2_out(entry, requests, checker.session)
+    for notice in notices:
+        click.echo(f"launchlint: {visible(notice)}", err=True)
     refused = False
     collected: list[object] = []
     for request in requests:
         evaluation, error = checker.model(request)
         refused |= error is not None
         if format_ == "text":
-            title = f"{evaluation.launch.entry.path}:\n" if len(requests) > 1 else ""
+            title = f"{visible(evaluation.launch.entry.path)}:\n" if len(requests) > 1 else ""
             emit(title + table(evaluation.launch, error), sys.stdout)
             continue
-        item = as_object(evaluation, request.file, error)
+        item = as_object(evaluation.launch, request.file, error)
         if format_ == "jsonl":
             emit(json.dumps(item, ensure_ascii=True, default=str) + "\n", sys.stdout)
         else:

@@ -13,51 +13,71 @@ from launchlint.check.options import Arguments, EntryRequest, Options
 from launchlint.errors import UsageError
 from launchlint.finding import Severity
 
+STANDARD_INPUT = "stdin.launch"
+"""What standard input is called where nobody says it."""
+
 F = TypeVar("F", bound=Callable[..., Any])
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.evaluate.session import Session
     from launchlint.workspace.configuration import Configuration
 
 
 class EntryOptions:
-    """What ``PATHS``, ``--arg``, ``--entries``, ``--workspace`` and ``--config`` say."""
+    """What ``PATHS``, ``--stdin-filename``, ``--arg``, ``--entries``, ``--workspace`` and ``--config`` say. Raises UsageError where they clash."""
 
     def __init__(
-        self, paths: tuple[str, ...], args: tuple[str, ...], entries: str | None, workspace: tuple[str, ...], config: str | None
+        self,
+        paths: tuple[str, ...],
+        args: tuple[str, ...],
+        entries: str | None,
+        workspace: tuple[str, ...],
+        config: str | None,
+        stdin_filename: str | None,
     ) -> None:
-        self.paths = paths or (() if entries else (".",))
+        if "-" in paths and len(paths) > 1:
+            raise UsageError("- stands for standard input and cannot be mixed with other paths; check them in two calls")
+        if stdin_filename is not None and paths != ("-",):
+            raise UsageError("--stdin-filename names standard input; give - as the path too")
+        if entries is not None and paths:
+            raise UsageError("--entries names the files; give no paths beside it")
+        self.standard_input = (stdin_filename or STANDARD_INPUT) if paths == ("-",) else None
+        self.paths = paths or (() if entries else (os.curdir,))
         self.arguments = tuple(parse_argument(text) for text in args)
         self.entries = entries
         self.workspace = workspace
-        self.configuration = read_configuration(config, self.paths)
+        self.configuration = read_configuration(config, (self.standard_input,) if self.standard_input else self.paths)
 
-    def requests(self, stdin_filename: str | None = None) -> tuple[list[EntryRequest], dict[str, bytes]]:
+    @property
+    def named(self) -> frozenset[str]:
+        """The files that are asked for by name, absolute."""
+        return frozenset(os.path.abspath(path) for path in self.paths if not os.path.isdir(path))
+
+    def requests(self) -> tuple[list[EntryRequest], dict[str, bytes]]:
         """The entry files that are asked for, in order, and text that stands in for files: standard input for ``-``.
 
         Raises UsageError for a path that does not exist.
         """
-        if self.paths == ("-",):
-            name = stdin_filename or "stdin.launch"
-            return [EntryRequest(name, name, self.arguments)], {name: sys.stdin.buffer.read()}
-        if "-" in self.paths:
-            raise UsageError("- stands for standard input and cannot be mixed with other paths; check them in two calls")
-        if stdin_filename is not None:
-            raise UsageError("--stdin-filename names standard input; give - as the path too")
+        if self.standard_input is not None:
+            return [EntryRequest(self.standard_input, self.standard_input, self.arguments)], {self.standard_input: sys.stdin.buffer.read()}
         if self.entries is not None:
             return self._listed(), {}
         from launchlint.workspace.discovery import discover
 
         configuration = self.configuration
-        declared = {os.path.abspath(entry.file): tuple(entry.arguments.items()) for entry in configuration.entries or ()}
-        files = discover(self.paths, configuration.exclude, configuration.directory)
+        declared: dict[str, list[Arguments]] = {}
+        for entry in configuration.entries or ():
+            declared.setdefault(os.path.abspath(entry.file), []).append(tuple(entry.arguments.items()))
         profiles = [tuple(arguments.items()) for arguments in configuration.args.values()]
-        requests: list[EntryRequest] = []
-        for file in files:
+        requests: dict[EntryRequest, None] = {}
+        for file in discover(self.paths, configuration.exclude, configuration.directory):
             given = declared.get(os.path.abspath(file))
-            requests.append(EntryRequest(file, file, merge_arguments(given or (), self.arguments), given is not None))
-            requests += [EntryRequest(file, file, merge_arguments(profile, self.arguments)) for profile in profiles]
-        return requests, {}
+            for arguments in given or [()]:
+                for profile in ((), *profiles):
+                    both = merge_arguments(merge_arguments(arguments, profile), self.arguments)
+                    requests[EntryRequest(file, file, both, given is not None)] = None
+        return list(requests), {}
 
     def _listed(self) -> list[EntryRequest]:
         from launchlint.workspace.entries import load_entries
@@ -79,11 +99,13 @@ class EntryOptions:
         workspaces = self.workspace or configuration.workspace
         for directory in self.workspace:
             if not os.path.isdir(directory):
-                raise UsageError(f"--workspace {directory}: there is no such directory; packages are looked for in it, so give one that exists")
+                raise UsageError(
+                    f"--workspace {directory}: there is no such directory; packages are looked for in it, so give one that exists"
+                )
         if not workspaces:
             from launchlint.workspace.repository import default_workspaces
 
-            workspaces = tuple(default_workspaces(list(self.paths) or ["."]))
+            workspaces = tuple(default_workspaces([self.standard_input] if self.standard_input else self.paths or [os.curdir]))
         return Options(
             rules=rules,
             workspaces=tuple(os.path.abspath(directory) for directory in workspaces),
@@ -93,6 +115,23 @@ class EntryOptions:
             severities={} if everything else severities(tuple(severity), configuration),
             complete=None if configuration.packages is None else configuration.packages == "complete",
         )
+
+
+def leave_ros2_out(entry: EntryOptions, requests: list[EntryRequest], session: Session) -> tuple[list[EntryRequest], tuple[str, ...]]:
+    """``requests`` without ROS 2 launch files that nobody asked for by name, and a notice of them."""
+    if (
+        entry.entries is not None
+        or entry.standard_input is not None
+        or entry.named.issuperset(os.path.abspath(each.at) for each in requests)
+    ):
+        return requests, ()
+    from launchlint.check.dialects import without_ros2
+
+    kept, skipped = without_ros2(requests, entry.named, session)
+    if not skipped:
+        return kept, ()
+    files = f"{len(skipped)} ROS 2 launch files such as {skipped[0]}" if len(skipped) > 1 else f"the ROS 2 launch file {skipped[0]}"
+    return kept, (f"left out {files}: only ROS 1 is checked; name a file to check it all the same",)
 
 
 def parse_argument(text: str) -> tuple[str, str]:
@@ -114,8 +153,7 @@ def read_configuration(config: str | None, paths: tuple[str, ...]) -> Configurat
 
     if config is not None:
         return load(config)
-    first = paths[0] if paths and paths[0] != "-" else "."
-    found = find_configuration(first)
+    found = find_configuration(paths[0] if paths else os.curdir)
     return Configuration() if found is None else load(os.path.relpath(found))
 
 
@@ -123,9 +161,15 @@ def entry_options(function: F) -> F:
     """Add the options of :class:`EntryOptions` to a command, which gets one as ``entry``."""
 
     def call(
-        paths: tuple[str, ...], args: tuple[str, ...], entries: str | None, workspace: tuple[str, ...], config: str | None, **others: Any
+        paths: tuple[str, ...],
+        args: tuple[str, ...],
+        entries: str | None,
+        workspace: tuple[str, ...],
+        config: str | None,
+        stdin_filename: str | None,
+        **others: Any,
     ) -> Any:
-        return function(entry=EntryOptions(paths, args, entries, workspace, config), **others)
+        return function(entry=EntryOptions(paths, args, entries, workspace, config, stdin_filename), **others)
 
     call.__doc__ = function.__doc__
     call.__name__ = function.__name__
@@ -133,8 +177,11 @@ def entry_options(function: F) -> F:
         call.__click_params__ = function.__click_params__  # type: ignore[attr-defined]  # click keeps the options given so far there
     for decorate in (
         click.option("--config", metavar="FILE", help="Configuration file; default: the nearest .launchlint.yaml."),
-        click.option("--workspace", multiple=True, metavar="DIR", help="Where packages are; repeatable, the first that has a package wins."),
+        click.option(
+            "--workspace", multiple=True, metavar="DIR", help="Where packages are; repeatable, the first that has a package wins."
+        ),
         click.option("--entries", metavar="FILE", help="Evaluate the files, with the args, that a YAML or JSON list names."),
+        click.option("--stdin-filename", metavar="PATH", help="With - as path: judge standard input as if it stood at PATH."),
         click.option("--arg", "args", multiple=True, metavar="NAME:=VALUE", help="An arg, as on roslaunch's command line; repeatable."),
         click.argument("paths", nargs=-1, metavar="[PATHS]..."),
     ):

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import sys
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple, TextIO
+from collections.abc import Sequence
+from typing import NamedTuple
 
 from launchlint.check.entry import EntryResult
+from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.merge import Outcome, merge
 from launchlint.check.options import Options
+from launchlint.errors import UsageError
 from launchlint.finding import Severity
 from launchlint.report.formats import emit, parse, write
 from launchlint.report.run import RuleMetadata, Run, files_below
@@ -31,8 +34,25 @@ class Request(NamedTuple):
     root: str
 
 
+def check_outputs(formats: Sequence[str], baseline: str | None) -> None:
+    """Look whether every output can be made, before any work is done. Raises UsageError."""
+    from launchlint.atomic import check_target
+
+    files: dict[str, str] = {}
+    for format_ in formats:
+        output = parse(format_)
+        if output.file is not None:
+            check_target(output.file, what=f"the {output.format} report")
+            absolute = os.path.realpath(output.file)
+            if absolute in files:
+                raise UsageError(f"--format {format_}: --format {files[absolute]} goes to the same file; give each a file of its own")
+            files[absolute] = format_
+    if baseline is not None:
+        check_target(baseline, what="the baseline")
+
+
 def report(outcome: Outcome, request: Request, notices: tuple[str, ...] = ()) -> int:
-    """Print the outcome in every format asked for. Returns the exit status."""
+    """Give the outcome in every format asked for, files before standard output. Returns the exit status."""
     run = Run(
         version=request.version,
         rules=rule_metadata,
@@ -47,7 +67,7 @@ def report(outcome: Outcome, request: Request, notices: tuple[str, ...] = ()) ->
         successful=not outcome.crashed,
         read=files_below(request.root),
     )
-    for format_ in request.formats:
+    for format_ in sorted(request.formats, key=lambda each: parse(each).file is None):
         if not (request.quiet and parse(format_).file is None):
             write(format_, outcome.findings, run)
     if request.statistics and not request.quiet:
@@ -66,22 +86,23 @@ def exit_status(outcome: Outcome, request: Request) -> int:
     return int(any(finding.severity >= request.fail_on for finding in outcome.findings))
 
 
-def entry_lines(
-    results: Sequence[EntryResult],
-    options: Options,
-    packages: Packages,
-    per_file: Mapping[str, tuple[str, ...]],
-    request: Request,
-    stream: TextIO,
-) -> int:
+def entry_lines(results: Sequence[EntryResult], options: Options, packages: Packages, per_file: PerFileIgnores, request: Request) -> int:
     """One JSON line for each entry of ``--entries``, each judged by itself. Returns the exit status."""
+    from launchlint.atomic import write_text
     from launchlint.report.jsonl import entry_line
 
     status = 0
+    lines: list[str] = []
     for result in results:
         outcome = merge([result], options, packages, per_file, workspace=False, alone=True)
-        emit(entry_line(result.request.file, result.request.at, result.verdict, outcome.findings), stream)
+        lines.append(entry_line(result.request.file, result.request.at, result.verdict, outcome.findings))
         status = max(status, exit_status(outcome, request))
+    text = "".join(lines)
+    for file in [parse(format_).file if ":" in format_ else None for format_ in request.formats]:
+        if file is not None:
+            write_text(file, text, what="the jsonl report")
+        elif not request.quiet:
+            emit(text, sys.stdout)
     return status
 
 

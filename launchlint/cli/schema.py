@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import click
 
 
@@ -9,7 +11,8 @@ import click
 @click.argument("dialect", type=click.Choice(["ros1"]))
 def command(dialect: str) -> int:
     """Print the dialect as a RelaxNG schema, so that an XML editor can check and complete launch files."""
+    from launchlint.report.formats import emit
     from launchlint.syntax.ros1.relaxng import relaxng
 
-    click.echo(relaxng(), nl=False)
+    emit(relaxng(), sys.stdout)
     return 0

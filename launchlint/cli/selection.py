@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from launchlint.check.ignores import PerFileIgnores
 from launchlint.errors import ConfigurationError, LaunchlintError, UsageError
 from launchlint.finding import Severity
 from launchlint.rules.registry import RULES, Entry, find
@@ -23,52 +24,59 @@ def selected_rules(
     """
     if everything:
         return frozenset(rule.id for rule in RULES)
-    chosen = select or configuration.select
-    rules = {rule.id for rule in RULES if rule.default}
-    if chosen is not None:
-        rules = _matching(chosen, configuration, "select", from_file=not select)
-    rules -= _matching(ignore, configuration, "ignore", from_file=False)
-    rules -= _matching(configuration.ignore, configuration, "ignore", from_file=True)
-    return frozenset(rules)
+    written = None if configuration.select is None else _written(configuration.select, configuration, "select")
+    if select:
+        rules = _given(select, "--select")
+    else:
+        rules = {rule.id for rule in RULES if rule.default} if written is None else written
+    return frozenset(rules - _given(ignore, "--ignore") - _written(configuration.ignore, configuration, "ignore"))
 
 
 def severities(given: tuple[str, ...], configuration: Configuration) -> Mapping[str, Severity]:
     """Rule ID → severity as asked for; ``--severity RULE=LEVEL`` goes over the configuration file."""
     chosen: dict[str, Severity] = {}
     for word, level in configuration.severity.items():
-        for rule in _matching((word,), configuration, "severity", from_file=True):
+        for rule in _matching(word, f"{configuration.where('severity', word)}: severity", ConfigurationError):
             chosen[rule] = Severity[level.upper()]
     for text in given:
         word, separator, level = text.partition("=")
         if not separator or level.lower() not in ("error", "warning", "info"):
             raise UsageError(f"--severity {text}: write RULE=error, RULE=warning or RULE=info")
-        for rule in _matching((word,), configuration, "severity", from_file=False):
+        for rule in _matching(word, f"--severity {text}", UsageError):
             chosen[rule] = Severity[level.upper()]
     return chosen
 
 
-def per_file_ignores(configuration: Configuration) -> Mapping[str, tuple[str, ...]]:
-    """Path pattern → IDs of the rules that are off for the files it matches."""
-    return {
-        pattern: tuple(sorted(_matching(words, configuration, "per-file-ignores", from_file=True)))
+def per_file_ignores(configuration: Configuration, root: str) -> PerFileIgnores:
+    """The rules that are off for some files; ``root`` is what the paths of findings are relative to."""
+    rules = {
+        pattern: tuple(sorted(_written(words, configuration, "per-file-ignores", pattern)))
         for pattern, words in configuration.per_file_ignores.items()
+    }
+    return PerFileIgnores(rules, configuration.directory or root, root)
+
+
+def _given(texts: Iterable[str], option: str) -> set[str]:
+    """IDs for the words of an option; commas separate them too."""
+    words = [word.strip() for text in texts for word in text.split(",") if word.strip()]
+    return {rule for word in words for rule in _matching(word, f"{option} {word}", UsageError)}
+
+
+def _written(words: Iterable[str], configuration: Configuration, *keys: str) -> set[str]:
+    """IDs for the words under a key of the configuration file."""
+    return {
+        rule
+        for number, word in enumerate(words)
+        for rule in _matching(word, f"{configuration.where(*keys, number)}: {keys[0]}", ConfigurationError)
     }
 
 
-def _matching(words: Iterable[str], configuration: Configuration, key: str, *, from_file: bool) -> set[str]:
-    rules: set[str] = set()
-    for word in (part.strip() for text in words for part in text.split(",")):
-        if not word:
-            continue
-        found = _rules(word)
-        if not found:
-            near = did_you_mean(word.lower(), [rule.name for rule in RULES]) or did_you_mean(word.upper(), [rule.id for rule in RULES])
-            hint = near or "launchlint rules lists them all"
-            error: type[LaunchlintError] = ConfigurationError if from_file else UsageError
-            where = f"{configuration.where(key)}: {key}" if from_file else f"--{key} {word}"
-            raise error(f"{where}: there is no rule {word}; {hint}")
-        rules.update(rule.id for rule in found)
-    return rules
+def _matching(word: str, where: str, error: type[LaunchlintError]) -> set[str]:
+    found = _rules(word)
+    if not found:
+        near = did_you_mean(word.lower(), [rule.name for rule in RULES]) or did_you_mean(word.upper(), [rule.id for rule in RULES])
+        raise error(f"{where}: there is no rule {word}; {near or 'launchlint rules lists them all'}")
+    return {rule.id for rule in found}
 
 
 def _rules(word: str) -> list[Entry]:

@@ -161,9 +161,11 @@ class _Assembly:
 
     def _machine(self, machine: Machine) -> None:
         known = self.machines.setdefault(machine.name, machine)
-        if known is not machine and known[:-1] != machine[:-1]:
+        # No password and an empty one are the same to roslaunch (roslaunch.core.Machine.config_key).
+        fields = tuple(field for field in machine._fields[:-1] if (getattr(known, field) or "") != (getattr(machine, field) or ""))
+        if fields:
             related = ((known.origin.place, "the first definition"),)
-            facts = {"name": machine.name, "fields": tuple(field for field in machine._fields[:-1] if getattr(known, field) != getattr(machine, field))}
+            facts = {"name": machine.name, "fields": fields}
             self.problems.append(Problem("machine-conflict", machine.origin, facts, True, related))
 
     def _call(self, call: Call, place: _Placing, inherited: _Inherited, steer: Mapping[str, frozenset[str]]) -> None:

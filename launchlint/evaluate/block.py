@@ -28,6 +28,8 @@ from launchlint.syntax.tree import Document
 
 Value = Union[str, Unknown]
 
+NO_CYCLE = 1 << 30
+"""The :attr:`Block.cycle_floor` of a block without an include cycle that begins above it."""
 
 
 class PrivateParameter(NamedTuple):
@@ -99,22 +101,31 @@ class Block:
     (declaration, reading place); ``refused_overrides`` are ``value=`` args that the caller tried to set. ``default_machine`` and ``leaked`` leak to the
     including file. ``anonymous``: an ``$(anon)`` was evaluated, so the block is not to be used again; ``near``: a package was found by its
     nearness to the entry file. ``assumed_declarations``: an arg is declared under a condition of unknown value.
+
+    What it cost, so that using it again counts as doing it again: ``looked_at`` elements, ``depth`` includes inside includes, and the files
+    and environment variables it ``touched``. ``angles``: after it, YAML values may be angles. ``cycle_floor`` is the lowest place on the include stack that an include cycle in it leads back to.
     """
 
     __slots__ = (
+        "angles",
         "anonymous",
         "argument_reads",
         "assumed_declarations",
+        "cycle_floor",
         "declared",
         "default_machine",
+        "depth",
         "document",
         "effects",
         "leaked",
+        "looked_at",
         "missing",
         "near",
         "node_count",
         "open_arguments",
         "refused_overrides",
+        "touched",
+        "variables",
         "visited",
     )
 
@@ -133,3 +144,9 @@ class Block:
         self.near = False
         self.assumed_declarations = False
         self.node_count = 0
+        self.angles = False
+        self.looked_at = 0
+        self.depth = 0
+        self.touched: frozenset[str] = frozenset()
+        self.variables: frozenset[str] = frozenset()
+        self.cycle_floor = NO_CYCLE

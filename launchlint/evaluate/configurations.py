@@ -6,15 +6,17 @@ configuration is a concrete command line, so each finding comes with the command
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.session import Session
-from launchlint.model import Branch
+from launchlint.model import Argument, Branch, Unknown
 
 MOST_EVALUATIONS = 48
 """Evaluations of one entry file, tried ones included; real files need 1.6 on average."""
+
+BOOLEANS = ("true", "false", "1", "0")
 
 Side = tuple[str, int, str, bool]
 
@@ -39,7 +41,7 @@ def configurations(session: Session, file: str, given: tuple[tuple[str, str], ..
             wanted = _side(branch, not branch.taken)
             if wanted in seen:
                 continue
-            for name, value in _candidates(branch):
+            for name, value in _candidates(branch, base.launch.declared):
                 changes = (*(pair for pair in base.launch.given[len(given) :] if pair[0] != name), (name, value))
                 if tuple(sorted(changes)) in tried or dict(base.launch.given).get(name) == value:
                     continue
@@ -66,8 +68,19 @@ def _sides(evaluation: Evaluation) -> set[Side]:
     return {_side(branch, branch.taken) for branch in evaluation.launch.branches if branch.taken is not None}
 
 
-def _candidates(branch: Branch) -> Iterator[tuple[str, str]]:
-    """Args and values that may turn the condition: the opposite boolean, or what an ``$(eval …)`` compares with."""
+def _candidates(branch: Branch, declared: tuple[Argument, ...]) -> Iterator[tuple[str, str]]:
+    """Args and values that may turn the condition: the opposite boolean, or what an ``$(eval …)`` compares with.
+
+    An arg with a text for default is not given a boolean: nobody would start the file like that, and what goes wrong then is no mistake.
+    """
+    defaults = {argument.name: argument.default for argument in declared if argument.origin.step is None and not argument.passed}
+    for name, value in _turning(branch, defaults):
+        default = defaults.get(name)
+        if value not in BOOLEANS or not isinstance(default, str) or default.strip().lower() in BOOLEANS:
+            yield name, value
+
+
+def _turning(branch: Branch, defaults: Mapping[str, str | Unknown | None]) -> Iterator[tuple[str, str]]:
     names = sorted(branch.steered_by)
     text = branch.text.strip()
     literals: dict[str, tuple[str, ...]] = {}
@@ -84,6 +97,7 @@ def _candidates(branch: Branch) -> Iterator[tuple[str, str]]:
     positive = branch.taken is (branch.attribute == "unless")
     for name in names:
         yield name, "true" if positive else "false"
-        for value in others:
-            yield name, value
+        if len(names) == 1 or defaults.get(name) in others:
+            for value in others:
+                yield name, value
         yield name, "false" if positive else "true"

@@ -5,7 +5,6 @@ Everything that is looked at outside of the program passes through here, so that
 
 from __future__ import annotations
 
-import hashlib
 import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -24,12 +23,21 @@ LARGEST_FILE = 64 * 1024 * 1024
 class Read:
     """The outcome of reading one file: its ``data``, or the ``reason`` why there is none, in plain words."""
 
-    __slots__ = ("data", "digest", "reason")
+    __slots__ = ("_digest", "data", "reason")
 
     def __init__(self, data: bytes | None, reason: str) -> None:
         self.data = data
         self.reason = reason
-        self.digest = "" if data is None else hashlib.sha1(data, usedforsecurity=False).hexdigest()
+        self._digest: str | None = None
+
+    @property
+    def digest(self) -> str:
+        """Equal for equal outcomes: SHA-1 of the data in hexadecimal, or the reason why there is none."""
+        if self._digest is None:
+            from hashlib import sha1
+
+            self._digest = self.reason if self.data is None else sha1(self.data, usedforsecurity=False).hexdigest()
+        return self._digest
 
 
 class Session:
@@ -53,7 +61,6 @@ class Session:
         self.blocks: dict[Any, Block] = {}
         self.touched: set[str] = set()
         self.variables: set[str] = set()
-        self.found: dict[tuple[str, str], str | None] = {}
         self._reads: dict[str, Read] = {}
         self._documents: dict[str, Document | Read] = {}
 
@@ -67,10 +74,9 @@ class Session:
         return session
 
     def begin_entry(self) -> None:
-        """Forget which files, variables and packages were looked at: a new entry file starts."""
+        """Forget which files and variables were looked at: a new entry file starts."""
         self.touched = set()
         self.variables = set()
-        self.found = {}
 
     def shown(self, file: str) -> str:
         """The path people see for ``file``: relative to the root where it lies inside, with ``/``."""
@@ -123,9 +129,7 @@ class Session:
 
     def find_package(self, name: str, near: str) -> str | None:
         """Directory of package ``name`` as seen from the entry file ``near``; None where it is not here."""
-        directory = self.packages.find(name, near)
-        self.found[name, near] = directory
-        return directory
+        return self.packages.find(name, near)
 
     def variable(self, name: str) -> str | None:
         """Value of the environment variable ``name``, if it is set."""

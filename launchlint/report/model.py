@@ -8,14 +8,12 @@ from collections.abc import Mapping
 from hashlib import sha1
 from typing import Any
 
-from launchlint.evaluate.assemble import Evaluation
 from launchlint.model import Binary, Command, Launch, Node, ParameterSetting, Unknown
 from launchlint.report.escape import visible
 
 
-def as_object(evaluation: Evaluation, file: str, error: tuple[str, str] | None) -> dict[str, Any]:
+def as_object(launch: Launch, file: str, error: tuple[str, str] | None) -> dict[str, Any]:
     """The model as one JSON object; ``error`` is (rule ID, message) of the first reason why roslaunch refuses the file."""
-    launch = evaluation.launch
     return {
         "file": file,
         "verdict": "ok" if error is None else "error",

@@ -19,7 +19,7 @@ SHORTEST_SLIP = 6
 
 
 class Judgement(NamedTuple):
-    """How bad it is that a package is not here, ``why`` that is known (one line, may be empty), and the ``help``."""
+    """How bad it is that a package is not here, ``why`` that can be said (one line), and the ``help``."""
 
     severity: Severity
     why: str
@@ -105,7 +105,7 @@ def _one_slip(name: str, names: Sequence[str]) -> str | None:
     similar = [other for other in names if abs(len(other) - len(name)) <= 1 and _fold(other).startswith(start)]
     similar += [other for other in names if abs(len(other) - len(name)) <= 1 and _fold(other).endswith(end)]
     slip = one_slip(name, similar)
-    if slip is None or _digits(slip) != _digits(name):
+    if slip is None or _digits(slip) != _digits(name) or slip.rstrip("s") == name.rstrip("s"):
         return None
     return slip
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import os
+import posixpath
 
 from launchlint.source import Place, Source, Span
 from launchlint.workspace.reading import read_bytes
@@ -10,23 +10,23 @@ from launchlint.workspace.reading import read_bytes
 
 def root_of(source: Source) -> str:
     """The directory that the shown paths of a run are relative to, from a launch file of it; empty where that cannot be told."""
-    absolute, path = os.path.abspath(source.file), source.path.replace("/", os.sep)
-    if os.path.isabs(path) or not absolute.endswith(os.sep + path):
+    absolute, path = posixpath.abspath(source.file), source.path
+    if posixpath.isabs(path) or not absolute.endswith("/" + path):
         return ""
-    return absolute[: -len(path)].rstrip(os.sep) or os.sep
+    return absolute[: -len(path)].rstrip("/") or "/"
 
 
 def shown(file: str, root: str) -> str:
     """The path people see for ``file``: relative to ``root`` where it lies inside, with ``/``."""
-    absolute = os.path.abspath(file)
-    inside = root.rstrip(os.sep) + os.sep
-    return (absolute[len(inside) :] if root and absolute.startswith(inside) else absolute).replace(os.sep, "/")
+    absolute = posixpath.abspath(file)
+    inside = root.rstrip("/") + "/"
+    return (absolute[len(inside) :] if root and absolute.startswith(inside) else absolute)
 
 
 def is_inside(file: str, directories: tuple[str, ...]) -> bool:
     """Whether ``file`` lies below one of ``directories`` (absolute)."""
-    absolute = os.path.abspath(file)
-    return any(absolute.startswith(each.rstrip(os.sep) + os.sep) for each in directories)
+    absolute = posixpath.abspath(file)
+    return any(absolute.startswith(each.rstrip("/") + "/") for each in directories)
 
 
 def line_of(file: str, root: str, line: int = 1) -> Place:

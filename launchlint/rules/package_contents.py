@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from launchlint.workspace.packages import Packages
-
 if TYPE_CHECKING:
     from launchlint.workspace.executables import ExecutableIndex
+    from launchlint.workspace.packages import Packages
 
 _latest: list[tuple[Packages, ExecutableIndex]] = []
 

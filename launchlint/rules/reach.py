@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator
 
 from launchlint.model import Launch, ScopedSetting
@@ -18,13 +19,16 @@ def settings_of(launch: Launch, kind: str) -> Iterator[tuple[ScopedSetting, bool
     """
     replaced = {(setting.replaced.source.path, setting.replaced.span.start) for setting in launch.settings if setting.replaced is not None}
     leaked = {_key(setting.origin) for setting in launch.parameter_settings if setting.node is not None} if kind == "param" else set()
+    left_out: dict[int, list[int]] | None = None
     for setting in launch.settings:
         if setting.kind != kind:
             continue
         if setting.reached or _key(setting.origin) in leaked:
             yield setting, True
         elif _key(setting.origin) not in replaced:
-            unsure = any(condition.assumed for condition in setting.conditions) or _may_reach(launch, setting)
+            if left_out is None:
+                left_out = _left_out(launch)
+            unsure = any(condition.assumed for condition in setting.conditions) or _may_reach(setting, left_out)
             yield setting, None if unsure else False
 
 
@@ -32,13 +36,23 @@ def _key(origin: Origin) -> tuple[str, int]:
     return (origin.place.source.path, origin.place.span.start)
 
 
-def _may_reach(launch: Launch, setting: ScopedSetting) -> bool:
-    """Whether nodes behind the setting, in its file or in the files included there, are left out by a condition."""
-    source, span = setting.origin.place
+def _left_out(launch: Launch) -> dict[int, list[int]]:
+    """Where elements that may hold nodes are left out by a condition that may be met elsewhere: sorted offsets by source.
+
+    For one that stands in an included file, the ``<include>`` elements that lead to it count too.
+    """
+    found: dict[int, set[int]] = {}
     for branch in launch.branches:
-        left_out = branch.open if branch.taken is False else branch.taken is None and branch.attribute == "unless"
-        if left_out and branch.element.text.startswith(_STARTS):
+        skipped = branch.open if branch.taken is False else branch.taken is None and branch.attribute == "unless"
+        if skipped and branch.element.text.startswith(_STARTS):
             for place in (branch.element, *branch.origin.chain):
-                if place.source is source and span.start < place.span.start < setting.scope_end:
-                    return True
-    return False
+                found.setdefault(id(place.source), set()).add(place.span.start)
+    return {source: sorted(starts) for source, starts in found.items()}
+
+
+def _may_reach(setting: ScopedSetting, left_out: dict[int, list[int]]) -> bool:
+    """Whether something is left out behind the setting, in its scope."""
+    source, span = setting.origin.place
+    starts = left_out.get(id(source), [])
+    after = bisect_right(starts, span.start)
+    return after < len(starts) and starts[after] < setting.scope_end

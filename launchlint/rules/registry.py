@@ -1,7 +1,8 @@
 """All rules, explicitly. A rule module is imported only when there is something for it to look at: start-up is the product.
 
-``on`` names the problem kinds a rule speaks about (its module then has ``tell``); without them ``view`` says what it looks at
-(its module then has ``check``). Numbers never change meaning; ``REDIRECTS`` keeps retired IDs and names working.
+``on`` names the problem kinds a rule speaks about (its module then has ``tell``); ``view`` says what it looks at (its module then
+has ``check``). A rule with both speaks in ``tell``, and says in ``check`` where things are in order. Numbers never change meaning;
+``REDIRECTS`` keeps retired IDs and names working.
 """
 
 from __future__ import annotations
@@ -54,7 +55,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL205", "arg-cycle", "args.arg_cycle", ERROR, on=("used-before-declaration",)),
     Entry("LL206", "unused-arg", "args.unused_arg", WARNING, view="file"),
     Entry("LL207", "bad-substitution", "args.bad_substitution", ERROR, on=("bad-substitution",)),
-    Entry("LL208", "eval-error", "args.eval_error", ERROR, on=("eval-error", "eval-not-covered")),
+    Entry("LL208", "eval-error", "args.eval_error", ERROR, on=("eval-error", "eval-not-covered", "eval-never-equal")),
     Entry("LL209", "env-unset", "args.env_unset", WARNING, on=("env-unset",)),
     Entry("LL210", "package-not-found", "args.package_not_found", ERROR, on=("package-not-found",)),
     Entry("LL211", "arg-out-of-scope", "args.arg_out_of_scope", ERROR, on=("arg-out-of-scope",)),
@@ -68,7 +69,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL303", "unknown-package", "nodes.unknown_package", ERROR, view="launch"),
     Entry("LL304", "unknown-executable", "nodes.unknown_executable", ERROR, view="launch"),
     Entry("LL305", "not-executable", "nodes.not_executable", ERROR, view="launch"),
-    Entry("LL306", "unknown-machine", "nodes.unknown_machine", ERROR, on=("unknown-machine",)),
+    Entry("LL306", "unknown-machine", "nodes.unknown_machine", ERROR, view="launch", on=("unknown-machine",)),
     Entry("LL307", "machine-conflict", "nodes.machine_conflict", ERROR, on=("machine-conflict",)),
     Entry("LL308", "nodelet-manager-missing", "nodes.nodelet_manager_missing", ERROR, view="launch"),
     Entry("LL310", "test-without-name", "nodes.test_without_name", ERROR, on=("missing-attribute", "conflicting-attributes")),

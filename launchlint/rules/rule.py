@@ -16,6 +16,14 @@ from typing import Literal, NamedTuple
 from launchlint.finding import Finding, Fix, Location, Related, Severity
 from launchlint.source import Origin, Place
 
+_LONGEST_WORDS = 1_000
+_ELEMENT_LOOKED_AT = 4_000
+
+
+def shortened(text: str) -> str:
+    """``text``, without its middle where it is far too long to read: names and values of a hostile file may have megabytes."""
+    return text if len(text) <= _LONGEST_WORDS else f"{text[: _LONGEST_WORDS - 300]} … {text[-200:]}"
+
 
 class Fine(NamedTuple):
     """The place where rule ``rule`` has looked and found nothing wrong, although it may in other configurations."""
@@ -57,13 +65,14 @@ class Rule(NamedTuple):
         ``topic`` tells apart several findings of this rule at one place.
         """
         origin = where if isinstance(where, Origin) else Origin(where)
+        source, span = origin.place
         finding = self.at_location(
             Location.of(origin.place), message, severity=severity, label=label, notes=notes, help=help, fix=fix, topic=topic
         )
         return finding._replace(
-            related=tuple(Related(Location.of(place), text) for place, text in related),
+            related=tuple(Related(Location.of(place), shortened(text)) for place, text in related),
             chain=tuple(Location.of(place) for place in origin.chain),
-            element=" ".join(origin.place.text.split())[:200],
+            element=" ".join(source.text[span.start : min(span.end, span.start + _ELEMENT_LOOKED_AT)].split())[:200],
         )
 
     def at_location(
@@ -85,10 +94,10 @@ class Rule(NamedTuple):
             self.name,
             self.severity if severity is None else severity,
             location,
-            message,
-            label=label,
-            notes=notes,
-            help=help,
+            shortened(message),
+            label=shortened(label),
+            notes=tuple(shortened(note) for note in notes),
+            help=shortened(help),
             element=element,
             fix=fix,
             topic=topic,

@@ -41,7 +41,8 @@ class BrokenCall(NamedTuple):
 class EntrySummary(NamedTuple):
     """What is left of an evaluated entry file when all have been evaluated; paths as shown.
 
-    ``needs_caller``: it does not load alone, because args are missing that an including file would give.
+    ``needs_caller``: it does not load alone, because args are missing that an including file or the command line would give;
+    ``undeclared_args``: it reads args that it does not even declare.
     """
 
     path: str
@@ -50,6 +51,7 @@ class EntrySummary(NamedTuple):
     broken_calls: tuple[BrokenCall, ...]
     roots: tuple[tuple[str, Location], ...]
     needs_caller: bool = False
+    undeclared_args: bool = False
 
 
 class RunView(NamedTuple):

@@ -350,6 +350,8 @@ class _Reader:
     def _include(self, name: Value, depth: int) -> None:
         if name is None:
             self._unknown("include of a file that is not known")
+        elif "/" in name and not name.endswith((".cmake", CMAKE_FILE)):
+            self._unknown(f"{name} is not read, since it is not called *.cmake")  # the result cache knows CMake files by their names
         elif "/" in name or name.endswith(".cmake"):
             self.read(self.scope.path(name), depth + 1)
 

@@ -13,6 +13,7 @@ from fnmatch import fnmatchcase
 from typing import NamedTuple
 
 from launchlint.workspace.cmake_facts import CMAKE_FILE, CMakeFacts, Install, read_cmake
+from launchlint.workspace.looking import start
 from launchlint.workspace.manifest import PACKAGE_FILE
 from launchlint.workspace.nodelets import NodeletClass, read_nodelet_classes
 from launchlint.workspace.packages import Package, Packages
@@ -84,15 +85,15 @@ class Executables:
         if found is not None and found.how != "file" and name not in self._unrunnable:
             return None
         if found is not None and found.path is not None and found.how == "file":
-            lacks = name.endswith(_SCRIPT_ENDS) and _start(found.path) not in (b"#!", b"\x7fE", None)
+            lacks = name.endswith(_SCRIPT_ENDS) and start(found.path) not in (b"#!", b"\x7fE", None)
             return Flaw(found.path, False, True) if lacks else None
         path = self._unrunnable.get(name)
         if path is None:
             return None
-        start = _start(path)
-        if start != b"#!" and not name.endswith(_SCRIPT_ENDS):
+        begin = start(path)
+        if begin != b"#!" and not name.endswith(_SCRIPT_ENDS):
             return None
-        return Flaw(path, True, start not in (b"#!", None))
+        return Flaw(path, True, begin not in (b"#!", None))
 
 
 class InstalledFiles(NamedTuple):
@@ -230,20 +231,6 @@ def _libexec(package: Package, prefixes: Iterable[Prefix], installed: bool) -> l
         prefix = os.path.dirname(os.path.dirname(package.directory))
         directories += Prefix(prefix, False, False).libexec(package.name)
     return [(each, _files(each)[0]) for each in dict.fromkeys(directories)]
-
-
-def _start(path: str) -> bytes | None:
-    """The first two bytes of a file; ``None`` where it cannot be read."""
-    try:
-        descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
-    except OSError:
-        return None
-    try:
-        return os.read(descriptor, 2)
-    except OSError:
-        return None
-    finally:
-        os.close(descriptor)
 
 
 def _takes(install: Install, path: str) -> bool:

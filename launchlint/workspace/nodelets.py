@@ -44,6 +44,8 @@ def read_nodelet_classes(package: Package) -> tuple[Mapping[str, NodeletClass], 
 
 def _classes(path: str) -> tuple[list[NodeletClass], str]:
     """The classes of one description, and why it cannot be used (else empty)."""
+    if not path.endswith(".xml"):  # the result cache knows plugin descriptions by their names
+        return [], "is not called *.xml"
     try:
         return _parsed(read_bytes(path), path), ""
     except OSError as error:

@@ -36,7 +36,11 @@ def quadratic(size: int, times: int) -> bytes:
         (quadratic(2_000_000, 6), "unreadable-file", "its entities expand to more than 8 MiB"),
         (chain(100_000), "unreadable-file", "its entities refer to each other more than 50 deep"),
         (b"<launch>" + b"<a/>" * 300_000 + b"</launch>", "unreadable-file", "it has more than 250,000 elements, attributes and comments"),
-        (b"<launch>" + b"<!---->" * 300_000 + b"</launch>", "unreadable-file", "it has more than 250,000 elements, attributes and comments"),
+        (
+            b"<launch>" + b"<!---->" * 300_000 + b"</launch>",
+            "unreadable-file",
+            "it has more than 250,000 elements, attributes and comments",
+        ),
         (
             b"<launch " + b" ".join(b"a%d=''" % n for n in range(300_000)) + b"/>",
             "unreadable-file",

@@ -36,7 +36,9 @@ def outline(document: Document) -> list[str]:
         lines.append(f"{element.tag} {show(element.name_span)}")
         first, last = source.position(element.span.start), source.position(element.span.end)
         tag_end = source.position(element.start_span.end)
-        lines.append(f"  {first.line}:{first.column} {tag_end.line}:{tag_end.column} {last.line}:{last.column} end {show(element.end_span)}")
+        lines.append(
+            f"  {first.line}:{first.column} {tag_end.line}:{tag_end.column} {last.line}:{last.column} end {show(element.end_span)}"
+        )
         lines.extend(f"  @{show(attribute.name_span)} = {show(attribute.value_span)}" for attribute in element.attributes.values())
     lines.extend(f"comment {show(comment.span)}" for comment in document.comments)
     return lines
@@ -157,13 +159,15 @@ def test_text_of_several_pieces() -> None:
 
 
 def test_out_of_an_entity_everything_is_at_the_reference() -> None:
-    text = '<!DOCTYPE launch [<!ENTITY e "<arg name=\'n\'>t<x/></arg>">]><launch>a&e;b</launch>'
+    text = "<!DOCTYPE launch [<!ENTITY e \"<arg name='n'>t<x/></arg>\">]><launch>a&e;b</launch>"
     document = parse(text.encode(), "a.launch")
     assert document.problems == []
     _, arg, x = document.elements
     reference = Span(text.rindex("&e;"), text.rindex("&e;") + 3)
     name = arg.attributes["name"]
-    assert [arg.span, arg.start_span, arg.name_span, x.span, name.name_span, name.value_span, name.span, name.span_of(0, 1)] == [reference] * 8
+    assert [arg.span, arg.start_span, arg.name_span, x.span, name.name_span, name.value_span, name.span, name.span_of(0, 1)] == [
+        reference
+    ] * 8
     assert (name.value, arg.text, document.elements[0].text) == ("n", "t", "ab")
 
 

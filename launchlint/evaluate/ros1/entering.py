@@ -29,7 +29,7 @@ class Entering:
         """Equal for two entries that come to the same block."""
         arguments = tuple(
             sorted(
-                (name, isinstance(value, str), value if isinstance(value, str) else value.text) for name, value in self.arguments.items()
+                (name, type(value).__name__, value if isinstance(value, str) else value.text) for name, value in self.arguments.items()
             )
         )
         return (self.file, self.namespace, arguments, self.pass_all, self.private_above, self.default_machine, self.is_entry)

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, TypeVar
 
 from launchlint.evaluate.block import Block, Effect, LocalBranch, Value
-from launchlint.evaluate.ros1.scope import ActiveSetting, Context
+from launchlint.evaluate.ros1.scope import ActiveSetting, Context, Missing
 from launchlint.evaluate.ros1.substitution import (
     ANONYMOUS_FOLD,
     OUTSIDE,
@@ -31,6 +31,9 @@ T = TypeVar("T")
 
 LARGEST_EVALUATION = 400_000
 """Elements looked at in one configuration; more than any real launch file, few enough to end in seconds."""
+CHARACTERS_PER_ELEMENT = 100
+INHERITED_PER_ELEMENT = 20
+"""How much text, and how many args and settings passed on to a scope, count as one more element."""
 DEEPEST_INCLUDE = 300
 """Includes inside includes: roslaunch itself overflows Python's stack a little above this (three frames an include, limit 1000)."""
 
@@ -40,14 +43,22 @@ class Exhausted(Exception):
 
 
 class Progress:
-    """What all files of one evaluation share: the anonymous names so far, the include stack, and how much has been looked at."""
+    """What all files of one evaluation share: the anonymous names so far, the include stack, and how much has been looked at.
 
-    __slots__ = ("anonymous", "looked_at", "stack")
+    ``angles``: a ``<rosparam>`` has been loaded, and with it roslaunch's knowledge of ``deg(…)`` and ``rad(…)``, also for ``<param type="yaml">``.
+    """
+
+    __slots__ = ("angles", "anonymous", "looked_at", "stack")
 
     def __init__(self) -> None:
+        self.angles = False
         self.anonymous = 0
         self.looked_at = 0
         self.stack: list[tuple[Any, ...]] = []
+
+    def has_room_for(self, block: Block) -> bool:
+        """Whether ``block``, worked out before, may be used here: doing it again must not meet a bound either."""
+        return self.looked_at + block.looked_at <= LARGEST_EVALUATION and len(self.stack) + block.depth < DEEPEST_INCLUDE
 
 
 class FileEvaluation:
@@ -104,9 +115,24 @@ class FileEvaluation:
 
     def look_at(self, element: Element) -> None:
         """Count one element against the bound of the whole evaluation. Raises Exhausted."""
-        self.progress.looked_at += 1
+        self.spend(1, element.name_span)
+
+    def spend(self, elements: int, span: Span) -> None:
+        """Count work at ``span`` that is worth that many elements. Raises Exhausted, at the bound of the whole evaluation."""
+        self.progress.looked_at += elements
         if self.progress.looked_at > LARGEST_EVALUATION:
-            raise Exhausted(Problem("evaluation-bound", Origin(self.place(element.name_span)), {"elements": LARGEST_EVALUATION}))
+            raise Exhausted(Problem("evaluation-bound", Origin(self.place(span)), {"elements": LARGEST_EVALUATION}))
+
+    def spend_characters(self, count: int, span: Span) -> None:
+        """Count a text of ``count`` characters that is made at ``span``: args that double in every include grow without end. Raises Exhausted."""
+        if count >= CHARACTERS_PER_ELEMENT:
+            self.spend(count // CHARACTERS_PER_ELEMENT, span)
+
+    def spend_on_scope(self, context: Context, span: Span) -> None:
+        """Count what a new scope takes over from ``context``. Raises Exhausted."""
+        inherited = len(context.arguments) + len(context.environment) + len(context.private)
+        if inherited >= INHERITED_PER_ELEMENT:
+            self.spend(inherited // INHERITED_PER_ELEMENT, span)
 
     # -- values ------------------------------------------------------------------------------------------------
 
@@ -166,8 +192,8 @@ class FileEvaluation:
             return False
         try:
             return parse_flag(value)
-        except ValueError as error:
-            self.invalid(element, name, value, str(error))
+        except ValueError:
+            self.invalid(element, name, value, "true or false")
             return False
 
     def number(self, element: Element, name: str, context: Context, default: float) -> float:
@@ -233,7 +259,7 @@ class FileEvaluation:
         self.reads.add(name)
         if name not in context.arguments:
             self.missing_argument(name, span, context)
-            context.arguments[name] = Unknown(f"$(arg {name})", f"the arg {name} has no value")
+            context.arguments[name] = Missing(f"$(arg {name})", f"the arg {name} has no value")
         return context.arguments[name]
 
     def missing_argument(self, name: str, span: Span, context: Context) -> None:
@@ -250,8 +276,8 @@ class FileEvaluation:
         known = tuple(sorted({*context.arguments, *context.declared}))
         outer = [element for element in elements if element.parent is self.document.launch]
         if outer and outer[0].start_span.end > span.start:
-            self.problem("used-before-declaration", span, refused=True, name=name, declaration=self._declared_at(outer[0]),
-                         cycle=self._cycle(name, span))  # fmt: skip
+            related = ((self._declared_at(outer[0]), "declared here"),)
+            self.problem("used-before-declaration", span, refused=True, related=related, name=name, cycle=self._cycle(name, span))
         elif elements and not outer:
             self.problem("arg-out-of-scope", span, refused=True, name=name, declaration=self._declared_at(elements[0]))
         else:
@@ -299,10 +325,6 @@ class FileEvaluation:
             if any(element.start_span.start <= span.start < element.start_span.end for element in elements):
                 return name
         return None
-
-    def explained(self, reason: str) -> bool:
-        """Whether an unknown value has been told of elsewhere (it comes from an arg or package that is itself unknown)."""
-        return reason.startswith(("the arg ", "the package ", "the environment variable ", "the attribute ", "its $(eval", "a substitution", "a parenthesis")) or reason.endswith("has no value")  # fmt: skip
 
     # -- conditions and scopes ---------------------------------------------------------------------------------
 
@@ -365,6 +387,19 @@ class FileEvaluation:
             return work(), frozenset(self.reads)
         finally:
             self.reads |= reads
+
+    def from_environment(self, reads: frozenset[str]) -> bool:
+        """Whether one of the args ``reads``, or an arg of this file that it was made from, asked for an environment variable."""
+        seen: set[str] = set()
+        waiting = list(reads)
+        while waiting:
+            name = waiting.pop()
+            if name == OUTSIDE:
+                return True
+            if name not in seen:
+                seen.add(name)
+                waiting.extend(self.block.argument_reads.get(name, ()))
+        return False
 
     def open_setting(self, context: Context, kind: str, key: str, value: object, origin: Origin, replaced: Place | None) -> None:
         """A remap, env or ``~param`` outside a node comes into force; the one that it replaces in its own scope ends."""

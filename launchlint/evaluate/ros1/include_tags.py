@@ -48,11 +48,13 @@ def include(file: FileEvaluation, element: Element, context: Context, default_ma
     private_above = bool(context.private) or file.private_above
     entering = Entering(name, namespace, passed, pass_all=pass_all, private_above=private_above, default_machine=default_machine)
     if entering.key in file.progress.stack or len(file.progress.stack) >= DEEPEST_INCLUDE:
-        _cycle(file, element, name, endless=entering.key in file.progress.stack)
+        _cycle(file, element, name, entering.key)
         return default_machine
     block = enter(file.session, document, entering, file.entry, file.progress)
     file.block.anonymous |= block.anonymous
     file.block.near |= block.near
+    file.block.depth = max(file.block.depth, block.depth + 1)
+    file.block.cycle_floor = min(file.block.cycle_floor, block.cycle_floor)
     file.block.node_count += block.node_count
     context.reach(block.node_count)
     _check_arguments(file, element, document, block, explicit, pass_all=pass_all)
@@ -81,6 +83,7 @@ def _passed(
     file: FileEvaluation, element: Element, context: Context, *, pass_all: bool
 ) -> tuple[dict[str, Value], dict[str, frozenset[str]], list[EnvironmentSetting], dict[str, Place]]:
     """What the ``<arg>`` and ``<env>`` children give: values, the args they were made from, environment, places of explicit args."""
+    file.spend_on_scope(context, element.name_span)
     own = Context(context.namespace, context)
     passed: dict[str, Value] = dict(context.arguments) if pass_all else {}
     reads: dict[str, frozenset[str]] = {name: frozenset((name,)) for name in passed}
@@ -125,7 +128,8 @@ def _open(file: FileEvaluation, element: Element, name: str) -> Document | None:
         file.problem("include-not-found", span, refused=True, file=name, written=attribute.value, reason=document.reason)
         return None
     if document.launch is None:
-        reason = "it is not a launch file" if not document.problems else "it is not well-formed" if document.root is None else "see there"
+        malformed = any(problem.kind == "malformed-xml" for problem in document.problems)
+        reason = "it is not well-formed XML" if malformed else "it is not a launch file"
         file.problem("include-not-loadable", span, refused=True, file=name, reason=reason)
     else:
         deprecated = document.launch.get("deprecated")
@@ -134,9 +138,11 @@ def _open(file: FileEvaluation, element: Element, name: str) -> Document | None:
     return document
 
 
-def _cycle(file: FileEvaluation, element: Element, name: str, *, endless: bool) -> None:
-    files = [str(key[0]) for key in file.progress.stack]
-    start = files.index(name) if name in files else 0
+def _cycle(file: FileEvaluation, element: Element, name: str, entering: tuple[Any, ...]) -> None:
+    stack = file.progress.stack
+    files = [str(key[0]) for key in stack]
+    endless = entering in stack
+    start = stack.index(entering) if endless else files.index(name) if name in files else 0
     attribute = element.attributes["file"]
     cycle = [file.session.shown(step) for step in (*files[start:], name)]
     shown = tuple(cycle if len(cycle) <= 12 else [*cycle[:6], "…", *cycle[-5:]])
@@ -144,6 +150,7 @@ def _cycle(file: FileEvaluation, element: Element, name: str, *, endless: bool) 
     problem = Problem("include-cycle", Origin(file.place(attribute.value_span)), facts, True)
     if not endless:
         raise Exhausted(problem)
+    file.block.cycle_floor = min(file.block.cycle_floor, start)
     file.record(problem)
 
 
@@ -159,8 +166,13 @@ def _check_arguments(
         elif name not in block.declared and not block.assumed_declarations:
             facts: dict[str, Any] = {"name": name, "file": path, "known": tuple(sorted(block.open_arguments)), "target": document.source.file}
             file.problem("include-undeclared-arg" if not pass_all else "pass-all-hides-typo", place.span, refused=not pass_all, **facts)
+    for name, declaration in block.refused_overrides.items():
+        if name not in explicit:  # passed by pass_all_args, and fixed in a group there: only at file level the fixed value wins
+            fixed = ((declaration, "its value is fixed here"),)
+            span = element.attributes["pass_all_args"].value_span
+            file.problem("arg-override-refused", span, refused=True, related=fixed, name=name, by_include=True, file=path)
     for name, (declaration, read) in block.missing.items():
-        facts = {"name": name, "file": path, "passed": tuple(sorted(explicit)), "target": document.source.file}
+        facts = {"name": name, "file": path, "passed": tuple(sorted(explicit)), "target": document.source.file, "pass_all": pass_all}
         related = ((declaration, "declared here without a default"), (read, "read here"))
         span = element.attributes["file"].value_span
         file.record(Problem("include-missing-arg", Origin(file.place(span)), facts, True, related))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from launchlint.evaluate.block import Block, Clear
+from launchlint.evaluate.block import NO_CYCLE, Block, Clear
 from launchlint.evaluate.ros1.entering import Entering
 from launchlint.evaluate.ros1.file import FileEvaluation, Progress
 from launchlint.evaluate.ros1.include_tags import include
@@ -13,9 +13,10 @@ from launchlint.evaluate.ros1.scope import Context
 from launchlint.evaluate.ros1.scope_tags import clear_without_namespace, env, remap, scope_namespace
 from launchlint.evaluate.session import Session
 from launchlint.model import Argument, Scope, Unknown
+from launchlint.problem import Problem
 from launchlint.source import Origin
 from launchlint.syntax.ros1.domains import parse_condition
-from launchlint.syntax.ros1.problems import arg_value_and_default
+from launchlint.syntax.ros1.problems import arg_value_and_default, if_and_unless
 from launchlint.syntax.tree import Document, Element
 
 TAGS = frozenset({"arg", "group", "node", "test", "param", "remap", "machine", "rosparam", "include", "env"})
@@ -26,6 +27,9 @@ def launch_tag(file: FileEvaluation, launch: Element) -> None:
 
     roslaunch looks at ``if`` and ``unless`` here only to crash on a substitution in them or on a value that is no boolean.
     """
+    if "if" in launch.attributes and "unless" in launch.attributes:
+        file.record(if_and_unless(file.document, launch))
+        return
     for name in ("if", "unless"):
         attribute = launch.attributes.get(name)
         if attribute is None:
@@ -43,9 +47,13 @@ def launch_tag(file: FileEvaluation, launch: Element) -> None:
 def enter(session: Session, document: Document, entering: Entering, entry: str, progress: Progress) -> Block:
     """Evaluate ``document`` as ``entering`` says, or take the block of an equal entering. Raises Exhausted."""
     key = entering.key
-    known = session.blocks.get(key) or session.blocks.get((key, entry))
-    if known is not None:
-        progress.looked_at += known.node_count
+    stored = (key, progress.angles)
+    known = session.blocks.get(stored) or session.blocks.get((stored, entry))
+    if known is not None and progress.has_room_for(known):
+        progress.looked_at += known.looked_at
+        session.touched |= known.touched
+        session.variables |= known.variables
+        progress.angles |= known.angles
         return known
     file = FileEvaluation(
         session, document, entering.file, entry, progress, is_entry=entering.is_entry, private_above=entering.private_above
@@ -55,18 +63,28 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
     context.lenient = entering.pass_all
     if entering.pass_all:
         context.declared = {}
+    block = file.block
+    place, before = len(progress.stack), progress.looked_at
+    outer = session.touched, session.variables
+    session.touched, session.variables = set(), set()
     progress.stack.append(key)
     try:
         assert document.launch is not None
         launch_tag(file, document.launch)
-        file.block.default_machine = walk(file, document.launch, context, entering.default_machine)
+        block.default_machine = walk(file, document.launch, context, entering.default_machine)
     finally:
         progress.stack.pop()
+        block.touched, block.variables = frozenset(session.touched), frozenset(session.variables)
+        session.touched, session.variables = outer[0] | block.touched, outer[1] | block.variables
+    block.looked_at = progress.looked_at - before
+    block.angles = progress.angles
     if entering.private_above:
-        file.block.leaked = list(context.private)
-    block = file.block
-    if not block.anonymous:
-        session.blocks[(key, entry) if block.near else key] = block
+        block.leaked = list(context.private)
+    if block.cycle_floor >= place:
+        block.cycle_floor = NO_CYCLE
+    # A block whose include cycle leads back to a file above it would be another one below other files.
+    if not block.anonymous and block.cycle_floor == NO_CYCLE:
+        session.blocks[(stored, entry) if block.near else stored] = block
     return block
 
 
@@ -99,6 +117,7 @@ def walk(file: FileEvaluation, element: Element, context: Context, default_machi
 def group(file: FileEvaluation, element: Element, context: Context, default_machine: str | None) -> str | None:
     """A ``<group>``: its own scope, in the same namespace or in one below."""
     namespace, given = scope_namespace(file, element, context)
+    file.spend_on_scope(context, element.name_span)
     inner = Context(namespace, context)
     inner.scope = Scope("group", Origin(file.place(element.start_span)), namespace, context.scope)
     if file.flag(element, "clear_params", context, empty_is_absent=True):
@@ -134,11 +153,13 @@ def arg(file: FileEvaluation, element: Element, context: Context) -> None:
         if not in_group:
             file.block.declared[name] = place
     elif not context.lenient:
-        file.problem("arg-redeclared", place.span, refused=True, related=((earlier, "the first declaration"),), name=name)
+        problem = Problem("arg-redeclared", Origin(place), {"name": name}, True, ((earlier, "the first declaration"),))
+        # The earlier one may stand under a condition of unknown value, and the two exclude each other.
+        file.record(problem._replace(refused=False, assumed=True) if file.block.assumed_declarations else problem)
         return
     block = file.block
     if value is not None:
-        if name in context.arguments and not context.lenient:
+        if context.has_value(name) and not context.lenient:
             if file.is_entry:
                 file.problem("arg-override-refused", place.span, refused=True, name=name, by_include=False)
             else:
@@ -147,7 +168,7 @@ def arg(file: FileEvaluation, element: Element, context: Context) -> None:
         block.argument_reads[name] = block.argument_reads.get(name, frozenset()) | reads
     elif default is not None:
         block.open_arguments.add(name)
-        if name not in context.arguments:
+        if not context.has_value(name):
             context.arguments[name] = default
             block.argument_reads[name] = block.argument_reads.get(name, frozenset()) | reads
     else:

@@ -16,6 +16,7 @@ DEFAULTS = {"true": (True, True), "false": (True, False), "never": (False, False
 
 def machine(file: FileEvaluation, element: Element, context: Context) -> str | None:
     """Evaluate a ``<machine>``. Returns its name where it becomes the default machine."""
+    context = Context(context.namespace, context)  # as roslaunch: what $(anon) makes up here is not known outside
     for name in PRE_FUERTE:
         if file.optional(element, name, context):
             span = element.attributes[name].name_span
@@ -35,6 +36,10 @@ def machine(file: FileEvaluation, element: Element, context: Context) -> str | N
             file.problem("deprecated-construct", child.name_span, refused=True, construct="machine env", instead="env-loader")
     timeout = _timeout(file, element, context)
     if isinstance(name_value, Unknown) or isinstance(address, Unknown):
+        return None
+    if not name_value:
+        # The empty name is that of the machine roslaunch runs on (roslaunch.core.local_machine), which no definition is equal to.
+        file.invalid(element, "name", "", "a name")
         return None
     distribution = file.session.variable("ROS_DISTRO") or "noetic"
     file.effect(

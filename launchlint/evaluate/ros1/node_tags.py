@@ -9,7 +9,7 @@ from launchlint.evaluate.names import as_namespace, join
 from launchlint.evaluate.ros1.file import FileEvaluation
 from launchlint.evaluate.ros1.parameter_tags import private_param, rosparam
 from launchlint.evaluate.ros1.scope import Context, overlay
-from launchlint.evaluate.ros1.scope_tags import env, remap, scope_namespace
+from launchlint.evaluate.ros1.scope_tags import check_quotes, env, remap, scope_namespace
 from launchlint.model import Condition, EnvironmentSetting, Node, Remap, Unknown
 from launchlint.source import Origin, Span
 from launchlint.syntax.ros1.problems import conflicting_attributes
@@ -24,15 +24,19 @@ def node(file: FileEvaluation, element: Element, context: Context, default_machi
     """Evaluate a ``<node>`` or ``<test>`` and its children."""
     unknown: set[str] = set()
     name_value = file.optional(element, "name", context) if is_test else file.required(element, "name", context)
-    test_name, time_limit, retry = _test_attributes(file, element, context) if is_test else (None, 60.0, 0)
+    test_value, time_limit, retry = _test_attributes(file, element, context) if is_test else (None, 60.0, 0)
+    test_name = None if test_value is None else _known(test_value, "test-name", unknown)
     name = _known(name_value, "name", unknown) if name_value is not None else ""
     if is_test and not name and test_name:
         name = test_name
+        if "test-name" in unknown:
+            unknown.add("name")
     namespace, given = scope_namespace(file, element, context)
     if given is None:
         unknown.add("ns")
     private_namespace = _private_namespace(file, element, namespace, name)
     # roslaunch copies what substitutions know before it looks at the other attributes, so a new $(anon) in a param stays in the node's params.
+    file.spend_on_scope(context, element.name_span)
     values = Context(private_namespace, context)
     if file.flag(element, "clear_params", context, empty_is_absent=True):
         _clear(file, element, namespace, name)
@@ -44,8 +48,8 @@ def node(file: FileEvaluation, element: Element, context: Context, default_machi
         if attribute not in unknown and not texts[attribute].strip():
             file.invalid(element, attribute, texts[attribute], "a name")
     for attribute in ("args", "launch-prefix"):
-        if attribute not in unknown and any(char in texts[attribute] for char in "'\"\\"):
-            _check_quotes(file, element, attribute, texts[attribute])
+        if attribute not in unknown:
+            check_quotes(file, element, attribute, texts[attribute])
     respawn = False if is_test else file.flag(element, "respawn", context)
     required = file.flag(element, "required", context)
     delay = 0.0 if is_test else file.number(element, "respawn_delay", context, 0.0)
@@ -93,18 +97,7 @@ def _known(value: Value, attribute: str, unknown: set[str]) -> str:
     return value
 
 
-def _check_quotes(file: FileEvaluation, element: Element, attribute: str, text: str) -> None:
-    """roslaunch splits ``args`` and ``launch-prefix`` as a shell does when it starts the node (roslaunch.node_args.create_local_process_args)."""
-    import shlex
-
-    try:
-        shlex.split(text)
-    except ValueError as error:
-        span = element.attributes[attribute].value_span
-        file.problem("unbalanced-quotes", span, refused=True, attribute=attribute, reason=str(error).lower())
-
-
-def _test_attributes(file: FileEvaluation, element: Element, context: Context) -> tuple[str, float, int]:
+def _test_attributes(file: FileEvaluation, element: Element, context: Context) -> tuple[Value, float, int]:
     for attribute in ("respawn", "respawn_delay", "output"):
         if attribute in element.attributes:
             file.record(conflicting_attributes(file.document, element, "test-attribute", (attribute,)))
@@ -125,7 +118,7 @@ def _test_attributes(file: FileEvaluation, element: Element, context: Context) -
             retry = int(retry_text)
         except ValueError:
             file.invalid(element, "retry", retry_text, "a whole number")
-    return (name.text if isinstance(name, Unknown) else name), limit, retry
+    return name, limit, retry
 
 
 def _private_namespace(file: FileEvaluation, element: Element, namespace: str, name: str) -> str:
@@ -165,6 +158,9 @@ def _children(
 ) -> tuple[list[Remap], list[EnvironmentSetting], list[PrivateParameter]]:
     own = Context(context.namespace, context)
     own.anonymous, own.arguments = context.anonymous, context.arguments
+    # Names that $(anon) makes up in <env> are known to the other <env> of this node only.
+    inside = Context(context.namespace, context)
+    inside.arguments = context.arguments
     own_environment: list[EnvironmentSetting] = list(context.environment)
     own_private: list[PrivateParameter] = []
     conditions: dict[str, frozenset[Condition]] = {}
@@ -180,7 +176,7 @@ def _children(
                                  new=rule.target, always=always)  # fmt: skip
                 conditions[rule.source] = frozenset(file.conditions)
         elif tag == "env":
-            setting = env(file, child, context)
+            setting = env(file, child, inside)
             if setting is not None:
                 own_environment.append(setting)
         elif tag == "param":

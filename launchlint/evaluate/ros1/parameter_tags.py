@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from launchlint.evaluate.block import PrivateParameter, RunStep, Value
 from launchlint.evaluate.names import canonical, join
 from launchlint.evaluate.ros1.file import FileEvaluation
+from launchlint.evaluate.ros1.missing_file import missing_file
 from launchlint.evaluate.ros1.scope import Context, set_private
+from launchlint.evaluate.ros1.scope_tags import check_quotes
 from launchlint.evaluate.ros1.substitution import resolve
-from launchlint.evaluate.ros1.values import UnknownValue, convert_value
+from launchlint.evaluate.ros1.values import PARAMETER_TYPES, UnknownValue, convert_value
 from launchlint.model import Binary, Command, ParameterSetting, Unknown
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.ros1.problems import conflicting_attributes, missing_attribute
@@ -70,7 +73,7 @@ def _setting(file: FileEvaluation, name: str, value: Any, element: Element, tag:
 def _read(file: FileEvaluation, element: Element, context: Context) -> tuple[str, Any] | None:
     """Name (as written, stripped) and value of a ``<param>``; None where roslaunch refuses it."""
     type_ = (element.get("type") or "auto").lower().strip()
-    given = [(source, file.optional(element, source, context)) for source in SOURCES if source in element.attributes]
+    given, reads = file.traced(lambda: [(source, file.optional(element, source, context)) for source in SOURCES if source in element.attributes])
     if len(given) != 1:
         file.record(conflicting_attributes(file.document, element, "param-sources", tuple(source for source, _ in given)))
     name_attribute = element.attributes.get("name")
@@ -82,39 +85,56 @@ def _read(file: FileEvaluation, element: Element, context: Context) -> tuple[str
         return None
     source, written = given[0]
     assert written is not None
-    return name, _value(file, element, source, written, type_)
+    return name, _value(file, element, source, written, type_, reads)
 
 
-def _value(file: FileEvaluation, element: Element, source: str, written: Value, type_: str) -> Any:
+def _value(file: FileEvaluation, element: Element, source: str, written: Value, type_: str, reads: frozenset[str]) -> Any:
     """The value a ``<param>`` sets (roslaunch.loader.Loader.param_value)."""
     if isinstance(written, Unknown):
         return written
     attribute = element.attributes[source]
     if source == "command":
-        return Command(written)
+        return _command(file, element, written, type_)
     if source == "value":
         return _convert(file, attribute, written.strip(), type_, element)
     content = file.session.read(written)
     if content.data is None:
-        file.problem("param-file-missing", attribute.value_span, refused=True, attribute=source, file=written, reason=content.reason)
+        _missing(file, element, source, written, content.reason, reads)
         return Unknown(written, "the file is not here")
     if source == "binfile":
         return Binary(content.digest, len(content.data))
     try:
         text = content.data.decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
-        reason = f"it is not UTF-8 text (byte {error.start})"
-        file.problem("param-file-missing", attribute.value_span, refused=True, attribute=source, file=written, reason=reason)
+        _missing(file, element, source, written, f"it is not UTF-8 text (byte {error.start})", reads)
         return Unknown(written, "the file is not text")
     return _convert(file, attribute, text, type_, element)
 
 
+def _command(file: FileEvaluation, element: Element, line: str, type_: str) -> Command:
+    """What can be told of a command without running it: roslaunch splits it as a shell does, and converts what it prints."""
+    if not line.strip():
+        file.invalid(element, "command", line, "a command to run")
+    else:
+        check_quotes(file, element, "command", line)
+    if type_ not in PARAMETER_TYPES:
+        _convert(file, element.attributes["command"], "", type_, element)
+    return Command(line)
+
+
+def _missing(file: FileEvaluation, element: Element, attribute: str, name: str, reason: str, reads: frozenset[str]) -> None:
+    """Record a file that cannot be read; ``environment`` says that its name is made from an environment variable."""
+    span = element.attributes[attribute].shown_span
+    facts = missing_file(file.session, name, reason)
+    file.problem("param-file-missing", span, refused=True, attribute=attribute, environment=file.from_environment(reads), **facts)
+
+
 def _convert(file: FileEvaluation, attribute: Attribute, text: str, type_: str, element: Element) -> Any:
     try:
-        return convert_value(text, type_)
+        return convert_value(text, type_, angles=file.progress.angles)
     except ValueError as error:
         written = element.attributes.get("type")
-        known = type_ in ("auto", "str", "string", "int", "double", "bool", "boolean", "yaml")
+        known = type_ in PARAMETER_TYPES
         at = attribute if known or written is None else written
         file.problem("param-value-type", at.value_span if at.raw else at.name_span, refused=True, value=text[:200], type=type_,
                      known=known, reason=str(error))  # fmt: skip
@@ -125,7 +145,9 @@ def _convert(file: FileEvaluation, attribute: Attribute, text: str, type_: str, 
 
 def rosparam(file: FileEvaluation, element: Element, context: Context, namespace: str, *, in_node: bool = False) -> None:
     """A ``<rosparam>``: load YAML, or remember a dump or delete step (roslaunch.loader.Loader.load_rosparam)."""
-    command, ns, name, param_name = (file.optional(element, key, context) for key in ("command", "ns", "file", "param"))
+    command, ns = file.optional(element, "command", context), file.optional(element, "ns", context)
+    name, reads = file.traced(lambda: file.optional(element, "file", context))
+    param_name = file.optional(element, "param", context)
     substitute = file.flag(element, "subst_value", context)
     if isinstance(command, Unknown) or isinstance(ns, Unknown) or isinstance(param_name, Unknown):
         return
@@ -145,7 +167,7 @@ def rosparam(file: FileEvaluation, element: Element, context: Context, namespace
         return
     if isinstance(name, Unknown):
         return
-    text = _yaml_text(file, element, name)
+    text = _yaml_text(file, element, name, reads)
     if text is None:
         return
     if name is None and not substitute and "$(" in text[0]:
@@ -159,10 +181,12 @@ def rosparam(file: FileEvaluation, element: Element, context: Context, namespace
 
 
 def _notice_unsubstituted(file: FileEvaluation, element: Element, text: str) -> None:
-    start = text.index("$(")
-    end = text.find(")", start)
-    span = _in_text(element, None)(start, end + 1 if end > 0 else start + 2)
-    file.problem("unexpanded-substitution", span, text=text[start : end + 1 if end > 0 else start + 2], extra=False, rosparam=True)
+    for match in re.finditer(r"\$\(\s*(?:find|env|optenv|dirname|anon|arg|eval)\b[^)\n]*\)?", text):
+        line = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
+        if re.search(r"(?:^|\s)#", line) is None:  # else it stands in a comment of the YAML
+            span = _in_text(element, None)(*match.span())
+            file.problem("unexpanded-substitution", span, text=match[0], extra=False, rosparam=True)
+            return
 
 
 def _in_text(element: Element, name: str | None) -> Any:
@@ -176,7 +200,9 @@ def _in_text(element: Element, name: str | None) -> Any:
     return where
 
 
-def _yaml_text(file: FileEvaluation, element: Element, name: str | None) -> tuple[str, Source | None] | None:
+def _yaml_text(
+    file: FileEvaluation, element: Element, name: str | None, reads: frozenset[str]
+) -> tuple[str, Source | None] | None:
     """The YAML text, and the file it is from (None: the element itself)."""
     if name is None:
         return element.text, None
@@ -184,7 +210,7 @@ def _yaml_text(file: FileEvaluation, element: Element, name: str | None) -> tupl
     span = attribute.value_span if attribute.raw else attribute.name_span
     content = file.session.read(name)
     if content.data is None:
-        file.problem("param-file-missing", span, refused=True, attribute="file", file=name, reason=content.reason)
+        _missing(file, element, "file", name, content.reason, reads)
         return None
     try:
         text = content.data.decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
@@ -198,6 +224,7 @@ def _yaml_text(file: FileEvaluation, element: Element, name: str | None) -> tupl
 def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None], below: str, full: str, *, in_node: bool) -> None:
     from launchlint.evaluate.ros1.rosparam import YamlError, YamlUnknown, load
 
+    file.progress.angles = True
     content, source = text
     from_file = "file" in element.attributes
 
@@ -215,13 +242,14 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
         file.effect(ParameterSetting(canonical(full), value, Origin(file.place(element.start_span)), "rosparam", None, file.conditions))
         return
     except YamlError as error:
-        at = place(error.offset, min(error.offset + 1, len(content)))
+        end = content.find("\n", error.offset) if error.kind == "colon" else -1
+        at = place(error.offset, min(error.offset + 1, len(content)) if end < 0 else end)
         written = element.attributes.get("file")
         related: tuple[tuple[Place, str], ...] = ()
         if source is not None and written is not None:
             related = ((file.place(written.value_span), "loaded here"),)
-        file.record_at(at, "param-yaml-invalid", refused=True, related=related, reason=str(error), in_file=source is not None, hint="",
-                       file="" if source is None else source.path)  # fmt: skip
+        file.record_at(at, "param-yaml-invalid", refused=True, related=related, reason=str(error), in_file=source is not None,
+                       hint="colon" if error.kind == "colon" else "", file="" if source is None else source.path)  # fmt: skip
         return
     is_dictionary = isinstance(loaded.data, dict) or loaded.data is None
     if (not below or full == "/") and not is_dictionary:

@@ -5,8 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.evaluate.block import PrivateParameter, Value
-from launchlint.model import Condition, EnvironmentSetting, Remap, Scope
+from launchlint.model import Condition, EnvironmentSetting, Remap, Scope, Unknown
 from launchlint.source import Origin, Place
+
+
+class Missing(Unknown):
+    """The value of an arg that was read before it had one: this has been told of, and a declaration that follows still gives it its value."""
+
+    __slots__ = ()
 
 
 class ActiveSetting:
@@ -77,6 +83,10 @@ class Context:
             self.environment = list(parent.environment)
             self.private = list(parent.private)
             self.scope = parent.scope
+
+    def has_value(self, name: str) -> bool:
+        """Whether the arg ``name`` has a value, known or not."""
+        return name in self.arguments and not isinstance(self.arguments[name], Missing)
 
     def add_remap(self, remap: Remap) -> Remap | None:
         """Add ``remap``; a rule of this very scope with the same spelling is replaced and returned."""

@@ -1,4 +1,4 @@
-"""What several tags share: ``ns`` and ``clear_params``, and what a ``<remap>`` or ``<env>`` says, wherever it stands."""
+"""What several tags share: ``ns`` and ``clear_params``, command lines, and what a ``<remap>`` or ``<env>`` says, wherever it stands."""
 
 from __future__ import annotations
 
@@ -17,12 +17,14 @@ def scope_namespace(file: FileEvaluation, element: Element, context: Context) ->
     attribute = element.attributes.get("ns")
     if attribute is None:
         return context.namespace, False
-    value = file.value(attribute, context)
+    value, reads = file.traced(lambda: file.value(attribute, context))
     if isinstance(value, Unknown):
         return join(context.namespace, UNKNOWN_NAMESPACE) + "/", None
     if not value:
-        file.record(conflicting_attributes(file.document, element, "empty-ns", ("ns",)))
+        problem = conflicting_attributes(file.document, element, "empty-ns", ("ns",))
+        file.record(problem._replace(facts={**problem.facts, "environment": file.from_environment(reads)}))
         return context.namespace, False
+    file.spend_characters(len(context.namespace) + len(value), attribute.value_span)
     try:
         namespace = child_namespace(context.namespace, value)
     except ValueError:
@@ -66,3 +68,20 @@ def env(file: FileEvaluation, element: Element, context: Context) -> Environment
     if isinstance(name, Unknown) or isinstance(value, Unknown):
         return None
     return EnvironmentSetting(name, value, Origin(file.place(element.start_span)))
+
+
+def check_quotes(file: FileEvaluation, element: Element, attribute: str, text: str) -> None:
+    """Record quotes that do not match: roslaunch splits the resolved ``text`` as a shell does.
+
+    It splits ``args`` and ``launch-prefix`` when it starts the node (roslaunch.node_args.create_local_process_args), the ``command`` of a param when
+    it loads the file (roslaunch.loader.Loader.param_value).
+    """
+    if not any(char in text for char in "'\"\\"):
+        return
+    import shlex
+
+    try:
+        shlex.split(text)
+    except ValueError as error:
+        span = element.attributes[attribute].value_span
+        file.problem("unbalanced-quotes", span, refused=True, attribute=attribute, reason=str(error).lower())

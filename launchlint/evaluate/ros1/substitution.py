@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from launchlint.evaluate.block import Value
 from launchlint.evaluate.ros1.scope import Context
+from launchlint.evaluate.ros1.values import UnknownValue
 from launchlint.model import Unknown
 from launchlint.source import Span
 
@@ -80,7 +81,10 @@ def resolve(evaluation: FileEvaluation, text: str, where: Where, context: Contex
         return text
     try:
         if text.startswith("$(eval ") and text.endswith(")"):
-            return _evaluate(evaluation, text, where, context)
+            value = _evaluate(evaluation, text, where, context)
+            if isinstance(value, str):
+                evaluation.spend_characters(len(value), where(0, len(text)))
+            return value
         first = _replace(evaluation, text, where, context, finds=False)
         return _replace(evaluation, first, _through(text, first, where), context, finds=True) if "$(" in first else first
     except BadSubstitution as bad:
@@ -118,7 +122,10 @@ def _replace(evaluation: FileEvaluation, text: str, where: Where, context: Conte
         if command == "find":
             resolved = _find(evaluation, resolved, inner, arguments, (start, end), span, context)
         else:
-            resolved = resolved.replace(f"$({inner})", _simple(evaluation, command, arguments, (start, end), span, context))
+            value, written = _simple(evaluation, command, arguments, (start, end), span, context), f"$({inner})"
+            if len(value) > len(written):
+                evaluation.spend_characters(len(value) * resolved.count(written), span)
+            resolved = resolved.replace(written, value)
     return resolved
 
 
@@ -163,9 +170,8 @@ def _find(
         raise BadSubstitution("find takes one package name", *at)
     before, _, after = text.partition(f"$({inner})")
     path, blank, rest = after.partition(" ")
-    path = path.replace("\\", "/")
     directory = _package(evaluation, arguments[0], span, context)
-    return before + evaluation.resource(directory, path[1:] if path.startswith("/") else path) + blank + rest
+    return before + evaluation.resource(directory, path) + blank + rest
 
 
 def _package(evaluation: FileEvaluation, name: str, span: Span, context: Context) -> str:
@@ -174,6 +180,10 @@ def _package(evaluation: FileEvaluation, name: str, span: Span, context: Context
         evaluation.problem("package-not-found", span, refused=True, package=name, near=evaluation.entry)
         raise _NotKnown(f"the package {name} is not here")
     return directory
+
+
+class AlreadyTold(UnknownValue):
+    """A name in an expression has no known value; why has been recorded where it comes from."""
 
 
 class _Names:
@@ -188,13 +198,13 @@ class _Names:
         return self.evaluation.has_argument(name, self.context)
 
     def arg(self, name: str) -> str:
-        from launchlint.evaluate.ros1.expression import UndefinedArg, UnknownValue
+        from launchlint.evaluate.ros1.expression import UndefinedArg
 
         if not self.has_arg(name):
             raise UndefinedArg(name)
         value = self.evaluation.argument(name, self.span, self.context)
         if isinstance(value, Unknown):
-            raise UnknownValue(value.reason)
+            raise AlreadyTold(value.reason)
         return value
 
     def env(self, name: str) -> str:
@@ -210,12 +220,10 @@ class _Names:
         return self.evaluation.variable(name, default)
 
     def find(self, package: str) -> str:
-        from launchlint.evaluate.ros1.expression import UnknownValue
-
         try:
             return _package(self.evaluation, package, self.span, self.context)
         except _NotKnown as unknown:
-            raise UnknownValue(unknown.reason) from None
+            raise AlreadyTold(unknown.reason) from None
 
     def anon(self, name: str) -> str:
         return self.evaluation.anonymous_name(name, self.context)
@@ -225,14 +233,17 @@ class _Names:
 
 
 def _evaluate(evaluation: FileEvaluation, text: str, where: Where, context: Context) -> Value:
-    from launchlint.evaluate.ros1.expression import ExpressionError, UnknownValue, arguments_read, evaluate
+    from launchlint.evaluate.ros1.expression import ExpressionError, arguments_read, evaluate, never_equal
 
     expression = text[7:-1]
     evaluation.reads.update(arguments_read(expression))
+    if "= '" in expression or "='" in expression or '="' in expression or '= "' in expression:
+        for start, end, name, literal in never_equal(expression):
+            evaluation.problem("eval-never-equal", where(7 + start, 7 + end), name=name, literal=literal)
     try:
         return evaluate(expression, _Names(evaluation, where(0, len(text)), context))
     except UnknownValue as unknown:
-        if not evaluation.explained(str(unknown)):
+        if not isinstance(unknown, AlreadyTold):
             evaluation.problem("eval-not-covered", where(7, len(text) - 1), reason=str(unknown))
         return Unknown(text, str(unknown))
     except ExpressionError as error:
@@ -248,21 +259,18 @@ def _evaluate(evaluation: FileEvaluation, text: str, where: Where, context: Cont
 
 
 _LOOKS_LIKE = re.compile(
-    r"\$\s+\((?:find|env|optenv|dirname|anon|arg|eval)\b"
-    r"|\$\{(?:find|env|optenv|anon|arg) "
-    r"|\$\((?:find|env|optenv|dirname|anon|arg|eval)\b"
+    r"\$\s+\((?:find|env|optenv|dirname|anon|arg|eval)\b(?:\s+[\w./\-]+)*\s*\)?"
+    r"|\$\{(?:find|env|optenv|anon|arg) [\w./\- ]*\}?"
+    r"|\$\((?:find|env|optenv|dirname|anon|arg|eval)\b(?:\s+[\w\-]+)?"
     r"|(?<![\w$)])\((?:find|optenv|anon|arg) [\w\-]+\)"
-    r"|\$\[(?:find|arg|env) "
+    r"|\$\[(?:find|arg|env) [\w./\- ]*\]?"
 )
 
 
 def left_over(text: str) -> tuple[int, int] | None:
     """Start and end of what looks like a substitution in a text that has been resolved, but is none."""
     match = _LOOKS_LIKE.search(text)
-    if match is None:
-        return None
-    end = re.compile(r"[)}\]\s]|$").search(text, match.end())
-    return match.start(), (match.end() if end is None else end.end())
+    return None if match is None else match.span()
 
 
 def absolute_directory(file: str) -> str:

@@ -24,11 +24,12 @@ class UnknownValue(Exception):
         self.reason = reason
 
 
-def convert_value(text: str, type_: str) -> Any:
+def convert_value(text: str, type_: str, *, angles: bool = False) -> Any:
     """The value roslaunch makes of ``text`` for a parameter of type ``type_`` (roslaunch.loader.convert_value).
 
     ``type_`` is one of :data:`PARAMETER_TYPES` in any case. ``text`` is taken as it is: roslaunch strips the blanks of ``value=`` but
-    not of a text file before it converts. The result is a bool, int, float or str, and for ``yaml`` whatever the YAML text says.
+    not of a text file before it converts. ``angles`` says whether YAML knows ``deg(…)`` and ``rad(…)``: it does as soon as roslaunch has loaded
+    one ``<rosparam>``. The result is a bool, int, float or str, and for ``yaml`` whatever the YAML text says.
 
     Raises ``ValueError``, whose text is plain words for the user, where roslaunch stops; and :class:`UnknownValue` for YAML beyond
     our bounds.
@@ -54,7 +55,7 @@ def convert_value(text: str, type_: str) -> Any:
             raise ValueError(f"{_shown(text)} is neither true, false, 1 nor 0, which type='{wanted}' needs")
         return boolean
     if wanted == "yaml":
-        return _yaml(text)
+        return _yaml(text, angles)
     raise ValueError(f"{_shown(type_)} is not a parameter type; roslaunch knows {', '.join(PARAMETER_TYPES)}")
 
 
@@ -94,11 +95,11 @@ def _integer(text: str) -> int:
     return int(text)
 
 
-def _yaml(text: str) -> Any:
+def _yaml(text: str, angles: bool) -> Any:
     from launchlint.evaluate.ros1.rosparam import YamlError, load
 
     try:
-        value = load(text, unroll=False, angles=False).data
+        value = load(text, unroll=False, angles=angles).data
     except YamlError as error:
         raise ValueError(f"{_shown(text)} is not the YAML that type='yaml' needs: {error.message}") from None
     if isinstance(value, UnknownValue):

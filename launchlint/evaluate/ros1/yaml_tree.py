@@ -34,7 +34,7 @@ _ANGLES = ((DEGREES, re.compile(r"^deg\([^\)]*\)$")), (RADIANS, re.compile(r"^ra
 class YamlError(Exception):
     """What roslaunch refuses: ``message`` in plain words, ``offset`` in the text, and a ``kind``.
 
-    Kinds: ``syntax``, ``character`` (one that YAML does not allow), ``documents`` (more than one), ``anchor`` (unknown alias, anchor used
+    Kinds: ``syntax``, ``colon`` (a ``key:value`` without the blank; to the end of its line), ``character`` (one that YAML does not allow), ``documents`` (more than one), ``anchor`` (unknown alias, anchor used
     twice), ``tag`` (unknown), ``value`` (does not fit its tag), ``key`` (not a text, or not usable as a key), ``merge``.
     """
 
@@ -280,7 +280,21 @@ def _explain(error: Any, text: str) -> NoReturn:
     mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
     offset = min(mark.index if mark is not None else 0, len(text))
     problem = str(getattr(error, "problem", None) or error)[:200]
+    start = _missing_blank(text, offset) if "could not find expected ':'" in problem else None
+    if start is not None:
+        raise YamlError(f"a blank lacks behind this colon (YAML says: {problem})", start, "colon") from None
     for sign, words in _PLAIN_WORDS:
         if sign in problem:
             raise YamlError(f"{words} (YAML says: {problem})", offset, "syntax") from None
     raise YamlError(f"this is not valid YAML (YAML says: {problem})", offset, "syntax") from None
+
+
+def _missing_blank(text: str, offset: int) -> int | None:
+    """Where ``key:value`` stands in the line of ``offset`` or the last one before it with anything in it: YAML notices it only there."""
+    before = text[:offset].rstrip()
+    for end in (offset, len(before)):
+        start = text.rfind("\n", 0, end) + 1
+        line = text[start : text.find("\n", end) + 1 or len(text)]
+        if _COLON.match(line.strip()) is not None:
+            return start + len(line) - len(line.lstrip())
+    return None

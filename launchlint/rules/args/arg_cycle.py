@@ -42,10 +42,10 @@ RULE = Rule("LL205", "arg-cycle", Severity.ERROR, roslaunch="refuses")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Show the circle, or the later declaration; facts: ``name``, ``declaration`` (a place), ``cycle`` (name and place of each)."""
+    """Show the circle, or the declaration that comes too late; facts: ``name``, ``cycle`` (name and place of each arg in it)."""
     name = problem.facts["name"]
     cycle: tuple[tuple[str, Place], ...] = problem.facts["cycle"]
-    related: tuple[tuple[Place, str], ...] = ((problem.facts["declaration"], "declared here"),)
+    related = problem.related
     if len(cycle) == 1:
         message, advice, related = f"the arg {name} is made from itself", "write its value out, or use an arg of another name", ()
     elif cycle:
@@ -54,7 +54,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         advice = "give one of them a value that does not need the others"
         related = tuple((place, f"{each} needs {after}") for (each, place), after in zip(cycle, [*names[1:], names[0]], strict=True))
     else:
-        message, advice = f"the arg {name} is used above its declaration", f"move the declaration of {name} up, above its first use"
+        message, advice = f"the arg {name} is used above its declaration", f"move the declaration of {name} up, above this"
     yield RULE.at(
         problem.origin,
         message,

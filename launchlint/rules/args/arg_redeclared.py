@@ -41,7 +41,9 @@ RULE = Rule("LL203", "arg-redeclared", Severity.ERROR, roslaunch="refuses")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Point at both; facts: ``name``."""
+    """Point at both; facts: ``name``. Silent where it depends on a condition of unknown value: the two may exclude each other."""
+    if problem.assumed:
+        return
     name = problem.facts["name"]
     yield RULE.at(
         problem.origin,

@@ -48,7 +48,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         return
     yield RULE.at(
         problem.origin,
-        f"{text[:60]} cannot be resolved: {reason}",
+        f"{text[:60]}{'' if text.endswith(')') else '…'} cannot be resolved: {reason}",
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         notes=("roslaunch stops when it gets here",),
         help=_advice(reason, command, words),
@@ -64,10 +64,10 @@ def _advice(reason: str, command: str, words: list[str]) -> str:
         return "write it without the parenthesis"
     if command in COMMANDS:
         return f"write $({command} name)" if len(words) < 2 else f"{command} takes a single name: is there a ) missing before {words[2]}?"
-    glued = next((known for known in COMMANDS if command.startswith(known) and known != command), None)
-    near = closest(command, COMMANDS)
-    if near is None and glued is not None and glued != "dirname":
+    glued = next((known for known in COMMANDS if command.startswith(known) and known != "dirname"), None)
+    if glued is not None and len(words) == 1:
         return f"did you mean $({glued} {command.removeprefix(glued)})?"
+    near = closest(command, COMMANDS) or next((known for known in COMMANDS if len(command) > 2 and known.startswith(command)), None)
     if near is not None:
         return f"did you mean {near}?"
     return f"the commands are {', '.join(COMMANDS)}, and eval for the whole value"

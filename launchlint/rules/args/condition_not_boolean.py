@@ -56,7 +56,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         f"{name} {shown}, which is no boolean",
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         label="must be true, false, 1 or 0",
-        notes=(f"roslaunch stops with: Value error: {value.lower().strip()[:60]} is not a 'bool' type",),
+        notes=(f"roslaunch stops with: Value error: {value.lower().strip()[:60]} is not a 'bool' type".replace(":  is", ": is"),),
         help=_advice(name, value, text),
     )
 

@@ -37,6 +37,7 @@ RULE = Rule("LL209", "env-unset", Severity.WARNING, roslaunch="refuses")
 USUAL = (
     *("HOME", "LANG", "LOGNAME", "PATH", "PWD", "SHELL", "USER"),
     *("ROS_DISTRO", "ROS_ETC_DIR", "ROS_MASTER_URI", "ROS_PACKAGE_PATH", "ROS_ROOT"),
+    *("CMAKE_PREFIX_PATH", "LD_LIBRARY_PATH", "PKG_CONFIG_PATH", "PYTHONPATH"),
 )
 """Set by every login shell, or by the set-up file of every ROS installation."""
 OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE")

@@ -1,7 +1,8 @@
 """A `$(eval …)` fails.
 
 The expression is computed as roslaunch would, with the args as they are in each configuration: it has a syntax error,
-uses a name that does not exist, or does something that its values do not allow, such as adding a number to a text.
+uses a name that does not exist, or does something that its values do not allow, such as adding a number to a text. A
+comparison like `count == '5'` is a warning: an arg that reads 5 is a number there, and never equal to a text.
 Expressions that use parts of Python which launchlint does not compute are named as information.
 
 ## Why it matters
@@ -43,6 +44,9 @@ RULE = Rule("LL208", "eval-error", Severity.ERROR, roslaunch="refuses")
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
     """Say why; facts: ``reason``, for an error also ``expression`` and ``known`` (args with a value)."""
+    if problem.kind == "eval-never-equal":
+        yield _never_equal(problem)
+        return
     reason: str = problem.facts["reason"]
     if problem.kind == "eval-not-covered":
         yield RULE.at(
@@ -62,6 +66,20 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     )
 
 
+def _never_equal(problem: Problem) -> Finding:
+    name, literal = problem.facts["name"], problem.facts["literal"]
+    truth = literal.lower() in ("true", "false")
+    value = literal.capitalize() if truth else literal
+    outcome = "true" if "!=" in problem.place.text else "false"
+    return RULE.at(
+        problem.origin,
+        f"this comparison is always {outcome}: {name} can never be the text {literal!r}",
+        severity=Severity.WARNING,
+        notes=(f"roslaunch makes a {'boolean' if truth else 'number'} of an arg that reads {literal}",),
+        help=f"compare with {value}, without quotes" if truth else f"compare with {value} without quotes, or write str({name})",
+    )
+
+
 def _advice(reason: str, expression: str, at: str, known: tuple[str, ...]) -> str:
     if "$(" in expression:
         return "inside $(eval …) write arg('name') or just name, and find('package'): no $(…)"
@@ -70,4 +88,8 @@ def _advice(reason: str, expression: str, at: str, known: tuple[str, ...]) -> st
     if "not defined" in reason or "no arg" in reason:
         near = closest(at, known)
         return f"did you mean {near}?" if near is not None else f"put quotes around {at} if it is a text" if at.isidentifier() else ""
+    if "TypeError" in reason:
+        return "args are numbers or booleans where they look like one, else texts: convert with str(…), int(…) or float(…)"
+    if "SyntaxError" in reason:
+        return "write it as one expression of Python"
     return ""

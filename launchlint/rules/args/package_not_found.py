@@ -45,11 +45,13 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     judgement = judge(name, view.packages, problem.place.source.file)
     if judgement is None:
         return
+    severity = judgement.severity if problem.refused else min(judgement.severity, Severity.WARNING)
+    unsure = judgement.severity is not Severity.ERROR
     yield RULE.at(
         problem.origin,
-        f"there is no package {name}",
-        severity=judgement.severity if problem.refused else min(judgement.severity, Severity.WARNING),
-        notes=(f"roslaunch stops with: Resource not found: {name}", *((judgement.why,) if judgement.why else ())),
+        f"the package {name} is not known" if unsure else f"there is no package {name}",
+        severity=severity,
+        notes=(f"roslaunch stops{' where it is missing' if unsure else ''} with: Resource not found: {name}", judgement.why),
         help=judgement.help,
         topic=name,
     )

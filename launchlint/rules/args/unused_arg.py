@@ -1,7 +1,8 @@
 """An arg is declared and never read.
 
 No `$(arg …)` and no `$(eval …)` of the file reads it, in no branch, and no `<include>` with `pass_all_args` passes it on.
-An arg that a comment or its `doc` calls unused, ignored or deprecated is left alone: somebody keeps it on purpose.
+An arg that a comment or its `doc` calls unused, ignored or deprecated is left alone: somebody keeps it on purpose. So is one
+with a fixed `value` that is an `$(eval …)`, which may be there to stop roslaunch when it fails.
 
 ## Why it matters
 
@@ -62,7 +63,7 @@ def check(view: FileView) -> Iterator[Finding]:
     if read is None:
         return
     for name, elements in declared.items():
-        if name in read or any(_on_purpose(document, element) for element in elements):
+        if name in read or any(_is_check(element) or _on_purpose(document, element) for element in elements):
             continue
         first, *others = (document.place(element.attributes["name"].value_span) for element in elements)
         commented = any(name in READ.findall(comment.text) for comment in document.comments)
@@ -96,6 +97,11 @@ def _names_read(document: Document) -> set[str] | None:
             names.update(READ.findall(element.text))
             names.update(WORD.findall("".join(re.findall(r"\$\(eval([^\n]*)", element.text))))
     return names
+
+
+def _is_check(element: Element) -> bool:
+    """Whether the arg is computed for nobody, as people do to have roslaunch stop where something is not as it must be."""
+    return (element.get("value") or "").startswith("$(eval ")
 
 
 def _on_purpose(document: Document, element: Element) -> bool:

@@ -51,11 +51,12 @@ RULE = Rule("LL408", "deprecated-include", Severity.WARNING, roslaunch="reports"
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``deprecated-include`` (roslaunch.xmlloader._launch_tag)."""
-    file, text = problem.facts["file"], " ".join(problem.facts["text"].split())
+    path = shown(problem.facts["file"], root_of(problem.place.source))
+    text = " ".join(problem.facts["text"].split())
     yield RULE.at(
         problem.origin,
-        f"the included file {shown(file, root_of(problem.place.source))} is deprecated: {text}",
+        f"the included file {path} is deprecated: {text}",
         label="included here",
-        notes=(f"roslaunch prints: [{file}] DEPRECATED: {text}",),
+        notes=(f"roslaunch prints: [{path}] DEPRECATED: {text}",),
         help="include what took its place",
     )

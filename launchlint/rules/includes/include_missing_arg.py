@@ -1,6 +1,7 @@
 """An `<include>` does not pass an arg that the included file needs.
 
 What it does: it looks for args that the included file declares without a default, reads in this configuration, and does not get.
+With `pass_all_args` all the way it is an info: the arg may be given on the command line.
 
 ## Why it matters
 
@@ -51,6 +52,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.source import Origin
 from launchlint.spelling import closest
 
 RULE = Rule("LL404", "include-missing-arg", Severity.ERROR, roslaunch="refuses")
@@ -61,12 +63,23 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     name, file, passed = problem.facts["name"], problem.facts["file"], problem.facts["passed"]
     near = closest(name, passed)
     help = f'add <arg name="{name}" value="…"/> inside the include, or give it a default in {file}'
+    notes = [f"roslaunch stops with: included file [{problem.facts['target']}] requires the '{name}' arg to be set"]
+    given = problem.facts["pass_all"] and not view.declared_entry and _all_pass_on(problem.origin, view)
+    if given:
+        notes.append(f"pass_all_args passes it on where it is given on the command line: {name}:=…")
     yield RULE.at(
         problem.origin,
         f"{file} needs the arg {name}, which is not passed",
+        severity=Severity.INFO if given and near is None else None,
         label="included without it",
         related=problem.related,
-        notes=(f"roslaunch stops with: included file [{problem.facts['target']}] requires the '{name}' arg to be set",),
+        notes=tuple(notes),
         help=f"is {near}, which is passed, meant to be {name}? Else {help}" if near is not None else help,
         topic=name,
     )
+
+
+def _all_pass_on(origin: Origin, view: LaunchView) -> bool:
+    """Whether what is given on the command line gets as far as the include at ``origin``."""
+    passing = {include.origin.place for include in view.launch.includes if include.pass_all_args}
+    return all(place in passing for place in origin.chain)

@@ -2,7 +2,8 @@
 
 What it does: it looks for the `file` of every `<include>` whose name can be worked out. A plain relative name is looked up where
 roslaunch is started, not beside the including file. It is an error, except where the answer hangs on this machine: for absolute
-names outside the workspace, and for relative names that do exist beside the including file.
+names outside the workspace, for names made from an environment variable, and for relative names that do exist beside the
+including file.
 
 ## Why it matters
 
@@ -39,7 +40,8 @@ roslaunch reads every include before it starts the first node, and stops at one 
 
 from __future__ import annotations
 
-import os
+import posixpath
+import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
@@ -49,6 +51,7 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Source
 from launchlint.spelling import closest
+from launchlint.workspace.looking import is_file, names, walk
 
 RULE = Rule("LL401", "include-not-found", Severity.ERROR, roslaunch="refuses")
 
@@ -69,61 +72,85 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         )  # fmt: skip
         return
     reason = problem.facts["reason"]
-    relative = not os.path.isabs(file)
-    beside = relative and os.path.isfile(os.path.join(os.path.dirname(os.path.abspath(source.file)), file))
-    elsewhere = problem.facts["written"].startswith("/") and not is_inside(file, (*view.packages.workspaces, root or "/nowhere"))
-    notes = [f"roslaunch stops with: Invalid roslaunch XML syntax: [Errno 2] No such file or directory: '{file}'"]
+    relative = not posixpath.isabs(file)
+    beside = relative and is_file(posixpath.join(posixpath.dirname(posixpath.abspath(source.file)), file))
+    written = problem.facts["written"]
+    outside = written.startswith("/") and not is_inside(file, (*view.packages.workspaces, root or "/nowhere"))
+    environment = _hangs_on_environment(written, source)
+    named = shown(file, root) if file and not relative else file
+    notes = [f"roslaunch stops with: Invalid roslaunch XML syntax: [Errno 2] No such file or directory: '{named}'"]
     if reason != "there is no such file":
-        notes = [f"{shown(file, root)}: {reason}"]
+        notes = [f"{named}: {reason}"]
     if relative and file:
         notes.append("a relative name counts from the directory roslaunch is started in, not from this file")
-    named = shown(file, root) if file and not relative else file
+    if environment:
+        notes.append("the name hangs on an environment variable, which may be another one on the robot")
     yield RULE.at(
         problem.origin,
         f"the included file {named} does not exist" if file else "the name of the included file is empty",
-        severity=Severity.WARNING if (beside or elsewhere) else None,
+        severity=Severity.WARNING if beside or outside or environment else None,
         label="found only beside this file" if beside else "not found",
         notes=tuple(notes),
-        help=f'write file="$(dirname)/{file}"' if beside else _suggestion(file, source, problem.facts["written"], view, root),
+        help=f'write file="$(dirname)/{file}"' if beside else _suggestion(file, source, written, view, root),
     )
 
 
 def _suggestion(file: str, source: Source, written: str, view: LaunchView, root: str) -> str:
     """A launch file of that or a similar name: in the same directory, else in the same package, else beside the including file."""
-    absolute = os.path.abspath(file) if os.path.isabs(file) else os.path.join(os.path.dirname(os.path.abspath(source.file)), file)
-    directory, base = os.path.split(absolute)
-    near = closest(base, _launch_files(directory))
-    if near is not None and written.endswith(base):
-        return f"did you mean {written[: -len(base)]}{near}?"
+    absolute = posixpath.abspath(file) if posixpath.isabs(file) else posixpath.join(posixpath.dirname(posixpath.abspath(source.file)), file)
+    directory, base = posixpath.split(absolute)
+    itself = posixpath.abspath(source.file)
+    near = _close(base, [name for name in _launch_files(directory) if posixpath.join(directory, name) != itself])
     package = view.packages.package_of(directory)
-    if package is None or not is_inside(directory, (os.path.dirname(package.directory),)):
-        return "correct the name, or create the file"
-    found = _below(package.directory)
-    same = sorted(each for each in found if os.path.basename(each) == base)
+    found = [] if package is None else [each for each in _below(package.directory) if each != itself]
+    same = [each for each in found if posixpath.basename(each) == base]
+    if near is not None and not same and written.endswith(base):
+        return f"did you mean {written[: -len(base)]}{near}?"
     if not same:
-        nearest = closest(base, sorted({os.path.basename(each) for each in found}))
-        same = sorted(each for each in found if os.path.basename(each) == nearest)
-    if not same:
+        nearest = _close(base, sorted({posixpath.basename(each) for each in found}))
+        same = [each for each in found if posixpath.basename(each) == nearest]
+    if len(same) != 1 or package is None:
         return "correct the name, or create the file"
     if package.name and view.packages.find(package.name, source.file) == package.directory:
-        return f"did you mean $(find {package.name})/{os.path.relpath(same[0], package.directory).replace(os.sep, '/')}?"
+        return f"did you mean $(find {package.name})/{posixpath.relpath(same[0], package.directory)}?"
     return f"did you mean {shown(same[0], root)}?"
 
 
+def _close(base: str, names: list[str]) -> str | None:
+    """The most similar of ``names``, endings left aside; files that differ in a digit stand for different things."""
+    stems: dict[str, str] = {}
+    for name in names:
+        if _digits(name) == _digits(base) and name != base:
+            stems.setdefault(_stem(name), name)
+    wanted = _stem(base)
+    return stems.get(wanted) or stems.get(closest(wanted, stems) or "")
+
+
+def _stem(name: str) -> str:
+    return name.partition(".")[0]
+
+
+def _digits(name: str) -> str:
+    return "".join(filter(str.isdigit, name))
+
+
+def _hangs_on_environment(written: str, source: Source) -> bool:
+    """Whether the name is made from an environment variable, as far as its file shows."""
+    texts = [written]
+    for name in re.findall(r"\barg[ (]'?\s*(\w+)", written):
+        texts += re.findall(rf"""<arg\b[^>]*\bname=["']{re.escape(name)}["'][^>]*>""", source.text)
+    return any(re.search(r"\b(?:opt)?env\b", text) for text in texts)
+
+
 def _launch_files(directory: str) -> list[str]:
-    try:
-        names = sorted(os.listdir(directory))
-    except OSError:
-        return []
-    return [name for name in names[:_MOST_FILES] if name.endswith(_LAUNCH_ENDS)]
+    return [name for name in names(directory)[:_MOST_FILES] if name.endswith(_LAUNCH_ENDS)]
 
 
 def _below(directory: str) -> list[str]:
     """The launch files of a package, as far as they are found in the first directories."""
     found: list[str] = []
-    for visited, (parent, directories, names) in enumerate(os.walk(directory)):
-        if visited >= _MOST_DIRECTORIES or len(found) >= _MOST_FILES:
+    for parent, listed in walk(directory, _MOST_DIRECTORIES):
+        if len(found) >= _MOST_FILES:
             break
-        directories[:] = sorted(name for name in directories if not name.startswith("."))
-        found += [os.path.join(parent, name) for name in names if name.endswith(_LAUNCH_ENDS) and name != "package.xml"]
+        found += [posixpath.join(parent, name) for name in listed if name.endswith(_LAUNCH_ENDS) and name != "package.xml"]
     return found

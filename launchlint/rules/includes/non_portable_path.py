@@ -43,7 +43,7 @@ speed: 1.0
 
 from __future__ import annotations
 
-import os
+import posixpath
 import re
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -52,6 +52,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.source import Place
+from launchlint.workspace.looking import exists
 
 RULE = Rule("LL406", "non-portable-path", Severity.WARNING)
 
@@ -107,12 +108,12 @@ def _above(value: str, view: FileView) -> _Fault | None:
         return None
     depth = 0
     if match[2]:
-        file = os.path.abspath(view.document.source.file)
+        file = posixpath.abspath(view.document.source.file)
         package = view.packages.package_of(file)
         if package is None:
             return None
-        inside = os.path.relpath(os.path.dirname(file), package.directory)
-        depth = 0 if inside == os.curdir else inside.count(os.sep) + 1
+        inside = posixpath.relpath(posixpath.dirname(file), package.directory)
+        depth = 0 if inside == "." else inside.count("/") + 1
     for part in match[3].split("/"):
         depth += -1 if part == ".." else part not in ("", ".")
         if depth < 0:
@@ -126,7 +127,17 @@ def _above(value: str, view: FileView) -> _Fault | None:
 
 
 def _relative(value: str, view: FileView) -> _Fault | None:
-    if not os.path.exists(value.partition("$(")[0] or value):
+    if not exists(value.partition("$(")[0] or value):
         return None  # not found from here: LL401 and LL502 tell of that
     note = "a relative name counts from the directory roslaunch is started in, not from this file"
-    return _Fault(f"{value} is a relative path", note, f"write $(dirname)/{value.removeprefix('./')} or $(find pkg)/…")
+    return _Fault(f"{value} is a relative path", note, f"write {_instead(value, view)}")
+
+
+def _instead(value: str, view: FileView) -> str:
+    """The portable name of the file that the relative name means here."""
+    if exists(posixpath.join(posixpath.dirname(posixpath.abspath(view.document.source.file)), value)):
+        return f"$(dirname)/{value.removeprefix('./')}"
+    package = view.packages.package_of(value)
+    if package is None or not package.name or "$(" in value:
+        return "$(find pkg)/… or $(dirname)/…"
+    return f"$(find {package.name})/{posixpath.relpath(posixpath.abspath(value), package.directory)}"

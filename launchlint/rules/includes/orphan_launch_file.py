@@ -41,7 +41,7 @@ def check(view: RunView) -> Iterator[Finding]:
     included = {path for entry in view.entries for path in entry.included if path != entry.path}
     roots: dict[str, Location] = {path: root for entry in view.entries for path, root in entry.roots}
     for entry in view.entries:
-        if not entry.needs_caller or entry.path in included or entry.path not in roots:
+        if not entry.undeclared_args or entry.path in included or entry.path not in roots:
             continue
         yield Finding(
             RULE.id,
@@ -50,7 +50,7 @@ def check(view: RunView) -> Iterator[Finding]:
             roots[entry.path],
             "nothing includes this file, and it does not load alone",
             label="this file",
-            notes=("it needs args that only an including file would give",),
+            notes=("it reads args that it does not declare, and that only an including file would give",),
             help="remove it, include it, or give its args defaults; or list it under entries with its args",
             element=entry.path,
         )

@@ -43,7 +43,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
     first_of: dict[str, Node] = {}
     for test in view.launch.tests:
         name = test.test_name
-        if not name or "$(" in name or any(condition.assumed for condition in test.conditions):
+        if not name or "test-name" in test.unknown or any(condition.assumed for condition in test.conditions):
             continue
         first = first_of.setdefault(name, test)
         if first is test:

@@ -65,11 +65,22 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     else:
         good = re.sub(r"\W", "_", name.strip(), flags=re.ASCII)
         good = good if good[:1].isalpha() else f"n{good}" if good.startswith("_") else f"n_{good}"
+        own = _is_own_name(problem)
+        wanted = "is not a valid ROS name" if own else "(its test-name) is not a valid ROS name"
         yield RULE.at(
-            problem.origin, f"the node name {name!r} is not a valid ROS name", severity=Severity.WARNING, label=_fault(name),
+            problem.origin,
+            f"the node name {name!r} {wanted}",
+            severity=Severity.WARNING,
+            label=_fault(name),
             notes=("a C++ node ends at start with an invalid-name exception, and tools such as rosnode may not find a Python one",),
-            help=f"use letters, digits and _, a letter first: {good}",
-        )  # fmt: skip
+            help=f"use letters, digits and _, a letter first: {good}" if own else f'give the test a name as well: name="{good}"',
+        )
+
+
+def _is_own_name(problem: Problem) -> bool:
+    """Whether the name comes from ``name``; a test without it takes its ``test-name``."""
+    source, span = problem.place
+    return not source.text[: span.start].rstrip("\"'").rstrip().removesuffix("=").rstrip().endswith("test-name")
 
 
 def _fault(name: str) -> str:

@@ -1,8 +1,9 @@
 """A nodelet is loaded into a manager that no node of the launch provides.
 
 What it does: for every `nodelet load CLASS MANAGER` it resolves the manager's name as the node does and looks for a node of that
-full name. It is an error where the name is one slip away from a node of the launch, a warning where the launch has other
-managers, and an info where it has none at all: a file may be meant to be included beside a manager, or to be started beside one.
+full name. It is an error where the name is one slip away from a node of the launch, a warning where the launch has other managers
+or other nodelets spell the name a letter otherwise, and an info where it has none at all: a file may be meant to be included
+beside a manager, or to be started beside one.
 
 ## Why it matters
 
@@ -29,7 +30,6 @@ The nodelet waits for its manager for ever: no error, no output, no topics.
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
@@ -52,9 +52,10 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
     names = {node.full_name for node in launch.nodes if node.name}
     managers = {node.full_name for node in launch.nodes if _is_manager(node)}
     here = (f"the managers here are {', '.join(sorted(managers)[:6])}",) if managers else ()
+    wanted = [_full(node, manager) for node, manager in loading]
     for node, manager in loading:
         place = node.attributes.get("args", node.origin.place)
-        full = manager if manager.startswith("/") else node.namespace + manager
+        full = _full(node, manager)
         if full in names:
             yield RULE.fine(place)
             continue
@@ -62,13 +63,15 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
         if unsure or manager.startswith("~") or _is_remapped(node, full):
             continue
         slip = _slip(full, names - {node.full_name})
+        # Or the managers that other nodelets name agree, and this one differs in a letter.
+        sibling = None if slip or wanted.count(full) > 1 else _slip(full, {other for other in wanted if other not in names})
         yield RULE.at(
             Origin(place, node.origin.step),
             f"no node is called {full}, the manager of this nodelet",
-            severity=_severity(slip, bool(managers), view.declared_entry),
+            severity=_severity(slip, bool(managers) or sibling is not None, view.declared_entry),
             label="no such manager",
             notes=(*here, "the nodelet waits for its manager for ever"),
-            help=_help(full, slip or _near(full, managers)),
+            help=_help(full, slip or sibling or _near(full, managers)),
         )
 
 
@@ -76,11 +79,17 @@ def _load(node: Node) -> str | None:
     """The manager's name as given, where the node loads a nodelet into one."""
     if node.package != "nodelet" or node.executable != "nodelet" or node.unknown & {"args", "pkg", "type"}:
         return None
+    import shlex
+
     try:
         words = [word for word in shlex.split(node.arguments) if ":=" not in word]
     except ValueError:
         return None
     return words[2].rstrip("/") if len(words) > 2 and words[0] == "load" and words[2].rstrip("/") else None
+
+
+def _full(node: Node, manager: str) -> str:
+    return manager if manager.startswith("/") else node.namespace + manager
 
 
 def _is_manager(node: Node) -> bool:

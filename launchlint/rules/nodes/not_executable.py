@@ -62,7 +62,7 @@ rospy.init_node("teleop")
 
 from __future__ import annotations
 
-import os
+import sys
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
@@ -77,7 +77,7 @@ RULE = Rule("LL305", "not-executable", Severity.ERROR, roslaunch="reports")
 
 def check(view: LaunchView) -> Iterator[Finding]:
     """Yield one finding for each node or test whose script cannot be started (roslib.packages.find_node, execve(2))."""
-    if os.name == "nt":  # files have no executable bit there
+    if sys.platform == "win32":  # files have no executable bit there
         return
     launch = view.launch
     root = root_of(launch.entry)

@@ -1,8 +1,7 @@
 """A test has the same full name as a node it runs beside, or as another test.
 
 What it does: it compares the node names of all tests (`name`, or `test-name` where that is missing) with those of the nodes.
-roslaunch compares only nodes with nodes. Tests run one after the other, so two tests of one name are a warning only where either
-sets private parameters, else an info.
+roslaunch compares only nodes with nodes.
 
 ## Why it matters
 
@@ -66,8 +65,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
         if first is not test and first.test_name != test.test_name and first.origin.place != test.origin.place:
             shared = any(setting.node == name for setting in launch.parameter_settings)
             yield RULE.at(
-                Origin(place, test.origin.step), f"two tests are named {name}",
-                severity=Severity.WARNING if shared else Severity.INFO, label="the second one",
+                Origin(place, test.origin.step), f"two tests are named {name}", label="the second one",
                 related=((first.attributes.get("name") or first.attributes.get("test-name", first.origin.place), "the first one"),),
                 notes=("both get the private parameters of both",) if shared else ("nothing tells them apart in logs and parameters",),
                 help="give each test a name of its own",

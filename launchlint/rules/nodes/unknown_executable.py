@@ -2,7 +2,8 @@
 
 What it does: where the package lies in the workspace or is installed, it looks for the `type` among the programs that its
 `CMakeLists.txt` builds, its scripts, and its installed files. It is an error where the package is installed or the name is one
-slip away from a program of it; otherwise a warning. Nothing is said where the list of programs may have gaps.
+slip away from a program of it; otherwise a warning. Nothing is said where the list of programs may have gaps, as with packages
+below `/usr`, whose programs Debian distributes over several packages of its own.
 
 ## Why it matters
 
@@ -71,6 +72,7 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
 from launchlint.spelling import closest, one_slip
+from launchlint.workspace.packages import SYSTEM_SHARE
 
 RULE = Rule("LL304", "unknown-executable", Severity.ERROR, roslaunch="reports")
 
@@ -91,10 +93,11 @@ def check(view: LaunchView) -> Iterator[Finding]:
         if name in known.by_name or known.flaw(name) is not None:
             continue
         slip = _slip(name, known.names)
-        if not known.exhaustive and slip is None:
+        exhaustive = known.exhaustive and not package.directory.startswith(SYSTEM_SHARE + "/")
+        if not exhaustive and slip is None:
             continue
         assumed = any(condition.assumed for condition in node.conditions)
-        certain = known.exhaustive and (known.installed or slip is not None) and not assumed
+        certain = exhaustive and (known.installed or slip is not None) and not assumed
         near = slip or closest(name, known.names)
         some = ", ".join(known.names[:_MOST_NAMED]) + (" …" if len(known.names) > _MOST_NAMED else "")
         has = f"it has: {some}" if some else "it has no executables at all"

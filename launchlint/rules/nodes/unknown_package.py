@@ -54,7 +54,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
         notes = (judgement.why,) if judgement.why else ()
         yield RULE.at(
             Origin(place, node.origin.step),
-            f"there is no package {name}",
+            f"there is no package {name}" if judgement.severity is Severity.ERROR else f"the package {name} is not known here",
             severity=min(judgement.severity, Severity.WARNING) if assumed else judgement.severity,
             label="not found",
             notes=(*notes, "roslaunch loads the file and fails when it starts this node"),

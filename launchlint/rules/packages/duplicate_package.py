@@ -1,7 +1,8 @@
 """Two packages of one workspace have the same name.
 
 What it does: it compares the names of all packages in each workspace. Copies that are built for ROS 2 only (ament) are passed
-over, and so are directories with a `CATKIN_IGNORE`.
+over, and so are directories with a `CATKIN_IGNORE`, and copies below different `src` directories, which are workspaces of their
+own.
 
 ## Why it matters
 
@@ -52,13 +53,16 @@ another machine. catkin refuses to build such a workspace.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.other_file import line_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
 from launchlint.source import Place, Source
-from launchlint.workspace.packages import Package
+
+if TYPE_CHECKING:
+    from launchlint.workspace.packages import Package
 
 RULE = Rule("LL703", "duplicate-package", Severity.WARNING)
 
@@ -66,22 +70,35 @@ _MOST_SHOWN = 6
 
 
 def check(view: RunView) -> Iterator[Finding]:
-    """Yield one finding for each further package of a name (rospkg.rospack.list_by_path keeps the one it meets last)."""
+    """Yield one finding for each name that several packages bear (rospkg.rospack.list_by_path keeps the one it meets first)."""
     for name, copies in view.packages.duplicates().items():
-        built = [copy for copy in copies if copy.manifest is None or not copy.manifest.is_ament]
-        places = [_place(copy, view.root) for copy in built[: _MOST_SHOWN + 1]]
-        if len(places) < 2:
-            continue
-        more = (f"there are {len(built)} of them",) if len(built) > 2 else ()
-        yield RULE.at(
-            places[1],
-            f"{len(built)} packages are named {name}",
-            label="the second one" if len(built) > 1 else "",
-            related=((places[0], "the first one"), *((place, "another one") for place in places[2:_MOST_SHOWN])),
-            notes=(*more, f"whether $(find {name}) means the one or the other hangs on the order of the file system"),
-            help=f"rename one, remove it, or put a CATKIN_IGNORE file into {shown(built[1].directory, view.root)}",
-            topic=name,
-        )
+        together: dict[str, list[Package]] = {}
+        for copy in copies:
+            if copy.manifest is None or not copy.manifest.is_ament:
+                together.setdefault(_source_space(copy), []).append(copy)
+        for built in together.values():
+            if len(built) > 1:
+                yield _finding(name, built, view.root)
+
+
+def _source_space(package: Package) -> str:
+    """The nearest directory called ``src`` above the package: a repository of exercises has a catkin workspace for each."""
+    start, separator, _ = package.directory.rpartition("/src/")
+    return start + separator
+
+
+def _finding(name: str, built: list[Package], root: str) -> Finding:
+    places = [_place(copy, root) for copy in built[:_MOST_SHOWN]]
+    more = (f"there are {len(built)} of them",) if len(built) > 2 else ()
+    return RULE.at(
+        places[1],
+        f"{len(built)} packages are named {name}",
+        label="the second one",
+        related=((places[0], "the first one"), *((place, "another one") for place in places[2:])),
+        notes=(*more, f"whether $(find {name}) means the one or the other hangs on the order of the file system"),
+        help=f"rename one, remove it, or put a CATKIN_IGNORE file into {shown(built[1].directory, root)}",
+        topic=name,
+    )
 
 
 def _place(package: Package, root: str) -> Place:

@@ -1,7 +1,7 @@
 """A launch file is not among the files that its package installs.
 
 What it does: where `CMakeLists.txt` can be read to the end and installs something, it looks whether some `install(DIRECTORY …)`
-or `install(FILES …)` takes the launch file. Test files are passed over, and packages that install nothing at all.
+or `install(FILES …)` takes the launch file. Tests and examples are passed over, and packages that install nothing at all.
 
 ## Why it matters
 
@@ -9,7 +9,7 @@ From a source workspace the file is found. From an installed or released package
 
 ## Example
 
-```xml launch/example.launch
+```xml launch/robot.launch
 <launch>
   <node pkg="usb_cam" type="usb_cam_node" name="camera"/>
 </launch>
@@ -36,7 +36,7 @@ install(DIRECTORY config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 
 ## Use instead
 
-```xml launch/example.launch
+```xml launch/robot.launch
 <launch>
   <node pkg="usb_cam" type="usb_cam_node" name="camera"/>
 </launch>
@@ -64,7 +64,7 @@ install(DIRECTORY config launch DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 
 from __future__ import annotations
 
-import os
+import posixpath
 import re
 from collections.abc import Iterator
 
@@ -73,22 +73,23 @@ from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
+from launchlint.workspace.looking import is_file
 
 RULE = Rule("LL702", "launch-not-installed", Severity.WARNING)
 
-_NOT_MEANT = re.compile(r"(?:^|/)(?:tests?|examples?|debug|dev|sandbox|scripts)/|\.test(?:\.xml)?$")
+_NOT_MEANT = re.compile(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
 
 
 def check(view: FileView) -> Iterator[Finding]:
     """Yield a finding where the launch file is not installed (cmake-commands(7), install)."""
     document, packages = view.document, view.packages
-    file = os.path.abspath(document.source.file)
+    file = posixpath.abspath(document.source.file)
     package = packages.package_of(file)
     if package is None or package.broken or package.is_metapackage or not is_inside(file, packages.workspaces):
         return
-    inside = os.path.relpath(file, package.directory).replace(os.sep, "/")
-    cmake = os.path.join(package.directory, "CMakeLists.txt")
-    if document.launch is None or _NOT_MEANT.search(inside) or not os.path.isfile(cmake):
+    inside = posixpath.relpath(file, package.directory)
+    cmake = posixpath.join(package.directory, "CMakeLists.txt")
+    if document.launch is None or _NOT_MEANT.search(inside) or not is_file(cmake):
         return
     installed = contents(packages).installs(package)
     if not installed.installs or not installed.exhaustive or installed.covers(file):

@@ -1,7 +1,7 @@
 """What the well-known metapackages of ROS 1 pull in, for a checkout where they are not installed.
 
-Only their names are bundled elsewhere. Taken from the package.xml files of ROS Melodic and Noetic; members that no launch file
-can use (message and build tool packages) are left out where there are many.
+Facts from the package.xml files of ROS Indigo to Noetic, all of them together; what no launch file can use (message generators, tests) is
+left out.
 """
 
 from __future__ import annotations
@@ -11,8 +11,9 @@ from collections.abc import Mapping
 _MEMBERS: Mapping[str, str] = {
     "common_msgs": "actionlib_msgs diagnostic_msgs geometry_msgs nav_msgs sensor_msgs shape_msgs stereo_msgs"
     " trajectory_msgs visualization_msgs",
-    "desktop": "robot viz common_tutorials geometry_tutorials ros_tutorials roslint urdf_tutorial visualization_tutorials",
-    "desktop_full": "desktop perception simulators urdf_sim_tutorial",
+    "desktop": "angles common_tutorials geometry_tutorials joint_state_publisher_gui robot ros_tutorials roslint"
+    " urdf_tutorial visualization_tutorials viz",
+    "desktop_full": "desktop perception simulators urdf_sim_tutorial urdf_tutorial",
     "diagnostics": "diagnostic_aggregator diagnostic_analysis diagnostic_common_diagnostics diagnostic_updater self_test",
     "executive_smach": "smach smach_msgs smach_ros",
     "gazebo_ros_pkgs": "gazebo_dev gazebo_msgs gazebo_plugins gazebo_ros",
@@ -22,33 +23,37 @@ _MEMBERS: Mapping[str, str] = {
     "image_pipeline": "camera_calibration depth_image_proc image_proc image_publisher image_rotate image_view stereo_image_proc",
     "image_transport_plugins": "compressed_depth_image_transport compressed_image_transport theora_image_transport",
     "joystick_drivers": "joy ps3joy spacenav_node wiimote",
-    "laser_filtering": "laser_filters",
     "laser_pipeline": "laser_assembler laser_filters laser_geometry",
-    "moveit": "moveit_commander moveit_core moveit_kinematics moveit_planners moveit_plugins moveit_ros moveit_setup_assistant",
+    "moveit": "moveit_commander moveit_core moveit_planners moveit_plugins moveit_ros moveit_setup_assistant",
+    "moveit_full": "moveit",
     "moveit_planners": "moveit_planners_chomp moveit_planners_ompl pilz_industrial_motion_planner",
     "moveit_plugins": "moveit_fake_controller_manager moveit_ros_control_interface moveit_simple_controller_manager",
-    "moveit_ros": "moveit_ros_benchmarks moveit_ros_manipulation moveit_ros_move_group moveit_ros_perception"
-    " moveit_ros_planning moveit_ros_planning_interface moveit_ros_robot_interaction moveit_ros_visualization"
-    " moveit_ros_warehouse",
+    "moveit_ros": "moveit_ros_benchmarks moveit_ros_benchmarks_gui moveit_ros_manipulation moveit_ros_move_group"
+    " moveit_ros_perception moveit_ros_planning moveit_ros_planning_interface moveit_ros_robot_interaction"
+    " moveit_ros_visualization moveit_ros_warehouse",
+    "moveit_runtime": "moveit_core moveit_planners moveit_plugins moveit_ros_manipulation moveit_ros_move_group"
+    " moveit_ros_perception moveit_ros_planning moveit_ros_planning_interface moveit_ros_warehouse",
     "navigation": "amcl base_local_planner carrot_planner clear_costmap_recovery costmap_2d dwa_local_planner"
-    " fake_localization global_planner map_server move_base move_slow_and_clear nav_core navfn rotate_recovery voxel_grid",
-    "nodelet_core": "nodelet nodelet_topic_tools bond bondcpp bondpy smclib",
+    " fake_localization global_planner map_server move_base move_base_msgs move_slow_and_clear nav_core navfn robot_pose_ekf"
+    " rotate_recovery voxel_grid",
+    "nodelet_core": "nodelet nodelet_topic_tools",
     "perception": "image_common image_pipeline image_transport_plugins laser_pipeline perception_pcl ros_base vision_opencv",
-    "perception_pcl": "pcl_conversions pcl_msgs pcl_ros",
+    "perception_pcl": "pcl_conversions pcl_msgs pcl_ros pointcloud_to_laserscan",
     "robot": "control_msgs diagnostics executive_smach filters geometry joint_state_publisher kdl_parser"
-    " robot_state_publisher ros_base urdf urdf_parser_plugin xacro",
-    "robot_model": "collada_parser collada_urdf joint_state_publisher kdl_parser resource_retriever urdf xacro",
-    "ros_base": "actionlib bond_core common_msgs dynamic_reconfigure nodelet_core ros_core",
-    "ros_comm": "message_filters ros roscpp rosgraph rosgraph_msgs roslaunch roslisp rosmaster rosmsg rosnode"
-    " rosout rosparam rospy rosservice rostest rostopic roswtf std_srvs topic_tools xmlrpcpp rosbag rosbag_storage",
-    "ros_control": "controller_interface controller_manager controller_manager_msgs hardware_interface"
-    " joint_limits_interface combined_robot_hw rqt_controller_manager transmission_interface",
+    " kdl_parser_py robot_model robot_state_publisher ros_base urdf urdf_parser_plugin xacro",
+    "robot_model": "collada_parser collada_urdf joint_state_publisher kdl_parser resource_retriever urdf urdf_parser_plugin",
+    "ros_base": "actionlib bond_core class_loader dynamic_reconfigure nodelet_core pluginlib ros_core",
+    "ros_comm": "message_filters ros rosbag rosconsole roscpp rosgraph rosgraph_msgs roslaunch roslisp rosmaster"
+    " rosmsg rosnode rosout rosparam rospy rosservice rostest rostopic roswtf std_srvs topic_tools xmlrpcpp",
+    "ros_control": "combined_robot_hw control_toolbox controller_interface controller_manager"
+    " controller_manager_msgs hardware_interface joint_limits_interface realtime_tools transmission_interface",
     "ros_controllers": "ackermann_steering_controller diff_drive_controller effort_controllers"
     " force_torque_sensor_controller forward_command_controller gripper_action_controller imu_sensor_controller"
     " joint_state_controller joint_trajectory_controller position_controllers rqt_joint_trajectory_controller"
     " velocity_controllers",
-    "ros_core": "common_msgs ros ros_comm rospack",
-    "rqt": "rqt_gui rqt_gui_cpp rqt_gui_py",
+    "ros_core": "class_loader common_msgs pluginlib ros ros_comm rosbag_migration_rule rosconsole"
+    " rosconsole_bridge roscpp_core rosgraph_msgs roslisp rospack std_msgs std_srvs",
+    "rosbridge_suite": "rosapi rosbridge_library rosbridge_server",
     "rqt_common_plugins": "rqt_action rqt_bag rqt_bag_plugins rqt_console rqt_dep rqt_graph rqt_image_view"
     " rqt_launch rqt_logger_level rqt_msg rqt_plot rqt_publisher rqt_py_common rqt_py_console rqt_reconfigure"
     " rqt_service_caller rqt_shell rqt_srv rqt_top rqt_topic rqt_web",
@@ -56,8 +61,10 @@ _MEMBERS: Mapping[str, str] = {
     " rqt_robot_steering rqt_runtime_monitor rqt_rviz rqt_tf_tree",
     "simulators": "gazebo_ros_pkgs robot rqt_common_plugins rqt_robot_plugins stage_ros",
     "slam_gmapping": "gmapping openslam_gmapping",
+    "turtlebot3": "turtlebot3_bringup turtlebot3_description turtlebot3_example turtlebot3_navigation turtlebot3_slam turtlebot3_teleop",
+    "turtlebot3_simulations": "turtlebot3_fake turtlebot3_gazebo",
     "vision_opencv": "cv_bridge image_geometry",
-    "viz": "ros_base rqt_common_plugins rqt_robot_plugins rviz rviz_plugin_tutorials rviz_python_tutorial",
+    "viz": "ros_base rqt_common_plugins rqt_robot_plugins rviz",
 }
 """Metapackage → what it lists, itself or through another metapackage."""
 

@@ -52,6 +52,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.other_file import is_inside, root_of, shown
@@ -60,9 +61,11 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.tree import Document, Element
-from launchlint.workspace.manifest import Manifest
-from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.public_packages import public_names
+
+if TYPE_CHECKING:
+    from launchlint.workspace.manifest import Manifest
+    from launchlint.workspace.packages import Package, Packages
 
 RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports")
 
@@ -113,6 +116,8 @@ def _uses(document: Document) -> dict[str, tuple[Place, str]]:
     """Package → the first place that uses it, and how."""
     found: dict[str, tuple[Place, str]] = {}
     for element in document.elements:
+        if _is_off(element):
+            continue
         if element.tag in ("node", "test"):
             package = element.attributes.get("pkg")
             if package is not None and _NAME.fullmatch(package.value):
@@ -124,6 +129,16 @@ def _uses(document: Document) -> dict[str, tuple[Place, str]]:
                     how = "includes a file of" if element.tag == "include" else "uses files of"
                     found.setdefault(name, (document.place(attribute.span_of(*match.span())), how))
     return found
+
+
+def _is_off(element: Element) -> bool:
+    """Whether a condition written out as false stands on the element or around it."""
+    each: Element | None = element
+    while each is not None:
+        if (each.get("if") or "").strip().lower() in ("false", "0") or (each.get("unless") or "").strip().lower() in ("true", "1"):
+            return True
+        each = each.parent
+    return False
 
 
 def _started(element: Element) -> str:

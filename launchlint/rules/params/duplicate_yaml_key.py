@@ -1,11 +1,11 @@
-'''A key stands twice in one YAML dictionary.
+"""A key stands twice in one YAML dictionary.
 
 The YAML parser takes the last one and drops the others without a word. Where both have the same value, it is an info.
 
 ## Why it matters
 
-The value that one reads first is not the one the robot runs with; whole blocks of settings get lost when the key of a block is
-repeated.
+The value that one reads first is not the one the robot runs with; whole blocks of settings get lost when the key of a
+block is repeated.
 
 ## Example
 
@@ -35,7 +35,7 @@ costmap:
   resolution: 0.1
   width: 10
 ```
-'''
+"""
 
 from __future__ import annotations
 

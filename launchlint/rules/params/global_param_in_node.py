@@ -1,11 +1,11 @@
-'''A parameter inside a node has a global name, which roslaunch makes private.
+"""A parameter inside a node has a global name, which roslaunch makes private.
 
 Inside a `<node>` every `<param>` belongs to the node, also one whose name begins with `/`.
 
 ## Why it matters
 
-`/use_sim_time` inside the node `/slam` becomes `/slam/use_sim_time`: the global parameter is not set, and the node does not
-look under that name.
+`/use_sim_time` inside the node `/slam` becomes `/slam/use_sim_time`: the global parameter is not set. Where the node
+asks for the private name anyway, the `/` only misleads.
 
 ## Example
 
@@ -25,7 +25,7 @@ look under that name.
   <node pkg="gmapping" type="slam_gmapping" name="slam"/>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     """Say which parameter is set instead; facts: ``name``, ``namespace``."""
     name, namespace = problem.facts["name"], problem.facts["namespace"]
     private = canonical(namespace + name)
-    becomes = "a private parameter of the node" if UNKNOWN_NAMESPACE in namespace else private
+    becomes = "a private name" if UNKNOWN_NAMESPACE in namespace else private
     yield RULE.at(
         problem.origin,
         f"the global name {name} becomes {becomes} inside a node",

@@ -1,8 +1,8 @@
-'''A password, token or key is written into the launch file.
+"""A password, token or key is written into the launch file.
 
-Told are the `password` of a `<machine>`, and literal values of parameters, args and environment variables whose name ends in a
-word such as `password`, `secret`, `token` or `api_key`. Empty values, substitutions, file names and placeholders are left alone. The
-value itself is never printed: what is shown of the line has asterisks in its place.
+Told are the `password` of a `<machine>`, and literal values of parameters, args and environment variables whose name
+ends in a word such as `password`, `secret`, `token` or `api_key`. Empty values, substitutions, file names and
+placeholders are left alone. The value itself is never printed: what is shown of the line has asterisks in its place.
 
 ## Why it matters
 
@@ -29,7 +29,7 @@ Launch files are published, copied and kept in version control for ever, and so 
   </node>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-'''A parameter has a name that is no ROS name.
+"""A parameter has a name that is no ROS name.
 
-A name begins with a letter (or `/` or `~`) and goes on with letters, digits, `_` and `/`. Hyphens, blanks, dots and letters
-outside ASCII are not allowed.
+A name begins with a letter (or `/` or `~`) and goes on with letters, digits, `_` and `/`. Hyphens, blanks, dots and
+letters outside ASCII are not allowed.
 
 ## Why it matters
 
@@ -26,7 +26,7 @@ roslaunch sets the parameter all the same, but a C++ node that asks for it ends 
   </node>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 
@@ -39,6 +39,8 @@ from launchlint.rules.rule import Rule
 
 RULE = Rule("LL510", "invalid-param-name", Severity.WARNING)
 
+UNREADABLE = "roslaunch sets it, but a C++ node that asks for it ends with an InvalidNameException"
+NAMELESS = "roslaunch gives the value to the namespace itself, so that all parameters in it are in danger"
 _ILLEGAL = re.compile(r"[^A-Za-z0-9_/~]+", re.ASCII)
 
 
@@ -59,7 +61,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         message,
         label="no ROS name",
         related=problem.related,
-        notes=("roslaunch sets it, but a C++ node that asks for it ends with an InvalidNameException",),
+        notes=(UNREADABLE if bare else NAMELESS,),
         help=help_,
     )
 

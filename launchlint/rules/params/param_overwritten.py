@@ -1,9 +1,10 @@
-'''A parameter is set twice, and the first value has no effect.
+"""A parameter is set twice, and the first value has no effect.
 
-Told is what nobody writes on purpose: the same parameter set again to another value in the same file, by a file that is
-included afterwards, or by a YAML file that is loaded afterwards. Silent are the usual ways to override a value: a YAML file and
-single parameters after it, several YAML files from the general to the special, a parameter set after the include
-whose value it replaces, a `~param` of a group that a node sets again, and a second setting under a condition.
+Told is what nobody writes on purpose: the same parameter set again to another value in the same file, by a file that
+is included afterwards, or by a YAML file that is loaded afterwards. Silent are the usual ways to override a value: a
+YAML file and single parameters after it, several YAML files from the general to the special, a parameter set after
+the include whose value it replaces, a `~param` of a group that a node sets again, and a second setting under a
+condition.
 
 Two included files that disagree about a parameter are told as an info.
 
@@ -31,7 +32,7 @@ The last setting wins silently, so that the value one reads is not the value the
   <param name="robot/max_speed" value="1.5" if="$(arg fast)"/>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 
@@ -60,9 +61,15 @@ def check(view: LaunchView) -> Iterator[Finding]:
             continue
         if id(earlier.origin.place.source) not in launch_files:
             continue  # a YAML file: what comes after it is meant to override it
-        severity = _severity(earlier.origin, setting.origin, single=id(setting.origin.place.source) in launch_files)
+        single = id(setting.origin.place.source) in launch_files
+        severity = _severity(earlier.origin, setting.origin, single=single)
         if severity is not None:
-            yield _finding(setting.name, earlier.origin, setting.origin.place, earlier.value, setting.value, severity)
+            found = _finding(setting.name, earlier.origin, setting.origin.place, earlier.value, setting.value, severity)
+            if not single:
+                found = found._replace(help="put the <param> behind the <rosparam> that loads the file, or remove it")
+            if earlier.tag == "rosparam" and setting.node is not None:
+                found = found._replace(notes=("in a node, <param> counts over <rosparam>, whichever comes first",))
+            yield found
     yield from _in_one_scope(launch)
     for problem in launch.problems:
         if problem.kind == "param-replaced" and problem.facts["always"] and not problem.assumed:

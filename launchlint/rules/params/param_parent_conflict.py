@@ -1,7 +1,7 @@
-'''A parameter has a value, and another parameter is set below it.
+"""A parameter has a value, and another parameter is set below it.
 
-`gains` cannot be a number while there is `gains/p`: what has parameters below it is a namespace, and a parameter is either
-a value or a namespace.
+`gains` cannot be a number while there is `gains/p`: what has parameters below it is a namespace, and a parameter is
+either a value or a namespace.
 
 ## Why it matters
 
@@ -25,14 +25,14 @@ all in the other order.
   <param name="controller/gains/p" value="2.0"/>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.model import ParameterSetting
+from launchlint.model import ParameterSetting, Unknown
 from launchlint.rules.params.values import is_certain
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -49,8 +49,8 @@ def check(view: LaunchView) -> Iterator[Finding]:
     below: dict[str, ParameterSetting] = {}
     told: set[str] = set()
     for setting in view.launch.parameter_settings:
-        if not is_certain(setting):
-            continue
+        if not is_certain(setting) or (isinstance(setting.value, Unknown) and setting.tag == "rosparam"):
+            continue  # the value of a <rosparam> that cannot be read may be a dictionary
         parents = _parents(setting.name)
         for parent in parents:
             if parent in values and parent not in told:

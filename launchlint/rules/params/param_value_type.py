@@ -1,7 +1,7 @@
-'''The value of a parameter does not fit its `type`, or roslaunch does not know the type.
+"""The value of a parameter does not fit its `type`, or roslaunch does not know the type.
 
-roslaunch knows the types `str` (or `string`), `int`, `double`, `bool` (or `boolean`), `yaml` and `auto`, which is also
-what it takes where there is no `type`. The value is checked as it is after substitution.
+roslaunch knows the types `str` (or `string`), `int`, `double`, `bool` (or `boolean`), `yaml` and `auto`, which is
+also what it takes where there is no `type`. The value is checked as it is after substitution.
 
 ## Why it matters
 
@@ -28,7 +28,7 @@ roslaunch refuses the file.
   </node>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-'''The YAML of a `<rosparam>` cannot be loaded.
+"""The YAML of a `<rosparam>` cannot be loaded.
 
 It is read as PyYAML reads it for rosparam: one document, and a dictionary unless the attribute `param` says which
 parameter the value is for. Where the YAML stands in a file of its own, the finding stands there.
@@ -26,7 +26,7 @@ roslaunch refuses the launch file, and with it every launch file that includes i
   </rosparam>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 
@@ -35,32 +35,39 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
+from launchlint.source import Place
 
 RULE = Rule("LL503", "param-yaml-invalid", Severity.ERROR, roslaunch="refuses")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
     """Say what is wrong and what was meant; facts: ``reason``, ``hint``, ``in_file``, ``file``."""
-    place = problem.place
-    reason, hint = problem.facts["reason"], problem.facts["hint"]
-    line = place.source.line(place.source.position(place.span.start).line)
-    where = "this YAML file" if problem.facts["in_file"] else "this <rosparam>"
+    facts, place = problem.facts, problem.place
+    reason, hint = facts["reason"], facts["hint"]
+    name = facts["file"].rpartition("/")[2] if facts["in_file"] else ""
+    what = f"the YAML file {name}" if name else "this <rosparam>"
+    note = "roslaunch refuses the launch file"
+    if hint == "scalar" or (hint == "colon" and reason.startswith("a value that is no dictionary")):
+        note = "roslaunch stops with: 'param' attribute must be set for non-dictionary values"
     if hint == "colon":
-        key, _, value = place.text.partition(":")
-        message = f"the YAML has no blank after the colon of {key!r}, so that it is one text and no dictionary"
-        label, help_ = "a text", f"write {key}: {value}"
+        key, _, value = place.text.split("\n", 1)[0].partition(":")
+        message = f"a blank is missing behind the colon of {key!r}, so that it is a text and no key"
+        label, help_ = "a text", f"write {key}: {value.strip()}"
     elif hint == "scalar":
-        message = f"the value of {where} is no dictionary, and no parameter is named for it"
+        message = f"the value of {what} is no dictionary, and no parameter is named for it"
         label, help_ = "", "name the parameter with param=, or write NAME: VALUE"
     else:
-        message, label, help_ = f"{where} cannot be loaded: {reason}", "here", _advice(line, problem.facts["in_file"])
-    note = "roslaunch stops with: 'param' attribute must be set for non-dictionary values" if hint else "roslaunch refuses the launch file"
+        message, label, help_ = f"{what} cannot be loaded: {reason}", "here", _advice(place, name)
     yield RULE.at(problem.origin, message, label=label, related=problem.related, notes=(note,), help=help_)
 
 
-def _advice(line: str, in_file: bool) -> str:
+def _advice(place: Place, name: str) -> str:
+    """What to do; ``name`` is the YAML file, empty for one that is written into the launch file."""
+    line = place.source.line(place.source.position(place.span.start).line)
+    if name and not place.source.path.endswith(name):
+        return f"save {name} as a text file in UTF-8"
     if line.lstrip(" ").startswith("\t"):
         return "indent YAML with blanks: tabs are not allowed there"
-    if "$(" in line and in_file:
-        return "substitutions in the file need subst_value=\"true\" on the <rosparam>, and quotes around values such as \"$(arg x)\""
-    return "mend it, and try it with: rosparam load FILE" if in_file else ""
+    if name and "$(" in line:
+        return 'substitutions in the file need subst_value="true" on the <rosparam>, and quotes around values such as "$(arg x)"'
+    return f"try the mended file with: rosparam load {name}" if name else ""

@@ -1,7 +1,7 @@
-'''A `~param` stands outside a node, and no node follows it in its scope.
+"""A `~param` stands outside a node, and no node follows it in its scope.
 
-Outside a node, `<param name="~rate" …/>` sets the parameter `rate` of every node that comes after it in the same group
-or file. It does not act on the nodes above it, nor on those of another group.
+Outside a node, `<param name="~rate" …/>` sets the parameter `rate` of every node that comes after it in the same
+group or file. It does not act on the nodes above it, nor on those of another group.
 
 ## Why it matters
 
@@ -24,7 +24,7 @@ The parameter is never set, and roslaunch does not say so.
   <node pkg="laser" type="driver" name="front"/>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-'''The value of a parameter without `type` becomes a text, although it looks like a number, a boolean or a list.
+"""The value of a parameter without `type` becomes a text, although it looks like a number, a boolean or a list.
 
-Without `type` roslaunch makes a number of `10` and `1.5`, a boolean of `true` and `false` (in any letter case), and a text of all else. So `1,5`,
-`1e-3` (there is no point in it), `flase` and `[1, 2, 3]` are texts.
+Without `type` roslaunch makes a number of `10` and `1.5`, a boolean of `true` and `false` (in any letter case), and a
+text of all else. So `1,5`, `1e-3` (there is no point in it), `flase` and `[1, 2, 3]` are texts.
 
 ## Why it matters
 
@@ -30,7 +30,7 @@ A node that asks for a number gets its default instead, and does not say so.
   </node>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 
@@ -54,8 +54,12 @@ _WORD = re.compile(r"[A-Za-z]{3,6}")
 _WORDS = frozenset(("tree", "trie", "tru", "rue", "falsi"))
 _SCALAR = r"\s*(?:[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|true|false)\s*"
 _LIST = re.compile(rf"\[{_SCALAR}(?:,{_SCALAR})*\]", re.IGNORECASE)
-_SEVERAL = re.compile(r"s$|list|size|range|resolution|pair|point|pose|position|shape|dim|channel|ids?$|xy|index|indices|glob", re.IGNORECASE)
-_SWITCH = re.compile(r"(?:^|_)(?:use|enable|enabled|disable|is|has|publish|subscribe|allow|show|with|auto|debug|verbose)(?:_|$)", re.IGNORECASE)
+_SEVERAL = re.compile(
+    r"s$|list|size|range|resolution|pair|point|pose|position|shape|dim|channel|ids?$|xy|index|indices|glob", re.IGNORECASE
+)
+_SWITCH = re.compile(
+    r"(?:^|_)(?:use|enable|enabled|disable|is|has|publish|subscribe|allow|show|with|auto|debug|verbose)(?:_|$)", re.IGNORECASE
+)
 _SWITCHES = {"yes": "true", "on": "true", "no": "false", "off": "false"}
 LONGEST = 200
 
@@ -84,18 +88,24 @@ def _suspicion(name: str, value: str) -> tuple[str, str] | None:
     if _COMMA.fullmatch(value) is not None:
         if _SEVERAL.search(name) is not None:
             return None
-        return f"{value} is a text and no number: decimals have a point", f"write {value.replace(',', '.')}, or type=\"string\" if the text is meant"
+        return (
+            f"{value} is a text and no number: decimals have a point",
+            f'write {value.replace(",", ".")}, or type="string" if the text is meant',
+        )
     if _EXPONENT.fullmatch(value) is not None:
         mantissa, exponent = re.split("[eE]", value)
         return (
             f"{value} is a text and no number: roslaunch takes only numbers with a point in them for floating point",
-            f"write {mantissa}.0e{exponent}, or type=\"double\"",
+            f'write {mantissa}.0e{exponent}, or type="double"',
         )
     if _LIST.fullmatch(value) is not None:
-        return f"{value} is a text and no list", f"write <rosparam param=\"{name}\">{value}</rosparam>, or type=\"yaml\"; type=\"string\" if the text is meant"
+        return (
+            f"{value} is a text and no list",
+            f'write <rosparam param="{name}">{value}</rosparam>, or type="yaml"; type="string" if the text is meant',
+        )
     lower = value.lower()
     if lower in _SWITCHES and _SWITCH.search(name) is not None:
-        return f"{value} is a text and no boolean", f"write {_SWITCHES[lower]}, or type=\"string\" if the text is meant"
+        return f"{value} is a text and no boolean", f'write {_SWITCHES[lower]}, or type="string" if the text is meant'
     if _WORD.fullmatch(value) is not None and lower not in _WORDS and lower not in _SWITCHES:
         near = next((word for word in ("true", "false") if distance(lower, word, 1) == 1), None)
         if near is not None:

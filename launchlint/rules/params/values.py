@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import json
+from itertools import islice
 from typing import Any
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.model import Binary, Command, ParameterSetting
 
 LONGEST_SHOWN = 40
+DEEPEST_SHOWN = 2
 _PLAIN = (str, int, float, bool, list, dict, tuple, bytes, Binary, type(None))
 
 
@@ -31,10 +32,23 @@ def is_same(first: Any, second: Any) -> bool:
 
 def shown(value: Any) -> str:
     """The value as one would write it in YAML, shortened: texts in quotes, so that 1 and "1" can be told apart."""
+    text = _written(value)
+    return text if len(text) <= LONGEST_SHOWN else text[: LONGEST_SHOWN - 1] + "…"
+
+
+def _written(value: Any, depth: int = 0) -> str:
     if isinstance(value, Binary):
         return f"a file of {value.length} bytes"
-    try:
-        text = json.dumps(value, ensure_ascii=False)
-    except (TypeError, ValueError, RecursionError):
-        text = str(value)
-    return text if len(text) <= LONGEST_SHOWN else text[: LONGEST_SHOWN - 1] + "…"
+    if isinstance(value, bytes):
+        return f"{len(value)} bytes"
+    if value is None or isinstance(value, bool):
+        return {None: "null", True: "true", False: "false"}[value]
+    if isinstance(value, str):
+        return f'"{value[:LONGEST_SHOWN]}"'
+    if isinstance(value, (dict, list, tuple)) and depth == DEEPEST_SHOWN:
+        return "…"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key}: {_written(item, depth + 1)}" for key, item in islice(value.items(), LONGEST_SHOWN)) + "}"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_written(item, depth + 1) for item in value[:LONGEST_SHOWN]) + "]"
+    return str(value)[: LONGEST_SHOWN + 1]

@@ -1,4 +1,4 @@
-'''A remap has an empty name, or one that is no ROS name.
+"""A remap has an empty name, or one that is no ROS name.
 
 A name begins with a letter, `/` or `~` and goes on with letters, digits, `_` and `/`.
 
@@ -25,7 +25,7 @@ roslaunch refuses the file.
   </node>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-'''A remap stands below the nodes it was meant for.
+"""A remap stands below the nodes it was meant for.
 
 Outside a node, a `<remap>` acts on the nodes that come after it in the same group or file, and on nothing above it.
 
@@ -23,7 +23,7 @@ The remap does nothing, roslaunch does not say so, and the node talks on the top
   <node pkg="rviz" type="rviz" name="rviz"/>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 

@@ -1,12 +1,13 @@
-'''Two remaps of a node look like a chain, and remaps do not chain.
+"""Two remaps of a node look like a chain, and remaps do not chain.
 
-With `a` to `b` and `b` to `c`, what the node calls `a` becomes `b`, and only what it calls `b` itself becomes `c`. It is told where a
-node remaps a name to one that a scope around it remaps for every node. Two such remaps in one node are
-an info only: the node may well have both names, as filters do that take `scan` and give `scan_filtered`.
+With `a` to `b` and `b` to `c`, what the node calls `a` becomes `b`, and only what it calls `b` itself becomes `c`. It
+is told where a node remaps a name to one that a scope around it remaps for every node. Two such remaps in one node
+are an info only: the node may well have both names, as filters do that take `scan` and give `scan_filtered`.
 
 ## Why it matters
 
-The remap of the scope seems to hold for all nodes, but this one goes on talking on the name in the middle, mostly alone.
+The remap of the scope seems to hold for all nodes, but this one goes on talking on the name in the middle, mostly
+alone.
 
 ## Example
 
@@ -29,7 +30,7 @@ The remap of the scope seems to hold for all nodes, but this one goes on talking
   </node>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 
@@ -75,5 +76,5 @@ def _finding(node: Node, remap: Remap, further: Remap, *, own: bool) -> Finding:
         severity=Severity.INFO if own else None,
         label=f"ends at {remap.target}",
         related=((further.origin.place, "does not act on it"),),
-        help=f"write to=\"{further.target}\", unless {remap.target} is what this node is to use",
+        help=f'write to="{further.target}", unless {remap.target} is what this node is to use',
     )

@@ -1,7 +1,8 @@
-'''One name is remapped twice for the same nodes.
+"""One name is remapped twice for the same nodes.
 
-Of two remaps with the same `from` in one node, or in one scope without a node between them, only the last acts. The same name written in two ways,
-such as `scan` and `/scan`, is worse: roslaunch passes both, rospy takes the last one and roscpp the one that its own order leaves last.
+Of two remaps with the same `from` in one node, or in one scope without a node between them, only the last acts. The
+same name written in two ways, such as `scan` and `/scan`, is worse: roslaunch passes both, rospy takes the last one
+and roscpp the one that its own order leaves last.
 
 ## Why it matters
 
@@ -27,7 +28,7 @@ One of the two remaps does nothing, and roslaunch does not say so.
   </node>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 
@@ -97,7 +98,7 @@ def _finding(name: str, second: Origin, first: Place, old: str, new: str) -> Fin
 def _two_spellings(name: str, earlier: Remap, remap: Remap) -> Finding:
     return RULE.at(
         remap.origin,
-        f"{earlier.source} and {remap.source} are both {name} here, and are remapped to different names, {earlier.target} and {remap.target}",
+        f"{earlier.source} and {remap.source} are both {name} here, and are remapped to {earlier.target} and to {remap.target}",
         label="the same name",
         related=((earlier.origin.place, "the first one"),),
         notes=("roslaunch passes both: rospy takes the last one, roscpp the one that its own order leaves last",),

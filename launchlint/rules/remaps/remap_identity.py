@@ -1,9 +1,9 @@
-'''A remap gives a name its own name.
+"""A remap gives a name its own name.
 
 ## Why it matters
 
-It does nothing, unless a scope around it remaps the same name: then it takes that back for this node. Where it is only there to show the name
-it can go, and where one side is a slip of the pen, the remap that was wanted is missing.
+It does nothing, unless a scope around it remaps the same name: then it takes that back for this node. Where it is
+only there to show the name it can go, and where one side is a slip of the pen, the remap that was wanted is missing.
 
 ## Example
 
@@ -24,11 +24,11 @@ it can go, and where one side is a slip of the pen, the remap that was wanted is
   </node>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from launchlint.evaluate.names import canonical
 from launchlint.finding import Finding, Severity
@@ -42,29 +42,30 @@ RULE = Rule("LL605", "remap-identity", Severity.INFO)
 def check(view: FileView) -> Iterator[Finding]:
     """Compare ``from`` and ``to`` as they are written."""
     document = view.document
+    remapped: dict[int, set[str]] = {}
     for element in document.elements:
-        if element.tag.lower() != "remap":
+        if element.tag.lower() != "remap" or element.parent is None:
             continue
         source, target = _name(element, "from"), _name(element, "to")
-        if source and source == target and not _takes_back(element, source):
+        if source and source == target and not _takes_back(element, source, remapped):
             yield RULE.at(
                 document.place(element.start_span),
                 f"{source} is remapped to itself",
                 label="does nothing",
                 help="remove it, or correct one of the names",
             )
+        remapped.setdefault(element.parent.index, set()).add(source)
 
 
 def _name(element: Element, attribute: str) -> str:
     return canonical((element.get(attribute) or "").strip())
 
 
-def _takes_back(element: Element, source: str) -> bool:
-    """Whether an earlier remap of the same name is in force here, which this one takes back."""
-    scope: Element | None = element
-    while scope is not None and scope.parent is not None:
-        for sibling in scope.parent.children[: scope.parent.children.index(scope)]:
-            if sibling.tag.lower() == "remap" and _name(sibling, "from") == source:
-                return True
+def _takes_back(element: Element, source: str, remapped: Mapping[int, set[str]]) -> bool:
+    """Whether an earlier remap of the same name, in this scope or one around it, is in force here: then this one takes it back."""
+    scope = element.parent
+    while scope is not None:
+        if source in remapped.get(scope.index, ()):
+            return True
         scope = scope.parent
     return False

@@ -1,7 +1,7 @@
-'''A remap stands in a scope without nodes.
+"""A remap stands in a scope without nodes.
 
-Outside a node, a `<remap>` acts on the nodes that come after it in the same group or file, and it ends with that group or file: an included
-file cannot remap for the file that includes it.
+Outside a node, a `<remap>` acts on the nodes that come after it in the same group or file, and it ends with that
+group or file: an included file cannot remap for the file that includes it.
 
 ## Why it matters
 
@@ -28,7 +28,7 @@ The remap does nothing, and roslaunch does not say so.
   </group>
 </launch>
 ```
-'''
+"""
 
 from __future__ import annotations
 

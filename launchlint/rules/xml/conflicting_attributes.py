@@ -74,12 +74,17 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         advice = "keep one of them" if attributes else 'add value="…" (or textfile, binfile, command)'
     else:
         message, stops, advice = (words.format(tag=tag) for words in WORDS[reason])
+    notes: tuple[str, ...] = (f"roslaunch stops with: {stops}",)
+    from_environment = problem.facts.get("environment", False)
+    if from_environment:
+        notes = ("it is made from an environment variable that is not set here", *notes)
+        advice = "give $(optenv …) a default, or the variable a value under env: in .launchlint.yaml if it is always set"
     yield RULE.at(
         problem.origin,
         message,
-        severity=Severity.ERROR if problem.refused else Severity.WARNING,
+        severity=Severity.ERROR if problem.refused and not from_environment else Severity.WARNING,
         related=problem.related,
-        notes=(f"roslaunch stops with: {stops}",),
+        notes=notes,
         help=advice,
         topic=reason,
     )

@@ -67,5 +67,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     attribute = construct.partition(" ")[2]
     machine = (f"<machine> takes no {attribute} any more", STOPS.format("ros-* attributes are"), SCRIPT)
     message, note, advice = WORDS.get(construct, machine)
-    severity = Severity.ERROR if problem.refused else Severity.WARNING
+    if construct.startswith("machine") and not problem.refused:
+        note = "not supported since ROS Fuerte"
+    severity = Severity.ERROR if problem.refused else Severity.INFO if construct == "rosparam ns" else Severity.WARNING
     yield RULE.at(problem.origin, message, severity=severity, label="out of date", notes=(note,), help=advice)

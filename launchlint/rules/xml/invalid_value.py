@@ -35,12 +35,16 @@ from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest
+from launchlint.syntax.ros1.dialect import TAGS
 
 RULE = Rule("LL109", "invalid-value", Severity.ERROR, roslaunch="refuses")
 
+MEANT = {"1": "true", "yes": "true", "on": "true", "0": "false", "no": "false", "off": "false", "integer": "int", "float": "double"}
+"""Words of other formats, and what is meant where the attribute takes that."""
+
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Name what the attribute takes; facts: ``tag``, ``attribute``, ``value``, ``expected``, maybe ``choices``.
+    """Name what the attribute takes; facts: ``tag``, ``attribute``, ``value``, ``expected``.
 
     ``unbalanced-quotes`` has ``attribute`` and ``reason``. Conditions belong to LL214 and LL114.
     """
@@ -58,9 +62,10 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         return
     if name in ("if", "unless"):
         return
-    value, expected = facts["value"], facts["expected"]
-    choices: tuple[str, ...] = facts.get("choices", ())
-    near = closest(value.strip(), choices)
+    value = facts["value"]
+    rule = TAGS[facts["tag"].lower()].attribute(name)
+    expected, choices = (facts["expected"], ()) if rule is None else (rule.domain.expected, rule.domain.choices)
+    near = next((each for each in choices if MEANT.get(value.strip().lower()) == each), None) or closest(value.strip(), choices)
     problem_text = f"{name} is empty" if not value else f"{name}={value[:60]!r} is not {expected}"
     yield RULE.at(
         problem.origin,

@@ -45,11 +45,9 @@ RULE = Rule("LL101", "malformed-xml", Severity.ERROR, roslaunch="refuses")
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
     """Say what is wrong with the XML; facts: ``message``, ``hint``, ``code``."""
     facts = problem.facts
-    label = "here" if problem.related else ""
     yield RULE.at(
         problem.origin,
         f"not well-formed XML: {facts['message']}",
-        label=label,
         related=problem.related,
         notes=("roslaunch stops with: Invalid roslaunch XML syntax",),
         help=facts["hint"],

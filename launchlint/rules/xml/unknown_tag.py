@@ -34,7 +34,6 @@ from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest
-from launchlint.syntax.ros1.dialect import TAGS
 
 RULE = Rule("LL103", "unknown-tag", Severity.ERROR, roslaunch="reports")
 
@@ -43,7 +42,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     """Name the tag that was meant; facts: ``tag``, ``parent``, ``known`` (what may stand there), ``ignored`` (without a word)."""
     tag, parent, known = problem.facts["tag"], problem.facts["parent"], problem.facts["known"]
     ignored: bool = problem.facts["ignored"]
-    near = closest(tag, known) or closest(tag, TAGS)
+    near = closest(tag, known)
     if near is not None:
         advice = f"did you mean <{near}>?"
     elif known:

@@ -77,7 +77,8 @@ def conflicting_attributes(
     """``conflicting-attributes``: facts ``tag``, ``attributes``, ``reason``; at the last of ``attributes`` (the tag name if none).
 
     Reasons, all refused by roslaunch: ``respawn-and-required``, ``param-sources`` (``attributes`` are those given, none or several),
-    ``empty-ns``, ``clear-params-without-ns``, ``test-attribute``, ``delete-with-file``.
+    ``empty-ns`` (the evaluator adds ``environment``: an unset variable made it empty), ``clear-params-without-ns``,
+    ``clear-params-without-name``, ``test-attribute``, ``delete-with-file``.
     """
     facts = {"tag": element.tag.lower(), "attributes": attributes, "reason": reason}
     if not attributes:

@@ -160,7 +160,8 @@ class _Validator:
         foreign_node = ros2 and ("exec" in attributes or rule.tag == "param")
         if foreign_node:
             # roslaunch misses the attributes that ROS 2 spells differently: that is said already.
-            problems[-1] = problems[-1]._replace(refused=True)
+            at = next(index for index in range(len(problems) - 1, -1, -1) if problems[index].facts.get("construct") in ("exec", "from"))
+            problems[at] = problems[at]._replace(refused=True)
             return
         for name in rule.required:
             if name not in attributes:
@@ -240,7 +241,7 @@ class _Validator:
                 problems.append(arg_value_and_default(document, element))
         elif tag == "rosparam":
             self._rosparam(element)
-        elif tag == "group" and not element.children:
+        elif tag == "group" and not element.children and "clear_params" not in attributes:
             problems.append(ineffective_attribute(document, element, "empty-group", ""))
 
     def _rosparam(self, element: Element) -> None:

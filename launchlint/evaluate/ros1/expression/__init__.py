@@ -20,6 +20,7 @@ __all__ = (
     "arguments_read",
     "compared_literals",
     "evaluate",
+    "never_equal",
 )
 
 
@@ -125,3 +126,14 @@ def compared_literals(text: str) -> dict[str, tuple[str, ...]]:
     from launchlint.evaluate.ros1.expression.reading import literals_compared
 
     return literals_compared(text)
+
+
+def never_equal(text: str) -> tuple[tuple[int, int, str, str], ...]:
+    """Comparisons of an arg with a text that no arg can be equal to: start and end in ``text``, the arg, and the text it is compared with.
+
+    roslaunch makes a number or a boolean of every arg that looks like one (roslaunch.loader.convert_value with type auto), so that
+    ``count == '5'`` is false whatever is given.
+    """
+    from launchlint.evaluate.ros1.expression.reading import comparisons_never_equal
+
+    return tuple(comparisons_never_equal(text))

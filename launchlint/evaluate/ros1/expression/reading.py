@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from launchlint.evaluate.ros1.expression import ExpressionError, UnknownValue
 from launchlint.evaluate.ros1.expression.compiled import compiled
 from launchlint.evaluate.ros1.expression.names import RESERVED
+from launchlint.evaluate.ros1.values import convert_value
 
 _WORD = re.compile(r"[^\W\d]\w*")
 _KEYWORDS = frozenset("and else False for if in is lambda None not or True".split())
@@ -54,6 +55,24 @@ def literals_compared(text: str) -> dict[str, tuple[str, ...]]:
     found: dict[str, dict[str, None]] = {}
     _collect(tree, found, _MOST_NESTED)
     return {name: tuple(values) for name, values in found.items() if values}
+
+
+def comparisons_never_equal(text: str) -> Iterator[tuple[int, int, str, str]]:
+    """See :func:`launchlint.evaluate.ros1.expression.never_equal`."""
+    try:
+        whole = compiled(text)
+    except (ExpressionError, UnknownValue):
+        return
+    bound = {node.id for node in ast.walk(whole.tree) if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load)}
+    for node in _in_order(whole.tree):
+        if not isinstance(node, ast.Compare) or len(node.ops) != 1 or not isinstance(node.ops[0], (ast.Eq, ast.NotEq)):
+            continue
+        for side, other in ((node.left, node.comparators[0]), (node.comparators[0], node.left)):
+            name = side.id if isinstance(side, ast.Name) else _arg_call(side) if isinstance(side, ast.Call) else None
+            if name is None or name in bound or (isinstance(side, ast.Name) and name in RESERVED):
+                continue
+            if isinstance(other, ast.Constant) and isinstance(other.value, str) and not isinstance(convert_value(other.value, "auto"), str):
+                yield (*whole.span(node), name, other.value)
 
 
 def _collect(tree: ast.Expression, found: dict[str, dict[str, None]], nested: int) -> None:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import os
-from itertools import islice
 
 from launchlint.spelling import closest
+from launchlint.workspace.looking import is_file, names
 
-MOST_NAMES = 2_000
-"""Directory entries that are looked at: a directory may be of any size, and this is only for a hint."""
 MOST_DIRECTORIES = 50
 
 
@@ -21,19 +19,16 @@ def nearby_file(file: str, ending: str = "") -> str | None:
     directory, name = os.path.split(file)
     if not name or "\0" in file:
         return None
-    near = closest(name, [other for other in _names(directory) if other.endswith(ending)])
+    digits = _digits(name)  # files that differ in a digit stand for different things
+    near = closest(name, [other for other in names(directory) if other.endswith(ending) and _digits(other) == digits])
     if near is not None:
         return near
     parent, last = os.path.split(directory)
-    found = [other for other in _names(parent)[:MOST_DIRECTORIES] if other != last and os.path.isfile(os.path.join(parent, other, name))]
+    found = [other for other in names(parent)[:MOST_DIRECTORIES] if other != last and is_file(os.path.join(parent, other, name))]
     if not parent or not name.endswith(ending) or not found:
         return None
     return f"{closest(last, found) or found[0]}/{name}"
 
 
-def _names(directory: str) -> list[str]:
-    try:
-        with os.scandir(directory or ".") as entries:
-            return sorted(entry.name for entry in islice(entries, MOST_NAMES))
-    except OSError:
-        return []
+def _digits(name: str) -> str:
+    return "".join(filter(str.isdigit, name))

@@ -1,0 +1,97 @@
+"""Looking around on disk: whether something is there, and what a directory holds.
+
+What rules look at beside launch files passes through here and is noted, since the result cache must know what a result hangs on.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+
+MOST_NAMES = 2_000
+"""Directory entries that are looked at: a directory may be of any size, and all of this is only for hints."""
+
+_noted: set[str] = set()
+
+
+def exists(path: str) -> bool:
+    """Whether there is anything at ``path``."""
+    return os.path.exists(_note(path))
+
+
+def is_file(path: str) -> bool:
+    """Whether there is a file at ``path``."""
+    return os.path.isfile(_note(path))
+
+
+def is_directory(path: str) -> bool:
+    """Whether there is a directory at ``path``."""
+    return os.path.isdir(_note(path))
+
+
+def names(directory: str) -> list[str]:
+    """The names in ``directory``, sorted; none where it cannot be read. Of a very large one only some are looked at."""
+    try:
+        return sorted(os.listdir(_note(directory or os.curdir)))[:MOST_NAMES]
+    except (OSError, ValueError):
+        return []
+
+
+def walk(directory: str, most: int) -> Iterator[tuple[str, list[str]]]:
+    """Each directory at and below ``directory`` with the names in it, in order; hidden ones and links are left out. Ends after ``most``."""
+    waiting = [directory]
+    while waiting and most > 0:
+        most -= 1
+        current = waiting.pop()
+        found = names(current)
+        yield current, found
+        below = [os.path.join(current, name) for name in found if not name.startswith(".")]
+        waiting += [each for each in reversed(below) if os.path.isdir(each) and not os.path.islink(each)]
+
+
+def start(path: str) -> bytes | None:
+    """The first two bytes of a file; ``None`` where it cannot be read."""
+    try:
+        descriptor = os.open(_note(path), os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
+    except (OSError, ValueError):
+        return None
+    try:
+        return os.read(descriptor, 2)
+    except OSError:
+        return None
+    finally:
+        os.close(descriptor)
+
+
+def noted() -> frozenset[str]:
+    """What was looked at since this was called last; absolute paths."""
+    taken = frozenset(_noted)
+    _noted.clear()
+    return taken
+
+
+def note(paths: Iterable[str]) -> None:
+    """Note ``paths`` (absolute) again."""
+    _noted.update(paths)
+
+
+def state(path: str) -> str:
+    """Equal for equal answers of all functions here: what is at ``path``, the content of a small file, or the names in a directory."""
+    from hashlib import sha1
+
+    from launchlint.workspace.reading import read_bytes
+
+    try:
+        if os.path.isdir(path):
+            listed = "\0".join(sorted(os.listdir(path))).encode("utf-8", "surrogateescape")
+            return f"directory {sha1(listed, usedforsecurity=False).hexdigest()}"
+        if not os.path.exists(path):
+            return ""
+        return f"file {sha1(read_bytes(path), usedforsecurity=False).hexdigest()}"
+    except (OSError, ValueError) as error:
+        return f"{type(error).__name__} {getattr(error, 'errno', '')} {error.args[-1] if error.args else ''}"
+
+
+def _note(path: str) -> str:
+    _noted.add(os.path.abspath(path))
+    return path
