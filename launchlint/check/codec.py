@@ -69,6 +69,7 @@ def entry_to_json(result: EntryResult) -> list[Any]:
             summary.roots,
             summary.needs_caller,
             summary.undeclared_args,
+            summary.packages,
         ],
         result.needs_caller,
         result.configurations,
@@ -78,7 +79,7 @@ def entry_to_json(result: EntryResult) -> list[Any]:
 def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResult]) -> EntryResult:
     """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
     path, verdict, error, findings, fine, visited, names, summary, needs_caller, configurations = value
-    entry, refused, included, calls, roots, *others = summary
+    entry, refused, included, calls, roots, needs, undeclared, packages = summary
     return EntryResult(
         request,
         path,
@@ -94,7 +95,9 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
             tuple(included),
             tuple(BrokenCall(target, name, missing, Location(*location)) for target, name, missing, location in calls),
             tuple((name, Location(*location)) for name, location in roots),
-            *others,
+            needs,
+            undeclared,
+            tuple(packages),
         ),
         needs_caller,
         configurations,

@@ -99,19 +99,22 @@ class _Scope:
 
 
 class Generator:
-    """Draws one case. ``mistakes`` is the share of cases that may hold mistakes."""
+    """Draws one case. ``mistakes`` is the share of cases that may hold mistakes, ``files`` and ``elements`` the most there may be of them."""
 
-    def __init__(self, random: Random, mistakes: float = 0.35) -> None:
+    def __init__(self, random: Random, mistakes: float, files: int, elements: int) -> None:
         self.random = random
+        self.most_files = files
+        self.most_elements = elements
         self.wrong = random.random() < mistakes
         self.counter = 0
         self.machines: list[str] = []
         self.interfaces: dict[str, Interface] = {}
+        self.current = ""
 
     def case(self) -> Case:
         """A whole tree; the entry file comes last, since it has to know what the others take."""
         random = self.random
-        count = random.randint(1, 4)
+        count = random.randint(1, self.most_files)
         files: dict[str, str] = {}
         for number in range(count - 1, 0, -1):
             name = f"f{number}.launch" if number % 2 else f"sub/f{number}.launch"
@@ -136,7 +139,7 @@ class Generator:
         if self.wrong and random.random() < 0.03:
             name = random.choice([each for each in files if each.endswith(".launch")])
             files[name] = files[name].replace("</launch>", '<include file="main.launch"/></launch>')
-        environment = {"SET": random.choice(("1", "value", "$(find pkg)/x"))}
+        environment = {"SET": random.choice(("1", "value", "$(find pkg)/x")), "HERE": "$(find pkg)/../"}
         if random.random() < 0.1:
             environment["ROS_NAMESPACE"] = random.choice(("fleet", "/fleet/one"))
         return Case(files, (), given, environment)
@@ -163,8 +166,9 @@ class Generator:
                 lines.append(f'<arg name="{arg}" value="{text}"{condition}/>')
             if not condition:
                 (scope.truths if truth else scope.names).append(arg)
+        self.current = name
         self.interfaces[name] = Interface(tuple(required), tuple(optional), tuple(fixed))
-        lines += self.elements(scope, self.random.randint(1, 7), 0)
+        lines += self.elements(scope, self.random.randint(1, self.most_elements), 0)
         return "<launch>\n" + "\n".join(lines) + "\n</launch>\n"
 
     def elements(self, scope: _Scope, count: int, depth: int) -> list[str]:
@@ -310,6 +314,9 @@ class Generator:
         self.counter += 1
         truth = self.random.random() < 0.3
         name = f"{'t' if truth else 'a'}{self.counter + 10}"
+        if depth and self.random.random() < 0.5:
+            # A name that other groups and files have too: siblings may share it, and pass_all_args hands it on.
+            name = self.random.choice(("t8", "t9") if truth else ("a8", "a9"))
         text = self.random.choice(TRUTHS) if truth else self.value(scope)
         line = f'<arg name="{name}" {self.random.choice(("default", "value"))}="{text}"/>'
         (scope.truths if truth else scope.names).append(name)
@@ -319,7 +326,7 @@ class Generator:
         """A group with a scope of its own."""
         inner = _Scope(scope)
         start = f"<group{self.namespace(0.5)}{self.condition(scope)}>"
-        lines = self.elements(inner, self.random.randint(0, 4), depth + 1)
+        lines = self.elements(inner, self.random.randint(0, self.most_elements // 2 + 1), depth + 1)
         return "\n".join((start, *lines, "</group>"))
 
     def include(self, scope: _Scope, depth: int) -> str:
@@ -327,12 +334,12 @@ class Generator:
         random = self.random
         if not self.interfaces:
             return self.node(scope, depth)
-        known = [name for name in self.interfaces if name != MAIN]
+        known = [name for name in self.interfaces if name != self.current or random.random() < 0.01]
         if not known:
             return self.node(scope, depth)
         name = random.choice(known)
         interface = self.interfaces[name]
-        every = random.random() < 0.2
+        every = random.random() < 0.3
         passed = list(interface.required)
         passed += [each for each in interface.optional if random.random() < 0.5]
         if self.wrong and random.random() < 0.2:
@@ -351,10 +358,10 @@ class Generator:
         if "ns=" not in attributes and random.random() < 0.7:
             self.counter += 1
             attributes += f' ns="i{self.counter}"'
-        prefix = "$(dirname)/../" if random.random() < 0.05 else ""
+        prefix = random.choice(("", "", "$(find pkg)/../", "$(env HERE)", "./"))
         return f'<include file="{prefix}{name}"{attributes}>{children}</include>'
 
 
-def random_case(random: Random, mistakes: float = 0.35) -> Case:
+def random_case(random: Random, mistakes: float = 0.35, files: int = 4, elements: int = 7) -> Case:
     """One random tree."""
-    return Generator(random, mistakes).case()
+    return Generator(random, mistakes, files, elements).case()
