@@ -121,6 +121,7 @@ class Packages:
         self._found: dict[tuple[str, str], Package | None] = {}
         self._of_directory: dict[str, Package | None] = {}
         self._sources: dict[str, _Place] = {}
+        self._duplicates: dict[str, list[Package]] | None = None
 
     def get(self, name: str, near: str) -> Package | None:
         """The package called ``name`` as a launch file at ``near`` gets it; ``None`` where there is none.
@@ -175,6 +176,11 @@ class Packages:
 
         A directory that is reached twice through symbolic links counts once.
         """
+        if self._duplicates is None:
+            self._duplicates = self._find_duplicates()
+        return self._duplicates
+
+    def _find_duplicates(self) -> dict[str, list[Package]]:
         found: dict[str, list[Package]] = {}
         for place in self.places[: len(self.workspaces)]:
             for name, packages in place.by_name.items():
