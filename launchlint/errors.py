@@ -19,3 +19,7 @@ class UsageError(LaunchlintError):
 
 class ConfigurationError(LaunchlintError):
     """A configuration, baseline or entries file is not what it should be; the message gives file, line and column."""
+
+
+class OutputClosed(Exception):
+    """Whoever read standard output has gone, as ``head`` does; nobody is left to tell."""

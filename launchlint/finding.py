@@ -7,10 +7,9 @@ printed without any file being opened again.
 from __future__ import annotations
 
 from enum import IntEnum
-from typing import NamedTuple
 
+from launchlint.records import NamedTuple
 from launchlint.source import Place, Source, Span
-
 
 LONGEST_LINE = 4_000
 """Characters of a line that a finding carries; terminals show a few hundred."""

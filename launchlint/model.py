@@ -8,10 +8,14 @@ is not here …) is an :class:`Unknown`; it is never guessed at and never causes
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
 
 from launchlint.problem import Problem
+from launchlint.records import NamedTuple
 from launchlint.source import Origin, Place, Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 
 class Unknown:

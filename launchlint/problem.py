@@ -8,9 +8,13 @@ the facts a rule needs for its message. One rule turns one kind (or a few) into 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
 
+from launchlint.records import NamedTuple
 from launchlint.source import Origin, Place
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 
 class Problem(NamedTuple):

@@ -1,7 +1,7 @@
 """Results of earlier runs, used again where nothing they depend on has changed.
 
-What every result depends on (:mod:`.surroundings`) is in the name of the database. What one result depends on is checked for each: the content
-of every file that was read, the value of every environment variable, and what was there wherever a rule looked around.
+What every result depends on (:mod:`.surroundings`) is in the name of the database. What one result depends on is checked for each: the
+content of every file that was read, the value of every environment variable, and what was there wherever a rule looked around.
 """
 
 from __future__ import annotations

@@ -20,7 +20,15 @@ from launchlint.suppression import Name, Suppression
 def file_to_json(result: FileResult) -> list[Any]:
     """A file's result as JSON values."""
     suppressions = [
-        [list(item.location), sorted(item.rules), [[name.text, *name.span] for name in item.names], item.covers, item.reason, item.problem, item.removal]
+        [
+            list(item.location),
+            sorted(item.rules),
+            [[name.text, *name.span] for name in item.names],
+            item.covers,
+            item.reason,
+            item.problem,
+            item.removal,
+        ]
         for item in result.suppressions
     ]  # fmt: skip
     findings = [[_finding_to_json(finding), guard] for finding, guard in result.findings]

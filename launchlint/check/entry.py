@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from launchlint.check.file import FileResult, check_file, internal_error, run_rule, tell
 from launchlint.check.options import EntryRequest, Options
@@ -13,6 +12,7 @@ from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.finding import Finding, Key, Location, Severity
 from launchlint.problem import Problem
+from launchlint.records import NamedTuple
 from launchlint.rules.registry import RULES, Entry, rule_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary, FileView, LaunchView
@@ -28,9 +28,10 @@ ALONE_KINDS = frozenset({"required-arg-unset", "undeclared-arg", "used-before-de
 class EntryResult(NamedTuple):
     """What one entry file gives.
 
-    ``needs_caller``: it does not load alone, because args are missing that an including file would give. For the cache: ``dependencies`` are the
-    files it was made from with the digest of their content or the reason why there is none, ``variables`` the environment variables
-    it read, ``looks`` the paths at which rules looked around, with their state (:func:`launchlint.workspace.looking.state`).
+    ``needs_caller``: it does not load alone, because args are missing that an including file would give. For the cache:
+    ``dependencies`` are the files it was made from with the digest of their content or the reason why there is none, ``variables`` the
+    environment variables it read, ``looks`` the paths at which rules looked around, with their state
+    (:func:`launchlint.workspace.looking.state`).
     """
 
     request: EntryRequest
@@ -93,17 +94,11 @@ class EntryChecker:
             for include in evaluation.launch.includes:
                 if include.source is not None:
                     included[include.source.path] = None
-            here: dict[Key, Finding] = {}
             for found in self._launch_findings(evaluation, request):
                 if isinstance(found, Fine):
                     fine[found] = None
                 else:
-                    key = found.key
-                    if key not in here or len(found.chain) < len(here[key].chain):
-                        here[key] = found
-            for key, finding in here.items():
-                if key not in findings or len(finding.chain) < len(findings[key].chain):
-                    findings[key] = finding
+                    _keep_plainer(findings, found)
             if self.options.default_only:
                 break
         assert first is not None
@@ -216,6 +211,13 @@ class EntryChecker:
             needs_caller,
             count,
         )
+
+
+def _keep_plainer(findings: dict[Key, Finding], found: Finding) -> None:
+    """Of findings that say the same keep the worse one, then the one nearer to the entry file, then the one found first."""
+    known = findings.get(found.key)
+    if known is None or (-int(found.severity), len(found.chain)) < (-int(known.severity), len(known.chain)):
+        findings[found.key] = found
 
 
 def _broken_calls(problems: tuple[Problem, ...]) -> Iterator[BrokenCall]:

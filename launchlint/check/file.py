@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from launchlint.finding import Finding, Location
 from launchlint.problem import Problem
+from launchlint.records import NamedTuple
 from launchlint.rules.registry import Entry, by_kind
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import FileView
-from launchlint.suppression import Suppression
 from launchlint.syntax.tree import Document, Element
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.suppression import Suppression
 
 
 class Guarded(NamedTuple):
@@ -37,14 +40,12 @@ def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
     selected = frozenset(rule.id for rule in rules)
     findings: list[Guarded] = []
     for problem in _problems(document):
-        for finding in tell(problem, view, selected):
-            findings.append(Guarded(finding, _guard(document, finding.location)))
+        findings += [Guarded(finding, _guard(document, finding.location)) for finding in tell(problem, view, selected)]
     if document.launch is not None:
         for rule in rules:
             if rule.view == "file":
-                for found in run_rule(rule, view, document.source.path):
-                    if isinstance(found, Finding):
-                        findings.append(Guarded(found, _guard(document, found.location)))
+                told = run_rule(rule, view, document.source.path)
+                findings += [Guarded(found, _guard(document, found.location)) for found in told if isinstance(found, Finding)]
     suppressions: tuple[Suppression, ...] = ()
     if any("launchlint" in comment.text for comment in document.comments):
         from launchlint.suppression import read

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.finding import Severity
+from launchlint.records import NamedTuple
 
 Arguments = tuple[tuple[str, str], ...]
 
@@ -25,8 +25,8 @@ class EntryRequest(NamedTuple):
 class Options(NamedTuple):
     """All that changes findings, apart from the files themselves.
 
-    ``rules`` are the IDs that are on; ``severities`` replace a rule's own; ``complete`` says whether every package is here (None: find out);
-    ``variables`` is the environment launch files see.
+    ``rules`` are the IDs that are on; ``severities`` replace a rule's own; ``complete`` says whether every package is here (None: find
+    out); ``variables`` is the environment launch files see.
     """
 
     rules: frozenset[str]

@@ -38,7 +38,7 @@ def check_entries(
     cache = Cache(cache_directory, checker)
     try:
         known = cache.look_up(requests)
-        missing = [request for request, result in zip(requests, known) if result is None]
+        missing = [request for request, result in zip(requests, known, strict=True) if result is None]
         done = len(requests) - len(missing)
         computed = _compute(missing, checker, jobs, None if progress is None else lambda count: progress(done + count))
         cache.store(computed)

@@ -6,7 +6,8 @@ import sys
 
 import click
 
-from launchlint.cli.options import EntryOptions, entry_options, leave_ros2_out
+from launchlint.cli.entries import EntryOptions, leave_ros2_out, tell
+from launchlint.cli.options import entry_options
 
 
 @click.command("model")
@@ -30,7 +31,7 @@ def command(entry: EntryOptions, format_: str) -> int:
     checker = EntryChecker(entry.options(everything=True), overlay)
     requests, notices = leave_ros2_out(entry, requests, checker.session)
     for notice in notices:
-        click.echo(f"launchlint: {visible(notice)}", err=True)
+        tell(notice)
     refused = False
     collected: list[object] = []
     for request in requests:

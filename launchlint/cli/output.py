@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from launchlint.check.entry import EntryResult
 from launchlint.check.ignores import PerFileIgnores
@@ -13,6 +12,7 @@ from launchlint.check.merge import Outcome, merge
 from launchlint.check.options import Options
 from launchlint.errors import UsageError
 from launchlint.finding import Severity
+from launchlint.records import NamedTuple
 from launchlint.report.formats import emit, parse, write
 from launchlint.report.run import RuleMetadata, Run, files_below
 from launchlint.workspace.packages import Packages
@@ -123,6 +123,11 @@ def rule_metadata() -> dict[str, RuleMetadata]:
 
 
 def _width() -> int:
-    import shutil
-
-    return shutil.get_terminal_size((120, 24)).columns
+    """Columns of the terminal, as COLUMNS says or the terminal itself; 120 where there is none."""
+    columns = os.environ.get("COLUMNS", "")
+    if columns.isdecimal() and int(columns[:6]) > 0:
+        return int(columns[:6])
+    try:
+        return os.get_terminal_size(sys.__stdout__.fileno() if sys.__stdout__ else 1).columns or 120
+    except (OSError, ValueError):
+        return 120

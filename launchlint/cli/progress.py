@@ -4,36 +4,34 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 
 DELAY = 1.0
 """Seconds before anything is shown."""
 
 
-@contextmanager
-def progress_bar(total: int, *, quiet: bool = False) -> Iterator[Callable[[int], None] | None]:
-    """A function to call with the number of entry files done; None where nobody would see it."""
-    if quiet or total < 2 or not sys.stderr.isatty():
-        yield None
-        return
-    begin = time.monotonic()
-    shown = False
+class ProgressBar:
+    """A line on standard error that is written over and over."""
 
-    def show(done: int) -> None:
-        nonlocal shown
-        elapsed = time.monotonic() - begin
+    __slots__ = ("_begin", "_shown", "_total")
+
+    def __init__(self, total: int) -> None:
+        self._total = total
+        self._begin = time.monotonic()
+        self._shown = False
+
+    def show(self, done: int) -> None:
+        """``done`` of all entry files are done."""
+        elapsed = time.monotonic() - self._begin
         if elapsed < DELAY:
             return
-        shown = True
-        left = elapsed / done * (total - done)
-        bar = "#" * (30 * done // total)
-        sys.stderr.write(f"\r[{bar:30}] {done}/{total} launch files, {left:.0f} s left \x1b[K")
+        self._shown = True
+        left = elapsed / max(done, 1) * (self._total - done)
+        bar = "#" * (30 * done // self._total)
+        sys.stderr.write(f"\r[{bar:30}] {done}/{self._total} launch files, {left:.0f} s left \x1b[K")
         sys.stderr.flush()
 
-    try:
-        yield show
-    finally:
-        if shown:
+    def clear(self) -> None:
+        """Take the line away again."""
+        if self._shown:
             sys.stderr.write("\r\x1b[K")
             sys.stderr.flush()

@@ -19,7 +19,7 @@ def command(format_: str) -> int:
     rows = [(rule.id, rule.name, rule.severity.word, rule.default, page(rule).summary) for rule in RULES]
     if format_ == "json":
         keys = ("id", "name", "severity", "default", "summary")
-        emit(json.dumps([dict(zip(keys, row)) for row in rows], indent=2) + "\n", sys.stdout)
+        emit(json.dumps([dict(zip(keys, row, strict=True)) for row in rows], indent=2) + "\n", sys.stdout)
         return 0
     width = max(len(row[1]) for row in rows)
     lines = [

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
 
 from launchlint.check.ignores import PerFileIgnores
 from launchlint.errors import ConfigurationError, LaunchlintError, UsageError
@@ -11,6 +10,7 @@ from launchlint.finding import Severity
 from launchlint.rules.registry import RULES, Entry, find
 from launchlint.spelling import did_you_mean
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.workspace.configuration import Configuration
 
@@ -25,10 +25,8 @@ def selected_rules(
     if everything:
         return frozenset(rule.id for rule in RULES)
     written = None if configuration.select is None else _written(configuration.select, configuration, "select")
-    if select:
-        rules = _given(select, "--select")
-    else:
-        rules = {rule.id for rule in RULES if rule.default} if written is None else written
+    by_default = {rule.id for rule in RULES if rule.default} if written is None else written
+    rules = _given(select, "--select") if select else by_default
     return frozenset(rules - _given(ignore, "--ignore") - _written(configuration.ignore, configuration, "ignore"))
 
 

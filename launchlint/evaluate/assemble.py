@@ -7,7 +7,6 @@ noticed: two nodes of one name, two machines of one name, a machine that does no
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, NodeEffect, PrivateParameter
 from launchlint.evaluate.names import canonical
@@ -26,11 +25,14 @@ from launchlint.model import (
     ScopedSetting,
 )
 from launchlint.problem import Problem
+from launchlint.records import NamedTuple
 from launchlint.source import IncludeStep, Origin, Source
 from launchlint.syntax.tree import Document
 
 LARGEST_LAUNCH = 400_000
 """Effects of one configuration; includes that include each other twice at every level would go beyond it."""
+INHERITED_PER_EFFECT = 8
+"""How many remaps and environment settings, handed down to a node from including files, count as one more effect."""
 
 
 class Evaluation(NamedTuple):
@@ -68,6 +70,7 @@ class _Assembly:
         self.settings: list[ParameterSetting] = []
         self.clear_params: list[tuple[str, Origin]] = []
         self.machines: dict[str, Machine] = {}
+        self.unknown_machines: set[str] = set()
         self.executables: list[tuple[str, str, str]] = []
         self.includes: list[Include] = []
         self.scoped: list[ScopedSetting] = []
@@ -84,10 +87,12 @@ class _Assembly:
         """Add what ``block`` contributes."""
         path = block.document.source.path
         self.files.append(file)
+        self.unknown_machines |= block.unknown_machines
         self.documents[path] = block.document
         self.visited.setdefault(path, set()).update(block.visited)
         steer = _steering(block, inherited)
         place = _Placing(inherited)
+        inheritance = (len(inherited.remaps) + len(inherited.environment)) // INHERITED_PER_EFFECT + len(inherited.private)
         for effect in block.effects:
             self.count += 1
             if self.count > LARGEST_LAUNCH:
@@ -96,6 +101,7 @@ class _Assembly:
             if isinstance(effect, ParameterSetting):
                 self.settings.append(place.setting(effect))
             elif isinstance(effect, NodeEffect):
+                self.count += inheritance
                 self._node(effect, place, inherited)
             elif isinstance(effect, Problem):
                 assumed = effect.assumed or inherited.assumed
@@ -200,8 +206,11 @@ class _Assembly:
 
     def check_machines(self) -> None:
         """A node on a machine that no file defines: roslaunch stops (roslaunch.config.ROSLaunchConfig._select_machine)."""
+        if "" in self.unknown_machines:
+            return
+        known = self.unknown_machines.union(self.machines)
         for node in (*self.nodes, *self.tests):
-            if node.machine and node.machine not in self.machines and "machine" not in node.unknown:
+            if node.machine and node.machine not in known and "machine" not in node.unknown:
                 place = node.attributes.get("machine", node.origin.place)
                 assumed = any(condition.assumed for condition in node.conditions)
                 facts = {"name": node.machine, "known": tuple(sorted(self.machines))}

@@ -7,8 +7,6 @@ blocks of one entry file into a :class:`~launchlint.model.Launch`.
 
 from __future__ import annotations
 
-from typing import NamedTuple, Union
-
 from launchlint.model import (
     Argument,
     Condition,
@@ -23,10 +21,15 @@ from launchlint.model import (
     Unknown,
 )
 from launchlint.problem import Problem
+from launchlint.records import NamedTuple
 from launchlint.source import Origin, Place
 from launchlint.syntax.tree import Document
 
-Value = Union[str, Unknown]
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+Value: TypeAlias = "str | Unknown"
 
 NO_CYCLE = 1 << 30
 """The :attr:`Block.cycle_floor` of a block without an include cycle that begins above it."""
@@ -90,7 +93,9 @@ class LocalBranch(NamedTuple):
     reads: frozenset[str]
 
 
-Effect = Union[NodeEffect, ParameterSetting, Machine, Problem, Call, Include, Clear, RunStep, LocalBranch, ScopedSetting, Argument]
+Effect: TypeAlias = (
+    "NodeEffect | ParameterSetting | Machine | Problem | Call | Include | Clear | RunStep | LocalBranch | ScopedSetting | Argument"
+)
 
 
 class Block:
@@ -100,7 +105,7 @@ class Block:
     from; ``open_arguments`` are the args a caller can set. ``missing`` are args that were read but have no value: name to
     (declaration, reading place); ``refused_overrides`` are ``value=`` args that the caller tried to set. ``default_machine`` and ``leaked`` leak to the
     including file. ``anonymous``: an ``$(anon)`` was evaluated, so the block is not to be used again; ``near``: a package was found by its
-    nearness to the entry file. ``assumed_declarations``: an arg is declared under a condition of unknown value.
+    nearness to the entry file. ``unknown_machines`` are the machines that are defined by something unknown (empty: the name itself is). ``assumed_declarations``: an arg is declared under a condition of unknown value.
 
     What it cost, so that using it again counts as doing it again: ``looked_at`` elements, ``depth`` includes inside includes, and the files
     and environment variables it ``touched``. ``angles``: after it, YAML values may be angles. ``cycle_floor`` is the lowest place on the include stack that an include cycle in it leads back to.
@@ -125,6 +130,7 @@ class Block:
         "open_arguments",
         "refused_overrides",
         "touched",
+        "unknown_machines",
         "variables",
         "visited",
     )
@@ -145,6 +151,7 @@ class Block:
         self.assumed_declarations = False
         self.node_count = 0
         self.angles = False
+        self.unknown_machines: set[str] = set()
         self.looked_at = 0
         self.depth = 0
         self.touched: frozenset[str] = frozenset()

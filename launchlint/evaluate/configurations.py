@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice, product
-from typing import TYPE_CHECKING
 
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.model import Argument, Branch, Unknown
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.syntax.tree import Document
 

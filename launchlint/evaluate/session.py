@@ -7,12 +7,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
 
+from launchlint.source import Source
 from launchlint.syntax.parse import parse
 from launchlint.workspace.packages import Packages
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from launchlint.evaluate.block import Block
     from launchlint.syntax.tree import Document
 
@@ -59,6 +62,8 @@ class Session:
         self.root = os.getcwd() if root is None else root
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
+        self.loaded: dict[str, Any] = {}
+        self.sources: dict[str, Source] = {}
         self.touched: set[str] = set()
         self.variables: set[str] = set()
         self._reads: dict[str, Read] = {}

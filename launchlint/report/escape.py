@@ -6,8 +6,6 @@ and an XML reader must see plain characters only.
 
 from __future__ import annotations
 
-import shlex
-
 _WIDE_SPACE = "\u3000"
 """The space of East Asian texts: not printable for Python, yet harmless and common."""
 
@@ -54,7 +52,9 @@ def no_surrogates(text: str) -> str:
 def shell_word(text: str) -> str:
     """``text`` as one word of a POSIX shell; with characters that :func:`visible` would escape, in the form ``$'…'`` of bash and zsh."""
     if visible(text) == text:
-        return shlex.quote(text)
+        from shlex import quote
+
+        return quote(text)
     out: list[str] = []
     for character in text:
         if character in "\\'":

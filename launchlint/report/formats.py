@@ -5,13 +5,17 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from importlib import import_module
-from typing import NamedTuple, TextIO
 
 from launchlint.atomic import write_text
 from launchlint.errors import UsageError
 from launchlint.finding import Finding
+from launchlint.records import NamedTuple
 from launchlint.report.run import Run
 from launchlint.spelling import did_you_mean
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import TextIO
 
 FORMATS = {
     "text": "launchlint.report.text",

@@ -6,16 +6,25 @@ whether the picture is complete, and whether anybody has ever heard of the name.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
 
 from launchlint.finding import Severity
+from launchlint.records import NamedTuple
 from launchlint.spelling import closest, one_slip
 from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.public_packages import public_names
 
 SHORTEST_SLIP = 6
 """Below this many letters most names are one slip away from some other name."""
+
+
+_LEGAL = re.compile(r"[A-Za-z][\w-]*")
+
+
+def is_placeholder(name: str) -> bool:
+    """Whether no package can bear this name (REP 127), as ``[PACKAGE_NAME]`` or ``@name@`` in a template that is filled in later."""
+    return _LEGAL.fullmatch(name.strip()) is None
 
 
 class Judgement(NamedTuple):
@@ -31,9 +40,9 @@ def judge(name: str, packages: Packages, near: str) -> Judgement | None:
 
     Error: a metapackage, any name where the picture is complete (``Packages.complete``), and a name that is one slip away from a package
     that exists. Nothing: a package that is here, one of the public index, one that a ``package.xml`` of the workspaces declares, and one
-    whose ``package.xml`` is here and broken (LL704 tells of that). Warning: any other name.
+    whose ``package.xml`` is here and broken (LL704 tells of that), and a placeholder. Warning: any other name.
     """
-    if not name or packages.has(name):
+    if packages.has(name) or is_placeholder(name):
         return None
     home = packages.package_of(near)
     key = (name, "" if home is None else home.directory)
@@ -63,7 +72,7 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
             why = f"{name} is a metapackage: it only lists others, and rospack finds nothing under its name"
             return Judgement(Severity.ERROR, why, "name the package of it that holds the file or node")
     public = public_names()
-    declared = _declared(([home] if home is not None else []) + local)
+    declared = _declared_by(packages, local) | _declared([] if home is None else [home])
     if packages.complete:
         here = packages.names()
         near = closest(name, here)
@@ -84,6 +93,16 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
     near = closest(name, {*packages.names(), *declared})
     why = "no package.xml here declares it, and the public ROS index does not know it"
     return Judgement(Severity.WARNING, why, _did_you_mean(near) or _add(name))
+
+
+_latest_declared: list[tuple[Packages, set[str]]] = []
+
+
+def _declared_by(packages: Packages, local: Iterable[Package]) -> set[str]:
+    """What the packages of the workspaces declare, worked out once in a run."""
+    if not _latest_declared or _latest_declared[0][0] is not packages:
+        _latest_declared[:] = [(packages, _declared(local))]
+    return _latest_declared[0][1]
 
 
 def _declared(packages: Iterable[Package]) -> set[str]:

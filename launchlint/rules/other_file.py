@@ -20,7 +20,7 @@ def shown(file: str, root: str) -> str:
     """The path people see for ``file``: relative to ``root`` where it lies inside, with ``/``."""
     absolute = posixpath.abspath(file)
     inside = root.rstrip("/") + "/"
-    return (absolute[len(inside) :] if root and absolute.startswith(inside) else absolute)
+    return absolute[len(inside) :] if root and absolute.startswith(inside) else absolute
 
 
 def is_inside(file: str, directories: tuple[str, ...]) -> bool:

@@ -9,9 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from importlib import import_module
-from typing import Any, NamedTuple
 
 from launchlint.finding import Severity
+from launchlint.records import NamedTuple
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 ERROR, WARNING, INFO = Severity.ERROR, Severity.WARNING, Severity.INFO
 
@@ -56,8 +60,8 @@ RULES: tuple[Entry, ...] = (
     Entry("LL206", "unused-arg", "args.unused_arg", WARNING, view="file"),
     Entry("LL207", "bad-substitution", "args.bad_substitution", ERROR, on=("bad-substitution",)),
     Entry("LL208", "eval-error", "args.eval_error", ERROR, on=("eval-error", "eval-not-covered", "eval-never-equal")),
-    Entry("LL209", "env-unset", "args.env_unset", WARNING, on=("env-unset",)),
-    Entry("LL210", "package-not-found", "args.package_not_found", ERROR, on=("package-not-found",)),
+    Entry("LL209", "env-unset", "args.env_unset", WARNING, view="launch", on=("env-unset",)),
+    Entry("LL210", "package-not-found", "args.package_not_found", ERROR, view="launch", on=("package-not-found",)),
     Entry("LL211", "arg-out-of-scope", "args.arg_out_of_scope", ERROR, on=("arg-out-of-scope",)),
     Entry("LL212", "arg-override-refused", "args.arg_override_refused", ERROR, on=("arg-override-refused",)),
     Entry("LL213", "unreachable-branch", "args.unreachable_branch", WARNING, view="launch"),

@@ -11,10 +11,13 @@ order here". A finding of the same rule at a place that is in order in any confi
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
-
 from launchlint.finding import Finding, Fix, Location, Related, Severity
+from launchlint.records import NamedTuple
 from launchlint.source import Origin, Place
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Literal
 
 _LONGEST_WORDS = 1_000
 _ELEMENT_LOOKED_AT = 4_000

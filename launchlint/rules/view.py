@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
 
 from launchlint.finding import Location
 from launchlint.model import Launch
+from launchlint.records import NamedTuple
 from launchlint.syntax.tree import Document
 from launchlint.workspace.packages import Packages
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.suppression import Suppression
 

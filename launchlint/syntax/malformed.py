@@ -6,8 +6,8 @@ element that is never closed is noticed at the next end tag, a forgotten quote a
 
 from __future__ import annotations
 
+import pyexpat as expat
 import re
-from xml.parsers import expat
 
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Span

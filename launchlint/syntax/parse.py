@@ -6,15 +6,18 @@ namespaces. Here expat is set up in the same way; the places come from scanning 
 
 from __future__ import annotations
 
+import pyexpat as expat
 import re
-from typing import Any
-from xml.parsers import expat
 
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.decode import Decoded, decode
 from launchlint.syntax.entities import MAX_EXPANSION, expansion
 from launchlint.syntax.tree import Attribute, Comment, Document, Element, Text
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 MAX_BYTES = 32 * 1024 * 1024
 """Files larger than this are not read: the largest launch file met in the wild has 0.2 MB."""

@@ -7,8 +7,6 @@ import stat
 from collections.abc import Sequence
 
 from launchlint.errors import UsageError
-from launchlint.workspace.dialect import has_launch_root
-from launchlint.workspace.patterns import matches_any
 
 _ENDS = (".launch", ".launch.xml")
 _TEST_END = ".test"
@@ -85,12 +83,16 @@ def is_launch_file(path: str) -> bool:
         return False
     finally:
         os.close(descriptor)
+    from launchlint.workspace.dialect import has_launch_root
+
     # A test file may be broken, and is then still meant to be one; an XML file with another root is simply something else.
     return has_launch_root(start) or (name.endswith(_TEST_END) and b"<launch" in start)
 
 
 def _walk(start: str, exclude: Sequence[str], base: str, seen: set[tuple[int, int]]) -> list[str]:
     """Launch files below the directory ``start``; real directories first, then what links lead to elsewhere."""
+    from launchlint.workspace.patterns import matches_any
+
     found: list[str] = []
     pending = [start]
     links: list[str] = []

@@ -6,12 +6,14 @@ They stand in the configuration (key ``entries``) and in the file that ``--entri
 
 from __future__ import annotations
 
-import json
-from typing import Any, NamedTuple
-
 from launchlint.errors import ConfigurationError
+from launchlint.records import NamedTuple
 from launchlint.workspace.reading import read_bytes
 from launchlint.workspace.yaml_nodes import SCALAR, Document, Node, parse_document, shown
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 LARGEST_ENTRIES = 64 << 20
 _KEYS = frozenset(("file", "as", "args"))
@@ -81,6 +83,8 @@ def arguments_of(document: Document, node: Node) -> dict[str, str]:
 
 
 def _from_json(data: bytes) -> list[Entry] | None:
+    import json
+
     try:
         listed = json.loads(data, parse_int=str, parse_float=str, object_pairs_hook=_without_duplicates)
     except (ValueError, RecursionError):

@@ -11,11 +11,12 @@ import os
 import re
 from collections.abc import Callable
 from pyexpat import ExpatError, ParserCreate
-from typing import TYPE_CHECKING, NamedTuple
 
+from launchlint.records import NamedTuple
 from launchlint.source import Place, Source, Span
 from launchlint.workspace.reading import read_bytes
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from pyexpat import XMLParserType
 

@@ -121,6 +121,7 @@ class Packages:
         self._found: dict[tuple[str, str], Package | None] = {}
         self._of_directory: dict[str, Package | None] = {}
         self._sources: dict[str, _Place] = {}
+        self._resolved: dict[tuple[str, str], str] = {}
         self._duplicates: dict[str, list[Package]] | None = None
 
     def get(self, name: str, near: str) -> Package | None:
@@ -240,6 +241,12 @@ class Packages:
             executable, else the first that exists below the share and source directories of the catkin workspaces on
             CMAKE_PREFIX_PATH, else ``directory`` joined with ``path``.
         """
+        key = (directory, path)
+        if key not in self._resolved:
+            self._resolved[key] = self._resolve_resource(directory, path)
+        return self._resolved[key]
+
+    def _resolve_resource(self, directory: str, path: str) -> str:
         relative = path.replace("\\", "/")
         relative = relative.removeprefix("/")
         if not relative:

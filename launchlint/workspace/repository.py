@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 
+_MANIFESTS = ("package.xml", "manifest.xml")
 _WORKSPACE_MARKERS = (".catkin_workspace", ".catkin_tools", ".rosinstall")
 
 
@@ -12,14 +13,17 @@ def repository_root(path: str) -> str:
     """The directory that a file's or directory's project ends at, absolute.
 
     That is the nearest directory upward with a ``.git`` (a directory, or the file of a worktree or submodule), else the nearest catkin
-    workspace, else the directory itself. No program is run.
+    workspace, else the package it lies in, else the directory itself. No program is run.
     """
     path = os.path.abspath(path)
     directory = path if os.path.isdir(path) else os.path.dirname(path)
     for each in _upward(directory):
         if os.path.exists(os.path.join(each, ".git")):
             return each
-    return catkin_workspace(directory) or directory
+    workspace = catkin_workspace(directory)
+    if workspace is not None:
+        return workspace
+    return next((each for each in _upward(directory) if any(os.path.isfile(os.path.join(each, name)) for name in _MANIFESTS)), directory)
 
 
 def catkin_workspace(path: str) -> str | None:

@@ -6,13 +6,13 @@ text it was written as.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NoReturn
-
 from launchlint.errors import ConfigurationError
 from launchlint.workspace.reading import read_bytes
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from typing import Any, NoReturn
 
 LARGEST_CONFIGURATION = 1 << 20
 _DEEPEST = 32

@@ -24,6 +24,8 @@ TREE = {
     "linked/src/CMakeLists.txt": "-> /opt/ros/noetic/share/catkin/cmake/toplevel.cmake",
     "linked/src/e.launch": "",
     "plain/src/f.launch": "",
+    "packed/robot/package.xml": "<package/>",
+    "packed/robot/launch/g.launch": "",
 }
 
 
@@ -37,6 +39,8 @@ TREE = {
         ("alone/d.launch", "alone", ["alone"]),
         ("linked/src/e.launch", "linked", ["linked"]),
         ("plain/src/f.launch", "plain/src", ["plain/src"]),
+        ("packed/robot/launch/g.launch", "packed/robot", ["packed/robot"]),
+        ("packed", "packed", ["packed"]),
         ("alone/not/there.launch", "alone", ["alone"]),
     ],
 )

@@ -6,7 +6,6 @@ The tags themselves are in ``launch_tags``, ``include_tags``, ``node_tags``, ``p
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any, TypeVar
 
 from launchlint.evaluate.block import Block, Effect, LocalBranch, Value
 from launchlint.evaluate.ros1.scope import ActiveSetting, Context, Missing
@@ -27,12 +26,16 @@ from launchlint.syntax.ros1.domains import parse_condition, parse_flag
 from launchlint.syntax.ros1.problems import if_and_unless, missing_attribute
 from launchlint.syntax.tree import Attribute, Document, Element
 
-T = TypeVar("T")
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, TypeVar
+
+    T = TypeVar("T")
 
 LARGEST_EVALUATION = 400_000
 """Elements looked at in one configuration; more than any real launch file, few enough to end in seconds."""
 CHARACTERS_PER_ELEMENT = 100
-INHERITED_PER_ELEMENT = 20
+INHERITED_PER_ELEMENT = 8
 """How much text, and how many args and settings passed on to a scope, count as one more element."""
 DEEPEST_INCLUDE = 300
 """Includes inside includes: roslaunch itself overflows Python's stack a little above this (three frames an include, limit 1000)."""
@@ -62,11 +65,16 @@ class Progress:
 
 
 class FileEvaluation:
-    """One launch file, entered in one way. ``reads`` collects the args read since it was last emptied."""
+    """One launch file, entered in one way.
+
+    ``reads`` collects the args read since it was last emptied; ``environment_arguments`` are the args whose values the including files made from
+    environment variables.
+    """
 
     def __init__(
-        self, session: Session, document: Document, file: str, entry: str, progress: Progress, *, is_entry: bool, private_above: bool
-    ) -> None:
+        self, session: Session, document: Document, file: str, entry: str, progress: Progress, *, is_entry: bool, private_above: bool,
+        environment_arguments: frozenset[str] = frozenset(),
+    ) -> None:  # fmt: skip
         self.session = session
         self.document = document
         self.file = file
@@ -74,6 +82,7 @@ class FileEvaluation:
         self.progress = progress
         self.is_entry = is_entry
         self.private_above = private_above
+        self.environment_arguments = environment_arguments
         self.block = Block(document)
         self.reads: set[str] = set()
         self.conditions: tuple[Condition, ...] = ()
@@ -130,7 +139,7 @@ class FileEvaluation:
 
     def spend_on_scope(self, context: Context, span: Span) -> None:
         """Count what a new scope takes over from ``context``. Raises Exhausted."""
-        inherited = len(context.arguments) + len(context.environment) + len(context.private)
+        inherited = len(context.arguments) + sum(len(outer.settings) for outer in context.enclosing())
         if inherited >= INHERITED_PER_ELEMENT:
             self.spend(inherited // INHERITED_PER_ELEMENT, span)
 
@@ -273,7 +282,8 @@ class FileEvaluation:
                 self.block.missing.setdefault(name, (declared, self.place(span)))
             return
         elements = self.declarations().get(name, [])
-        known = tuple(sorted({*context.arguments, *context.declared}))
+        self.spend_on_scope(context, span)
+        known = tuple(sorted({*filter(context.has_value, context.arguments), *context.declared}))
         outer = [element for element in elements if element.parent is self.document.launch]
         if outer and outer[0].start_span.end > span.start:
             related = ((self._declared_at(outer[0]), "declared here"),)
@@ -394,7 +404,7 @@ class FileEvaluation:
         waiting = list(reads)
         while waiting:
             name = waiting.pop()
-            if name == OUTSIDE:
+            if name == OUTSIDE or name in self.environment_arguments:
                 return True
             if name not in seen:
                 seen.add(name)
@@ -403,6 +413,9 @@ class FileEvaluation:
 
     def open_setting(self, context: Context, kind: str, key: str, value: object, origin: Origin, replaced: Place | None) -> None:
         """A remap, env or ``~param`` outside a node comes into force; the one that it replaces in its own scope ends."""
+        work = len(context.nodes_above) + len(context.settings)
+        if work >= INHERITED_PER_ELEMENT:
+            self.spend(work // INHERITED_PER_ELEMENT, origin.place.span)
         for setting in context.settings:
             if setting.kind == kind and setting.key == key and setting.origin.place == replaced:
                 setting.ended = True

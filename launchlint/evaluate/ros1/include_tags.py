@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from launchlint.evaluate.block import Block, Call, Clear, Value
 from launchlint.evaluate.ros1.entering import Entering
@@ -17,13 +16,19 @@ from launchlint.source import Origin, Place
 from launchlint.syntax.ros1.problems import arg_value_and_default, missing_attribute
 from launchlint.syntax.tree import Document, Element
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 Enter = Callable[[Session, Document, Entering, str, Progress], Block]
 CHILD_TAGS = frozenset({"arg", "env"})
+INCLUDE_ELEMENTS = 5
+"""What entering a file costs, in elements; with ``pass_all_args`` every arg is one more."""
 
 
 def include(file: FileEvaluation, element: Element, context: Context, default_machine: str | None, enter: Enter) -> str | None:
     """Evaluate an ``<include>`` with ``enter``, which evaluates a file. Returns the default machine in force after it."""
-    name = file.required(element, "file", context)
+    name, made_from = file.traced(lambda: file.required(element, "file", context))
     pass_all = file.flag(element, "pass_all_args", context)
     namespace, given = scope_namespace(file, element, context)
     if file.flag(element, "clear_params", context, empty_is_absent=True):
@@ -40,13 +45,16 @@ def include(file: FileEvaluation, element: Element, context: Context, default_ma
         file.effect(entry._replace(file=name.text))
         context.reach(1)
         return default_machine
-    document = _open(file, element, name)
+    document = _open(file, element, name, from_environment=file.from_environment(made_from))
     if document is None or document.launch is None:
         file.effect(entry._replace(file=name, source=None if document is None else document.source))
         context.reach(1)
         return default_machine
     private_above = bool(context.private) or file.private_above
-    entering = Entering(name, namespace, passed, pass_all=pass_all, private_above=private_above, default_machine=default_machine)
+    outside = frozenset(passed_name for passed_name, made_from in reads.items() if file.from_environment(made_from))
+    entering = Entering(
+        name, namespace, passed, pass_all=pass_all, private_above=private_above, default_machine=default_machine, from_environment=outside,
+    )  # fmt: skip
     if entering.key in file.progress.stack or len(file.progress.stack) >= DEEPEST_INCLUDE:
         _cycle(file, element, name, entering.key)
         return default_machine
@@ -83,6 +91,7 @@ def _passed(
     file: FileEvaluation, element: Element, context: Context, *, pass_all: bool
 ) -> tuple[dict[str, Value], dict[str, frozenset[str]], list[EnvironmentSetting], dict[str, Place]]:
     """What the ``<arg>`` and ``<env>`` children give: values, the args they were made from, environment, places of explicit args."""
+    file.spend(INCLUDE_ELEMENTS + (len(context.arguments) if pass_all else 0), element.name_span)
     file.spend_on_scope(context, element.name_span)
     own = Context(context.namespace, context)
     passed: dict[str, Value] = dict(context.arguments) if pass_all else {}
@@ -120,17 +129,18 @@ def _passed(
     return passed, reads, environment, explicit
 
 
-def _open(file: FileEvaluation, element: Element, name: str) -> Document | None:
+def _open(file: FileEvaluation, element: Element, name: str, *, from_environment: bool) -> Document | None:
     document = file.session.document(name)
     attribute = element.attributes["file"]
     span = attribute.value_span if attribute.raw else attribute.name_span
     if isinstance(document, Read):
-        file.problem("include-not-found", span, refused=True, file=name, written=attribute.value, reason=document.reason)
+        file.problem("include-not-found", span, refused=True, file=name, written=attribute.value, reason=document.reason,
+                     environment=from_environment)  # fmt: skip
         return None
     if document.launch is None:
         malformed = any(problem.kind == "malformed-xml" for problem in document.problems)
         reason = "it is not well-formed XML" if malformed else "it is not a launch file"
-        file.problem("include-not-loadable", span, refused=True, file=name, reason=reason)
+        file.problem("include-not-loadable", span, refused=True, file=name, reason=reason, environment=from_environment)
     else:
         deprecated = document.launch.get("deprecated")
         if deprecated:

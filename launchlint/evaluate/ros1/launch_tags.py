@@ -56,8 +56,9 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
         progress.angles |= known.angles
         return known
     file = FileEvaluation(
-        session, document, entering.file, entry, progress, is_entry=entering.is_entry, private_above=entering.private_above
-    )
+        session, document, entering.file, entry, progress, is_entry=entering.is_entry, private_above=entering.private_above,
+        environment_arguments=entering.from_environment,
+    )  # fmt: skip
     context = Context(entering.namespace, None)
     context.arguments = dict(entering.arguments)
     context.lenient = entering.pass_all

@@ -35,8 +35,12 @@ def machine(file: FileEvaluation, element: Element, context: Context) -> str | N
         if child.tag == "env":
             file.problem("deprecated-construct", child.name_span, refused=True, construct="machine env", instead="env-loader")
     timeout = _timeout(file, element, context)
-    if isinstance(name_value, Unknown) or isinstance(address, Unknown):
+    if isinstance(name_value, Unknown):
+        file.block.unknown_machines.add("")
         return None
+    if isinstance(address, Unknown):
+        file.block.unknown_machines.add(name_value)
+        return name_value if is_default else None
     if not name_value:
         # The empty name is that of the machine roslaunch runs on (roslaunch.core.local_machine), which no definition is equal to.
         file.invalid(element, "name", "", "a name")

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import os
-from typing import Any
 
 from launchlint.evaluate.session import Session
 from launchlint.workspace.nearby import nearby_file
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 NO_SUCH_FILE = "there is no such file"
 

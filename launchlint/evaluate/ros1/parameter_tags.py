@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
 from launchlint.evaluate.block import PrivateParameter, RunStep, Value
 from launchlint.evaluate.names import canonical, join
@@ -18,6 +17,15 @@ from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.ros1.problems import conflicting_attributes, missing_attribute
 from launchlint.syntax.tree import Attribute, Element
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from launchlint.evaluate.ros1.rosparam import Loaded
+    from launchlint.evaluate.session import Session
+
+LONGEST_KEPT = 1 << 20
+"""Characters of a YAML text whose parameters are kept for the next time."""
 SOURCES = ("value", "textfile", "binfile", "command")
 STEPS = ("load", "dump", "delete")
 
@@ -218,11 +226,32 @@ def _yaml_text(
         reason = f"it is not UTF-8 text (byte {error.start})"
         file.problem("param-yaml-invalid", span, refused=True, file=name, reason=reason, in_file=True, hint="")
         return None
-    return text, Source(file.session.shown(name), text, name)
+    source = file.session.sources.get(name)
+    if source is None or source.text != text:
+        source = file.session.sources[name] = Source(file.session.shown(name), text, name)
+    return source.text, source
+
+
+def _loaded(session: Session, content: str) -> Loaded:
+    """The parameters of a YAML text. Raises YamlError and YamlUnknown; the same files are loaded over and over in one run."""
+    from launchlint.evaluate.ros1.rosparam import YamlError, YamlUnknown, load
+
+    known = session.loaded.get(content)
+    if known is None:
+        try:
+            known = load(content)
+        except (YamlError, YamlUnknown) as error:
+            known = error
+        if len(content) <= LONGEST_KEPT:
+            session.loaded[content] = known
+    if isinstance(known, Exception):
+        raise known.with_traceback(None)
+    result: Loaded = known
+    return result
 
 
 def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None], below: str, full: str, *, in_node: bool) -> None:
-    from launchlint.evaluate.ros1.rosparam import YamlError, YamlUnknown, load
+    from launchlint.evaluate.ros1.rosparam import YamlError, YamlUnknown
 
     file.progress.angles = True
     content, source = text
@@ -236,7 +265,7 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
         return file.place(_in_text(element, None)(start, end))
 
     try:
-        loaded = load(content)
+        loaded = _loaded(file.session, content)
     except YamlUnknown as unknown:
         value = Unknown("", str(unknown))
         file.effect(ParameterSetting(canonical(full), value, Origin(file.place(element.start_span)), "rosparam", None, file.conditions))

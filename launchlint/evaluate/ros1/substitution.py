@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from launchlint.evaluate.block import Value
 from launchlint.evaluate.ros1.scope import Context
@@ -17,6 +16,7 @@ from launchlint.evaluate.ros1.values import UnknownValue
 from launchlint.model import Unknown
 from launchlint.source import Span
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.evaluate.ros1.file import FileEvaluation
 
@@ -38,6 +38,10 @@ class BadSubstitution(Exception):
         self.end = end
 
 
+_PLAIN = re.compile(r"\$\(([^$()]+)\)")
+"""A substitution with nothing odd in it; where all of a text are, no walk over its characters is needed."""
+
+
 class _NotKnown(Exception):
     """A piece of the value is unknown; the problem, if there is one, has been recorded."""
 
@@ -51,6 +55,11 @@ def collect(text: str) -> list[tuple[str, int, int]]:
 
     A ``$(`` that is never closed is no substitution. Raises BadSubstitution for ``$`` or ``(`` inside one.
     """
+    if "$(" not in text:
+        return []
+    plain = [(match[1], *match.span()) for match in _PLAIN.finditer(text)]
+    if text.count("$") == text.count("(") == len(plain):
+        return plain
     found: list[tuple[str, int, int]] = []
     outside, dollar, opened, inside = range(4)
     state, begin, first = outside, 0, 0
@@ -85,7 +94,11 @@ def resolve(evaluation: FileEvaluation, text: str, where: Where, context: Contex
             if isinstance(value, str):
                 evaluation.spend_characters(len(value), where(0, len(text)))
             return value
-        first = _replace(evaluation, text, where, context, finds=False)
+        try:
+            first = _replace(evaluation, text, where, context, finds=False)
+        except _NotKnown:
+            _replace(evaluation, text, where, context, finds=True)  # for what is wrong with it
+            raise
         return _replace(evaluation, first, _through(text, first, where), context, finds=True) if "$(" in first else first
     except BadSubstitution as bad:
         evaluation.problem("bad-substitution", where(bad.start, bad.end), refused=True, reason=bad.reason, text=text[bad.start : bad.end])
@@ -109,6 +122,7 @@ def _through(text: str, replaced: str, where: Where) -> Where:
 
 def _replace(evaluation: FileEvaluation, text: str, where: Where, context: Context, *, finds: bool) -> str:
     resolved = text
+    unknown: _NotKnown | None = None
     for inner, start, end in collect(text):
         words = [word for word in inner.split(" ") if word]
         if not words:
@@ -119,13 +133,18 @@ def _replace(evaluation: FileEvaluation, text: str, where: Where, context: Conte
         if (command == "find") is not finds:
             continue
         span = where(start, end)
-        if command == "find":
-            resolved = _find(evaluation, resolved, inner, arguments, (start, end), span, context)
-        else:
-            value, written = _simple(evaluation, command, arguments, (start, end), span, context), f"$({inner})"
-            if len(value) > len(written):
-                evaluation.spend_characters(len(value) * resolved.count(written), span)
-            resolved = resolved.replace(written, value)
+        try:
+            if command == "find":
+                resolved = _find(evaluation, resolved, inner, arguments, (start, end), span, context)
+            else:
+                value, written = _simple(evaluation, command, arguments, (start, end), span, context), f"$({inner})"
+                if len(value) > len(written):
+                    evaluation.spend_characters(len(value) * resolved.count(written), span)
+                resolved = resolved.replace(written, value)
+        except _NotKnown as reason:
+            unknown = unknown or reason  # the rest may be wrong too
+    if unknown is not None:
+        raise unknown
     return resolved
 
 
@@ -253,7 +272,8 @@ def _evaluate(evaluation: FileEvaluation, text: str, where: Where, context: Cont
         elif error.unset_env is not None:
             evaluation.problem("env-unset", span, refused=True, variable=error.unset_env)
         else:
-            known = tuple(sorted(context.arguments))
+            evaluation.spend_on_scope(context, span)
+            known = tuple(sorted(filter(context.has_value, context.arguments)))
             evaluation.problem("eval-error", span, refused=True, reason=str(error), expression=expression, known=known)
         return Unknown(text, "its $(eval …) fails")
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 
 #: The parameter types roslaunch knows, as people write them (any case).
 PARAMETER_TYPES = ("auto", "str", "string", "int", "double", "bool", "boolean", "yaml")

@@ -1,7 +1,7 @@
 """A `$(env …)` reads an environment variable that is not set here.
 
 Variables that every login or ROS installation sets are not told of. Others may be set on the robot and not where this
-check runs; `env:` in `.launchlint.yaml` gives them a value for the check.
+check runs; `env:` in `.launchlint.yaml` gives them a value for the check. Each variable is told of once in a file.
 
 ## Why it matters
 
@@ -30,20 +30,27 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
-from launchlint.rules.rule import Rule
+from launchlint.rules.first_of_file import all_but_first
+from launchlint.rules.rule import Fine, Rule
+from launchlint.rules.view import LaunchView
 from launchlint.spelling import one_slip
 
 RULE = Rule("LL209", "env-unset", Severity.WARNING, roslaunch="refuses")
 USUAL = (
     *("HOME", "LANG", "LOGNAME", "PATH", "PWD", "SHELL", "USER"),
-    *("ROS_DISTRO", "ROS_ETC_DIR", "ROS_MASTER_URI", "ROS_PACKAGE_PATH", "ROS_ROOT"),
+    *("ROS_DISTRO", "ROS_ETC_DIR", "ROS_MASTER_URI", "ROS_PACKAGE_PATH", "ROS_PYTHON_VERSION", "ROS_ROOT", "ROS_VERSION"),
     *("CMAKE_PREFIX_PATH", "LD_LIBRARY_PATH", "PKG_CONFIG_PATH", "PYTHONPATH"),
 )
 """Set by every login shell, or by the set-up file of every ROS installation."""
 OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
+def check(view: LaunchView) -> Iterator[Fine]:
+    """Tell of each variable once in a file."""
+    return all_but_first(RULE, view.launch, "env-unset", "variable")
+
+
+def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Suggest a default; facts: ``variable``."""
     name = problem.facts["variable"]
     if name in USUAL:

@@ -3,7 +3,7 @@
 A checkout does not hold what is installed on the robot, so that a package which is merely not here is nothing to tell
 of. It is an error where the name is one slip away from a package that does exist (here, in a `package.xml`, or in the
 public ROS index), or where everything is here: a ROS installation is set up on this machine, or the configuration
-says `packages: complete`. It is a warning where nobody has ever heard of the name.
+says `packages: complete`. It is a warning where nobody has ever heard of the name. Each package is told of once in a file.
 
 ## Why it matters
 
@@ -32,11 +32,17 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
+from launchlint.rules.first_of_file import all_but_first
 from launchlint.rules.missing_package import judge
-from launchlint.rules.rule import Rule
+from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 
 RULE = Rule("LL210", "package-not-found", Severity.ERROR, roslaunch="refuses")
+
+
+def check(view: LaunchView) -> Iterator[Fine]:
+    """Tell of each package once in a file."""
+    return all_but_first(RULE, view.launch, "package-not-found", "package")
 
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:

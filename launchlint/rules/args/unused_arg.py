@@ -1,8 +1,9 @@
 """An arg is declared and never read.
 
 No `$(arg …)` and no `$(eval …)` of the file reads it, in no branch, and no `<include>` with `pass_all_args` passes it on.
-An arg that a comment or its `doc` calls unused, ignored or deprecated is left alone: somebody keeps it on purpose. So is one
-with a fixed `value` that is an `$(eval …)`, which may be there to stop roslaunch when it fails.
+An arg that its `doc`, or a comment above a run of args, calls unused, old or deprecated is left alone: somebody keeps it on
+purpose. So is one with a fixed `value` that is an `$(eval …)`, which may be there to stop roslaunch when it fails, and every arg
+of a file with `<rosparam file="…" subst_value="true"/>`: the YAML file may read it.
 
 ## Why it matters
 
@@ -37,15 +38,20 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
-from launchlint.syntax.tree import Document, Element
+from launchlint.syntax.tree import Comment, Document, Element
 
 RULE = Rule("LL206", "unused-arg", Severity.WARNING)
 
 # Whatever looks like a read counts as one, closed or not: what is wrong with it is told by other rules.
 READ = re.compile(r"[({\[]\s*arg\s+([^\s(){}\[\]$]+)")
 WORD = re.compile(r"[^\W\d]\w*")
+EVAL = re.compile(r"\$\(eval([^\n]*)")
 COMPUTED_NAME = re.compile(r"\barg\s*\(\s*[^'\"\s]|\b(?:globals|locals|vars|dir|eval|exec)\s*\(")
-ON_PURPOSE = re.compile(r"unused|not used|no longer|deprecat|obsolete|compat|ignored|legacy|dummy|placeholder|interface", re.IGNORECASE)
+ON_PURPOSE = re.compile(
+    r"unused|not used|no longer|deprecat|obsolete|compat|ignored|legacy|dummy|placeholder|interface|"
+    r"\b(?:old|previous|previously|prevents?|backwards?|so\s+that)\b",
+    re.IGNORECASE,
+)
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -62,25 +68,28 @@ def check(view: FileView) -> Iterator[Finding]:
     read = _names_read(document)
     if read is None:
         return
+    kept = _kept_on_purpose(document)
+    in_comments = {name for comment in document.comments for name in _names_in(comment.text)}
     for name, elements in declared.items():
-        if name in read or any(_is_check(element) or _on_purpose(document, element) for element in elements):
+        if name in read or any(_is_check(element) or element.index in kept for element in elements):
             continue
         first, *others = (document.place(element.attributes["name"].value_span) for element in elements)
-        commented = any(name in READ.findall(comment.text) for comment in document.comments)
         yield RULE.at(
             first,
             f"the arg {name} is never read",
             label="unused",
             related=tuple((place, "declared here too") for place in others),
-            notes=("only a comment reads it",) if commented else ("a value that is given for it has no effect",),
-            help=f"remove it, or use it as $(arg {name})",
+            notes=("only a comment reads it",) if name in in_comments else ("a value that is given for it has no effect",),
+            help=f"remove it here and in the includes that pass it, or use it as $(arg {name})",
         )
 
 
 def _names_read(document: Document) -> set[str] | None:
-    """Names that anything in the file reads; ``None`` where all args are passed on or a name is computed."""
+    """Names that anything in the file reads; ``None`` where all args are passed on, a YAML file may read any, or a name is computed."""
     names: set[str] = set()
     for element in document.elements:
+        if element.tag == "rosparam" and _is_substituted_file(element):
+            return None
         for attribute in element.attributes.values():
             value = attribute.value
             if attribute.name == "pass_all_args" and (value.lower() == "true" or "$" in value):
@@ -94,9 +103,19 @@ def _names_read(document: Document) -> set[str] | None:
                     return None
                 names.update(WORD.findall(expression))
         if element.texts and "arg" in element.text:
-            names.update(READ.findall(element.text))
-            names.update(WORD.findall("".join(re.findall(r"\$\(eval([^\n]*)", element.text))))
+            names.update(_names_in(element.text))
     return names
+
+
+def _names_in(text: str) -> set[str]:
+    """Names that the substitutions in ``text`` read."""
+    return {*READ.findall(text), *WORD.findall(" ".join(EVAL.findall(text)))} if "(" in text else set()
+
+
+def _is_substituted_file(element: Element) -> bool:
+    """Whether a ``<rosparam>`` replaces the ``$(…)`` in a file (roslaunch.xmlloader._rosparam_tag); one that hangs on an arg may."""
+    subst, command = element.get("subst_value") or "", (element.get("command") or "load").strip()
+    return "file" in element.attributes and ("$" in subst or subst.lower() in ("true", "1")) and (command == "load" or "$" in command)
 
 
 def _is_check(element: Element) -> bool:
@@ -104,14 +123,34 @@ def _is_check(element: Element) -> bool:
     return (element.get("value") or "").startswith("$(eval ")
 
 
-def _on_purpose(document: Document, element: Element) -> bool:
-    """Whether the ``doc`` of the arg, or a comment right before or behind it, says that it is not meant to be read."""
-    if ON_PURPOSE.search(element.get("doc") or ""):
-        return True
+def _kept_on_purpose(document: Document) -> set[int]:
+    """Indices of the args whose ``doc``, or a comment, says that they are not meant to be read.
+
+    A comment speaks of the args that end in its line; if it begins its line also of the run of args directly below it, as far as the next
+    element of another kind, or the next comment behind a blank line.
+    """
+    args = [each for each in document.elements if each.tag == "arg"]
+    kept = {each.index for each in args if ON_PURPOSE.search(each.get("doc") or "")}
+    speaking = [each for each in document.comments if ON_PURPOSE.search(each.text)]
+    if not speaking:
+        return kept
     source = document.source
-    first, last = source.position(element.span.start).line, source.position(element.span.end).line
-    for comment in document.comments:
-        begins, ends = source.position(comment.span.start).line, source.position(comment.span.end).line
-        if (ends in (first - 1, first) or begins == last) and ON_PURPOSE.search(comment.text):
-            return True
-    return False
+    lines = {source.position(each.span.start).line for each in speaking}
+    kept.update(each.index for each in args if source.position(each.span.end).line in lines)
+    things: list[Element | Comment] = sorted([*document.elements, *document.comments], key=lambda each: each.span.start)
+    heard = in_run = False
+    line = 0  # in which the comment or start tag before ended
+    for thing in things:
+        first = source.position(thing.span.start)
+        last = source.position(thing.start_span.end if isinstance(thing, Element) else thing.span.end)
+        if isinstance(thing, Element):
+            heard = heard and thing.tag == "arg" and (in_run or first.line <= line + 1)
+            in_run = heard
+            if heard:
+                kept.add(thing.index)
+        elif first.line > line and ON_PURPOSE.search(thing.text):
+            heard, in_run = True, False
+        elif first.line > line + 1:
+            heard = False
+        line = last.line
+    return kept

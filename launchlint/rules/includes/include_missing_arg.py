@@ -63,7 +63,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     name, file, passed = problem.facts["name"], problem.facts["file"], problem.facts["passed"]
     near = closest(name, passed)
     help = f'add <arg name="{name}" value="…"/> inside the include, or give it a default in {file}'
-    notes = [f"roslaunch stops with: included file [{problem.facts['target']}] requires the '{name}' arg to be set"]
+    notes = [f"roslaunch stops with: included file [{file}] requires the '{name}' arg to be set"]
     given = problem.facts["pass_all"] and not view.declared_entry and _all_pass_on(problem.origin, view)
     if given:
         notes.append(f"pass_all_args passes it on where it is given on the command line: {name}:=…")

@@ -1,9 +1,9 @@
 """An included file does not exist or is no launch file.
 
 What it does: it looks for the `file` of every `<include>` whose name can be worked out. A plain relative name is looked up where
-roslaunch is started, not beside the including file. It is an error, except where the answer hangs on this machine: for absolute
-names outside the workspace, for names made from an environment variable, and for relative names that do exist beside the
-including file.
+roslaunch is started, not beside the including file. It is a warning where the answer hangs on this machine: for absolute
+names outside the workspace, for relative names that do exist beside the including file, and for files that `CMakeLists.txt` may
+install. For names made from an environment variable, whose value here says little, it is an info.
 
 ## Why it matters
 
@@ -41,13 +41,15 @@ roslaunch reads every include before it starts the first node, and stops at one 
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
+from launchlint.rules.installed import installed_from
+from launchlint.rules.made_up import is_made_up
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.rule import Rule
+from launchlint.rules.template import has_placeholder
 from launchlint.rules.view import LaunchView
 from launchlint.source import Source
 from launchlint.spelling import closest
@@ -65,9 +67,15 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     file = problem.facts["file"]
     source = problem.place.source
     root = root_of(source)
+    environment = problem.facts["environment"]
+    if has_placeholder(file) or is_made_up(file, problem, view.launch):
+        return
     if problem.kind == "include-not-loadable":
+        if has_placeholder(source.text):
+            return
         yield RULE.at(
-            problem.origin, f"the included file {shown(file, root)} cannot be loaded: {problem.facts['reason']}", label="included here",
+            problem.origin, f"the included file {shown(file, root)} cannot be loaded: {problem.facts['reason']}",
+            severity=Severity.INFO if environment else None, label="included here",
             notes=("roslaunch stops with: Invalid roslaunch XML syntax",), help="mend that file, or include another one",
         )  # fmt: skip
         return
@@ -76,7 +84,6 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     beside = relative and is_file(posixpath.join(posixpath.dirname(posixpath.abspath(source.file)), file))
     written = problem.facts["written"]
     outside = written.startswith("/") and not is_inside(file, (*view.packages.workspaces, root or "/nowhere"))
-    environment = _hangs_on_environment(written, source)
     named = shown(file, root) if file and not relative else file
     notes = [f"roslaunch stops with: Invalid roslaunch XML syntax: [Errno 2] No such file or directory: '{named}'"]
     if reason != "there is no such file":
@@ -85,13 +92,21 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         notes.append("a relative name counts from the directory roslaunch is started in, not from this file")
     if environment:
         notes.append("the name hangs on an environment variable, which may be another one on the robot")
+    installed = installed_from(file, view.packages) if not relative and not environment else None
+    if installed is not None:
+        notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")
+    severity = Severity.WARNING if beside or outside or installed is not None else None
+    advice = f'write file="$(dirname)/{file}"' if beside else _suggestion(file, source, written, view, root)
+    if environment:
+        severity = Severity.INFO
+        advice = "give the variable the value it has on the robot, under env: in .launchlint.yaml, or correct the path"
     yield RULE.at(
         problem.origin,
         f"the included file {named} does not exist" if file else "the name of the included file is empty",
-        severity=Severity.WARNING if beside or outside or environment else None,
+        severity=severity,
         label="found only beside this file" if beside else "not found",
         notes=tuple(notes),
-        help=f'write file="$(dirname)/{file}"' if beside else _suggestion(file, source, written, view, root),
+        help=advice,
     )
 
 
@@ -132,14 +147,6 @@ def _stem(name: str) -> str:
 
 def _digits(name: str) -> str:
     return "".join(filter(str.isdigit, name))
-
-
-def _hangs_on_environment(written: str, source: Source) -> bool:
-    """Whether the name is made from an environment variable, as far as its file shows."""
-    texts = [written]
-    for name in re.findall(r"\barg[ (]'?\s*(\w+)", written):
-        texts += re.findall(rf"""<arg\b[^>]*\bname=["']{re.escape(name)}["'][^>]*>""", source.text)
-    return any(re.search(r"\b(?:opt)?env\b", text) for text in texts)
 
 
 def _launch_files(directory: str) -> list[str]:

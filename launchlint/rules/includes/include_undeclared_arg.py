@@ -68,7 +68,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     name, file, known = problem.facts["name"], problem.facts["file"], problem.facts["known"]
     conditional = _declared_elsewhere(name, file, view)
     has = ", ".join(known[:_MOST_NAMED]) + (" …" if len(known) > _MOST_NAMED else "")
-    notes = [f"roslaunch stops with: unused args [{name}] for include of [{problem.facts['target']}]"]
+    notes = [f"roslaunch stops with: unused args [{name}] for include of [{file}]"]
     notes.append(f"{file} takes: {has}" if known else f"{file} takes no args")
     yield RULE.at(
         problem.origin,

@@ -44,12 +44,12 @@ parameters, it sets them again. Mostly a line was copied and one word in it was 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.syntax.tree import Element
 

@@ -2,7 +2,7 @@
 
 What it does: it compares the full names of all nodes that would start together, after namespaces, arguments and includes are
 worked out and with the conditions as they are. Nodes that exclude each other by `if` and `unless` are no duplicates. `/rosout`
-belongs to roscore.
+belongs to roscore, whose own file `roscore.xml` may start it.
 
 ## Why it matters
 
@@ -59,6 +59,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     name = problem.facts["name"]
     stops = f"roslaunch stops with: roslaunch file contains multiple nodes named [{name}]"
     if problem.facts["core"]:
+        if problem.place.source.path.rpartition("/")[2] == "roscore.xml":
+            return
         yield RULE.at(
             problem.origin, f"{name} is the name of a node that roscore starts itself", label="taken", notes=(stops,),
             help="give the node another name, or put it into a namespace",

@@ -1,8 +1,9 @@
 """A node is to run on a machine that no `<machine>` tag defines.
 
 What it does: it compares the `machine` of every node and test with the machines of the whole launch. A machine may be defined
-after the node that uses it, and in any included file. Where the launch defines no machine at all it is a warning: the file may be
-made to be included.
+after the node that uses it, and in any included file. Where the launch defines no machine at all it is an info: the file may be
+made to be included. Where the launch is not known as a whole, because a file of it is not here or a condition cannot be worked out, the
+machine may be defined there, and nothing is told.
 
 ## Why it matters
 
@@ -32,31 +33,39 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.model import Launch
 from launchlint.problem import Problem
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
+from launchlint.source import Place
 from launchlint.spelling import did_you_mean
 
 RULE = Rule("LL306", "unknown-machine", Severity.ERROR, roslaunch="reports")
+_DEFINE = ("<machine", "<group", "<include")
 
 
 def check(view: LaunchView) -> Iterator[Fine]:
-    """Say of each node whose machine is defined here that it is in order: its file may well be made to be included."""
-    for node in (*view.launch.nodes, *view.launch.tests):
-        if node.machine in view.launch.machines and "machine" in node.attributes:
-            yield RULE.fine(node.attributes["machine"])
+    """Say of each node whose machine is, or may be, defined here that it is in order: its file may well be made to be included."""
+    launch = view.launch
+    told: set[Place] = set()
+    if not _may_be_elsewhere(launch):
+        told.update(problem.place for problem in launch.problems if problem.kind == "unknown-machine")
+    for node in (*launch.nodes, *launch.tests):
+        place = node.attributes.get("machine")
+        if place is not None and place not in told:
+            yield RULE.fine(place)
 
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``unknown-machine`` (roslaunch.config.ROSLaunchConfig._select_machine)."""
     name, known = problem.facts["name"], problem.facts["known"]
-    if not view.launch.complete:
+    if _may_be_elsewhere(view.launch):
         return
     certain = bool(known) or view.declared_entry
     yield RULE.at(
         problem.origin,
         f"there is no machine {name}",
-        severity=None if certain else Severity.WARNING,
+        severity=None if certain else Severity.INFO,
         label="not defined",
         notes=(
             f"roslaunch stops with: ERROR: unknown machine [{name}]",
@@ -64,3 +73,9 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         ),
         help=did_you_mean(name, known) or f'define it: <machine name="{name}" address="…"/>',
     )
+
+
+def _may_be_elsewhere(launch: Launch) -> bool:
+    """Whether machines may be defined where nobody can look: in a file that is not here, or under a condition of unknown value."""
+    unknown = (branch for branch in launch.branches if branch.taken is None and branch.attribute == "unless")
+    return not launch.complete or any(branch.element.text.startswith(_DEFINE) for branch in unknown)

@@ -53,7 +53,6 @@ another machine. catkin refuses to build such a workspace.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.other_file import line_of, shown
@@ -61,6 +60,7 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
 from launchlint.source import Place, Source
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.workspace.packages import Package
 

@@ -2,13 +2,14 @@
 
 What it does: for every launch file it collects the packages of its nodes and tests, and those in `$(find …)`, as far as their
 names are written out, and compares them with the run dependencies (`<exec_depend>`, `<depend>`, `<run_depend>`) in the
-`package.xml` above it. Test dependencies count for tests. What a declared package or metapackage itself declares counts too.
-Names that nobody knows are LL210 and LL303. Each package is told of once, at the `package.xml`.
+`package.xml` above it. Test dependencies count for tests. What a declared package or metapackage itself declares counts too,
+as far as it can be seen here. Names that nobody knows are LL210 and LL303, and a file with placeholders such as
+`$(find [PACKAGE])` is a template that is never launched. Each package is told of once, at the `package.xml`.
 
 ## Why it matters
 
 On the developer's machine the package happens to be there. Where only the declared dependencies are installed (rosdep, the build
-farm, a fresh robot) the launch fails.
+farm, a fresh robot) the launch fails, unless something else brings the package along.
 
 ## Example
 
@@ -52,9 +53,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from launchlint.finding import Finding, Severity
+from launchlint.rules.missing_package import is_placeholder
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.packages.metapackages import members
 from launchlint.rules.rule import Rule
@@ -63,6 +64,7 @@ from launchlint.source import Place, Source, Span
 from launchlint.syntax.tree import Document, Element
 from launchlint.workspace.public_packages import public_names
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.workspace.manifest import Manifest
     from launchlint.workspace.packages import Package, Packages
@@ -70,7 +72,7 @@ if TYPE_CHECKING:
 RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports")
 
 _FIND = re.compile(r"\$\(\s*find\s+([A-Za-z][\w-]*)\s*\)|\bfind\(\s*['\"]([A-Za-z][\w-]*)['\"]\s*\)")
-_NAME = re.compile(r"[A-Za-z][\w-]*")
+_ANY_FIND = re.compile(r"\$\(\s*find\s+([^\s()$]+)\s*\)")
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -88,7 +90,8 @@ def check(view: FileView) -> Iterator[Finding]:
     if not wanted:
         return
     declared = set(home.run_dependencies)
-    if _is_test(document):
+    is_test = _is_test(document)
+    if is_test:
         declared |= home.test_dependencies
     missing = [name for name in wanted if name not in declared]
     if not missing:
@@ -99,28 +102,40 @@ def check(view: FileView) -> Iterator[Finding]:
         if name in declared or not (packages.has(name) or name in public_names()):
             continue
         where, how = uses[name]
-        tag = "run_depend" if manifest.format == 1 else "exec_depend" if manifest.format else "depend"
-        line = f'<depend package="{name}"/>' if tag == "depend" else f"<{tag}>{name}</{tag}>"
+        manifest_path = shown(home.manifest_path, root_of(document.source))
+        tested = name in home.test_dependencies
+        says = f"declares {name} for tests only" if tested else f"does not declare {name}"
+        at = next((each.span for each in manifest.dependencies if each.name == name and each.tag == "test_depend"), None)
         yield RULE.at(
-            place,
-            f"{shown(home.manifest_path, root_of(document.source))} does not declare {name}, which {document.source.path} {how}",
-            label=f"no {name} here",
+            place if at is None else place._replace(span=at),
+            f"{manifest_path} {says}, {'and' if tested else 'which'} {document.source.path} {how} {'it' if tested else ''}".rstrip(),
+            label="for tests only" if tested else f"no {name} here",
             related=((where, "used here"),),
-            notes=("where only the declared dependencies are installed, this launch fails",),
-            help=f"add {line}",
+            notes=(f"it works only where something else brings {name} along",),
+            help=f"{'change it to' if tested else 'add'} {_line(name, manifest.format, is_test=is_test)}",
             topic=name,
         )
 
 
+def _line(name: str, format_: int, *, is_test: bool) -> str:
+    """The element that declares ``name``: for a test, where there is one for tests (from ``package.xml`` format 1 on), that one."""
+    if format_ == 0:
+        return f'<depend package="{name}"/>'
+    tag = "test_depend" if is_test else "run_depend" if format_ == 1 else "exec_depend"
+    return f"<{tag}>{name}</{tag}>"
+
+
 def _uses(document: Document) -> dict[str, tuple[Place, str]]:
-    """Package → the first place that uses it, and how."""
+    """Package → the first place that uses it, and how; nothing for a template."""
     found: dict[str, tuple[Place, str]] = {}
     for element in document.elements:
+        if _is_template(element):
+            return {}
         if _is_off(element):
             continue
         if element.tag in ("node", "test"):
             package = element.attributes.get("pkg")
-            if package is not None and _NAME.fullmatch(package.value):
+            if package is not None and not is_placeholder(package.value):
                 found.setdefault(package.value, (document.place(package.shown_span), _started(element)))
         for attribute in element.attributes.values():
             if "find" in attribute.value:
@@ -129,6 +144,16 @@ def _uses(document: Document) -> dict[str, tuple[Place, str]]:
                     how = "includes a file of" if element.tag == "include" else "uses files of"
                     found.setdefault(name, (document.place(attribute.span_of(*match.span())), how))
     return found
+
+
+def _is_template(element: Element) -> bool:
+    """Whether the element names a package by a placeholder, to be filled in before anybody launches the file."""
+    return any(
+        is_placeholder(name)
+        for attribute in element.attributes.values()
+        if "find" in attribute.value
+        for name in _ANY_FIND.findall(attribute.value)
+    )
 
 
 def _is_off(element: Element) -> bool:

@@ -1,6 +1,7 @@
 """A parameter inside a node has a global name, which roslaunch makes private.
 
-Inside a `<node>` every `<param>` belongs to the node, also one whose name begins with `/`.
+Inside a `<node>` every `<param>` belongs to the node, also one whose name begins with `/`. It is an info, unless others look
+for the global name: it is one that all nodes know, such as `/use_sim_time`, or the launch sets it elsewhere.
 
 ## Why it matters
 
@@ -35,18 +36,25 @@ from launchlint.evaluate.names import UNKNOWN_NAMESPACE, canonical
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
 
 RULE = Rule("LL511", "global-param-in-node", Severity.WARNING)
+WELL_KNOWN = frozenset(
+    ("/enable_statistics", "/robot_description", "/robot_description_semantic", "/rosdistro", "/rosversion", "/run_id", "/tf_prefix",
+     "/use_sim_time")
+)  # fmt: skip
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
+def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Say which parameter is set instead; facts: ``name``, ``namespace``."""
     name, namespace = problem.facts["name"], problem.facts["namespace"]
     private = canonical(namespace + name)
     becomes = "a private name" if UNKNOWN_NAMESPACE in namespace else private
+    everybodys = canonical(name) in WELL_KNOWN or canonical(name) in view.launch.parameters
     yield RULE.at(
         problem.origin,
         f"the global name {name} becomes {becomes} inside a node",
+        severity=None if everybodys else Severity.INFO,
         label="not global here",
         related=problem.related,
         help=f"put the <param> above the <node> to set {name}, or write {name.lstrip('/')} for the private one",

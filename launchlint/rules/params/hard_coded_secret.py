@@ -2,7 +2,8 @@
 
 Told are the `password` of a `<machine>`, and literal values of parameters, args and environment variables whose name
 ends in a word such as `password`, `secret`, `token` or `api_key`. Empty values, substitutions, file names and
-placeholders are left alone. The value itself is never printed: what is shown of the line has asterisks in its place.
+placeholders are left alone. The default of an `<arg>` is an info, and so is a value that a comment beside it calls a default: it may be
+the one that everybody knows, to be replaced. The value itself is never printed: what is shown of the line has asterisks in its place.
 
 ## Why it matters
 
@@ -54,6 +55,7 @@ _PLACEHOLDER = re.compile(
     r"(?:none|null|nil|n/?a|todo|tbd|true|false|yes|no|on|off|unset|default|secret|token|password|passwd|passphrase|\W*)",
     re.IGNORECASE | re.DOTALL,
 )
+_DEFAULT = re.compile(r"\b(?:default|factory|special)\b", re.IGNORECASE)
 _FILE = re.compile(r"[~.]*[/\\].*|[\w. /\\-]+\.[A-Za-z]{2,6}", re.DOTALL)
 
 
@@ -89,12 +91,23 @@ def _finding(document: Document, element: Element, name: str, what: str) -> Find
         help_ = "log in with an SSH key and leave the password out, and change it where it is in use"
     else:
         help_ = f"read it from the environment, $(env {variable}), or from a file that is not published; and change it where it is in use"
+    replaceable = (element.tag.lower() == "arg" and name == "default") or _is_known(document, element)
     return RULE.at_location(
         _masked(at, attribute),
         f"{what} is written into the launch file",
+        severity=Severity.INFO if replaceable else None,
         label="a literal secret",
         help=help_,
         element=f"{element.tag} {element.get('name') or ''} {name}",
+    )
+
+
+def _is_known(document: Document, element: Element) -> bool:
+    """Whether a comment in the same line says that this is what the maker has set."""
+    source = document.source
+    line = source.position(element.span.end).line
+    return any(
+        source.position(comment.span.start).line == line and _DEFAULT.search(comment.text) is not None for comment in document.comments
     )
 
 

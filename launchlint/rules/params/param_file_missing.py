@@ -6,7 +6,8 @@ after substitution, and the file has to be readable UTF-8 text (but for `binfile
 ## Why it matters
 
 roslaunch refuses the launch file, and with it every launch file that includes it. It is a warning where the file may
-well be there on the robot: a path made from an environment variable, one outside of all packages, and a relative one.
+well be there on the robot: a path outside of all packages, a relative one, and one that `CMakeLists.txt` may install. It is
+an info where the path is made from an environment variable, whose value here says little.
 
 ## Example
 
@@ -35,23 +36,27 @@ radius: 0.1
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
+from launchlint.rules.installed import installed_from
+from launchlint.rules.made_up import is_made_up
+from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 
 RULE = Rule("LL502", "param-file-missing", Severity.ERROR, roslaunch="refuses")
+SENTINELS = ("true", "false", "none")
+"""What people write as the default of an arg for a path to say that there is none; the condition in front of it hangs on another arg."""
 
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Say why it cannot be read and which file is near; facts: see evaluate.ros1.missing_file, and ``environment``."""
     facts = problem.facts
     path, missing = facts["shown"], facts["missing"]
-    if _is_made_up(path, problem.place.text, view.launch.given):
+    if path in SENTINELS or is_made_up(path, problem, view.launch):
         return
     notes = [f"roslaunch stops, since it finds no file {path}" if missing else "roslaunch refuses the launch file"]
     if facts["relative"]:
@@ -61,7 +66,16 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     elif facts["elsewhere"]:
         notes.append("it is in no package that is here, so that it may be there on the robot")
     name = path.rpartition("/")[2] or path
-    unsure = facts["relative"] or facts["environment"] or facts["elsewhere"]
+    severity = None
+    elsewhere = installed_from(facts["file"], view.packages) if missing and not facts["relative"] else None
+    if path and facts["environment"]:
+        severity = Severity.INFO
+    elif elsewhere is not None:
+        severity = Severity.WARNING
+        notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")
+        facts = {**facts, "near": shown(elsewhere, root_of(problem.place.source))}
+    elif path and (facts["relative"] or facts["elsewhere"]):
+        severity = Severity.WARNING
     if not path:
         message = "the name of the file is empty"
     else:
@@ -69,7 +83,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     yield RULE.at(
         problem.origin,
         message,
-        severity=Severity.WARNING if unsure and path else None,
+        severity=severity,
         label="no such file" if missing else "",
         related=problem.related,
         notes=tuple(notes),
@@ -78,6 +92,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
 
 
 def _advice(facts: Mapping[str, Any]) -> str:
+    if facts["environment"]:
+        return "give the variable the value it has on the robot, under env: in .launchlint.yaml, or correct the path"
     if facts["near"] is not None:
         return f"did you mean {facts['near']}?"
     if facts["relative"]:
@@ -87,11 +103,3 @@ def _advice(facts: Mapping[str, Any]) -> str:
     if facts["no_directory"]:
         return f"correct the path: there is no directory {facts['no_directory']} either"
     return "correct the path, or add the file"
-
-
-def _is_made_up(path: str, written: str, given: tuple[tuple[str, str], ...]) -> bool:
-    """Whether the path holds a ``true`` or ``false`` that was only given to an arg to see the other side of a condition."""
-    if "$(" not in written:
-        return False
-    words = re.split(r"[^A-Za-z0-9]+", path)
-    return any(value in ("true", "false") and value in words for _, value in given)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from itertools import islice
-from typing import Any
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.model import Binary, Command, ParameterSetting
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 LONGEST_SHOWN = 40
 DEEPEST_SHOWN = 2

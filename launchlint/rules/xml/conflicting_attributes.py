@@ -27,6 +27,7 @@ roslaunch refuses the file.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
@@ -74,15 +75,19 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         advice = "keep one of them" if attributes else 'add value="…" (or textfile, binfile, command)'
     else:
         message, stops, advice = (words.format(tag=tag) for words in WORDS[reason])
+    args = re.findall(r"\$\(\s*arg\s+([^\s()$]+)\s*\)", problem.place.text) if reason == "empty-ns" else []
+    if args:
+        names = args[0] if len(args) == 1 else f"{', '.join(args[:-1])} or {args[-1]}"
+        advice = f"give the arg {names} a value, also by default, that is not empty (/ stands for the root)"
     notes: tuple[str, ...] = (f"roslaunch stops with: {stops}",)
     from_environment = problem.facts.get("environment", False)
-    if from_environment:
+    if from_environment:  # whoever starts it has the variable
         notes = ("it is made from an environment variable that is not set here", *notes)
         advice = "give $(optenv …) a default, or the variable a value under env: in .launchlint.yaml if it is always set"
     yield RULE.at(
         problem.origin,
         message,
-        severity=Severity.ERROR if problem.refused and not from_environment else Severity.WARNING,
+        severity=Severity.INFO if from_environment else Severity.ERROR if problem.refused else Severity.WARNING,
         related=problem.related,
         notes=notes,
         help=advice,

@@ -71,6 +71,10 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
 
 def _advice(tag: str, parent: str) -> str:
     rule = TAGS.get(tag) or TAGS.get(tag.lower())
+    if parent == "include" and tag.lower() == "param":
+        return (
+            "write <arg> if the included file declares one of that name; else put a <group> around the <include>, and the <param> before it"
+        )
     if parent == "include" and tag.lower() in ("remap", "param", "rosparam"):
         return f"put the <include> into a <group>, and the <{tag}> into that group before it"
     parents = () if rule is None else rule.parents

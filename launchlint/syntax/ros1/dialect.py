@@ -6,8 +6,7 @@ the RelaxNG schema all read it here. Source: the ``*_ATTRS`` lists and the tag m
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
-
+from launchlint.records import NamedTuple
 from launchlint.syntax.ros1.domains import (
     COMMAND,
     CONDITION,
@@ -28,6 +27,10 @@ from launchlint.syntax.ros1.domains import (
     parse_condition,
     parse_flag,
 )
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Literal
 
 __all__ = [
     "CONDITIONS",

@@ -7,7 +7,12 @@ RelaxNG schema and did-you-mean use ``choices``.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+
+from launchlint.records import NamedTuple
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 PARAM_TYPES = ("auto", "str", "string", "int", "double", "bool", "boolean", "yaml")
 

@@ -7,13 +7,15 @@ include that led to the file.
 
 from __future__ import annotations
 
-from typing import Any
-
 from launchlint.problem import Problem
 from launchlint.source import IncludeStep, Origin, Place, Span
 from launchlint.syntax.ros1.dialect import OWNERS, TagRule
 from launchlint.syntax.ros1.domains import Domain
 from launchlint.syntax.tree import Document, Element
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 Related = tuple[tuple[Place, str], ...]
 

@@ -1,0 +1,122 @@
+"""What ``launchlint check`` does; without click, which costs more time than checking a file."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from launchlint import __version__
+from launchlint.cli.entries import EntryOptions, leave_ros2_out, parse_severity, tell, use_color
+from launchlint.errors import UsageError
+from launchlint.records import NamedTuple
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.baseline import Baseline
+    from launchlint.check.merge import Outcome
+
+
+class CheckOptions(NamedTuple):
+    """The options of ``check`` that are not about entries, as written."""
+
+    select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    severity: tuple[str, ...] = ()
+    formats: tuple[str, ...] = ()
+    fail_on: str = "error"
+    exit_zero: bool = False
+    baseline: str | None = None
+    write_baseline: str | None = None
+    statistics: bool = False
+    jobs: int = 0
+    no_cache: bool = False
+    color: str = "auto"
+    quiet: bool = False
+    verbose: bool = False
+
+
+def run_check(entry: EntryOptions, given: CheckOptions) -> int:
+    """Check the entry files and report. Returns the exit status; raises LaunchlintError."""
+    from launchlint.check.entry import EntryChecker
+    from launchlint.check.merge import merge
+    from launchlint.check.run import check_entries, default_directory
+    from launchlint.cli.output import Request, check_outputs, entry_lines, report
+    from launchlint.cli.selection import per_file_ignores
+
+    # Whatever is wrong with the options is told before any work is done.
+    threshold = parse_severity(given.fail_on, "--fail-on")
+    _only_jsonl_with_entries(entry, given)
+    check_outputs(given.formats, given.write_baseline)
+    options = entry.options(select=given.select, ignore=given.ignore, severity=given.severity)
+    per_file = per_file_ignores(entry.configuration, options.root)
+    known = None
+    if given.baseline is not None and (given.write_baseline is None or os.path.exists(given.baseline)):
+        from launchlint.baseline import load
+
+        known = load(given.baseline)
+    requests, overlay = entry.requests()
+    checker = EntryChecker(options, overlay)
+    requests, notices = leave_ros2_out(entry, requests, checker.session)
+    directory = None if given.no_cache else default_directory()
+    bar = None
+    if not given.quiet and len(requests) > 1 and sys.stderr.isatty():
+        from launchlint.cli.progress import ProgressBar
+
+        bar = ProgressBar(len(requests))
+    try:
+        results = check_entries(requests, checker, jobs=given.jobs, cache_directory=directory, progress=None if bar is None else bar.show)
+    finally:
+        if bar is not None:
+            bar.clear()
+    if not given.quiet:
+        for notice in notices:
+            tell(notice)
+    shown = Request(
+        given.formats or ("text",),
+        threshold,
+        use_color(given.color),
+        given.verbose,
+        given.quiet,
+        given.statistics,
+        given.exit_zero,
+        __version__,
+        options.root,
+    )
+    if entry.entries is not None:
+        return entry_lines(results, options, checker.packages, per_file, shown)
+    outcome = merge(results, options, checker.packages, per_file)
+    if given.write_baseline is not None:
+        return record(outcome, given.write_baseline, quiet=given.quiet)
+    if known is not None:
+        outcome = without_known(outcome, known)
+    return report(outcome, shown, notices)
+
+
+def _only_jsonl_with_entries(entry: EntryOptions, given: CheckOptions) -> None:
+    others = given.baseline or given.write_baseline or given.statistics
+    if entry.entries is not None and (others or any(each.partition(":")[0] != "jsonl" for each in given.formats)):
+        raise UsageError("--entries judges each entry by itself and prints one line of JSON for it: it goes with --format jsonl only")
+
+
+def record(outcome: Outcome, file: str, *, quiet: bool) -> int:
+    """Write all findings to the baseline ``file``. Returns the exit status."""
+    from launchlint.baseline import write
+    from launchlint.check.file import INTERNAL_ERROR
+
+    findings = [finding for finding in outcome.findings if finding.rule != INTERNAL_ERROR]
+    write(file, findings)
+    if not quiet:
+        number = f"{len(findings)} finding{'' if len(findings) == 1 else 's'}"
+        tell(f"wrote {number} to {file}; --baseline {file} leaves them out from now on")
+    return 2 if outcome.crashed else 0
+
+
+def without_known(outcome: Outcome, known: Baseline) -> Outcome:
+    """``outcome`` without the findings that a baseline knows; a crash is never known."""
+    from launchlint.baseline import filter as unknown_ones
+    from launchlint.check.file import INTERNAL_ERROR
+    from launchlint.order import ordered
+
+    crashes = [finding for finding in outcome.findings if finding.rule == INTERNAL_ERROR]
+    others = [finding for finding in outcome.findings if finding.rule != INTERNAL_ERROR]
+    return outcome._replace(findings=tuple(ordered([*unknown_ones(others, known), *crashes])))

@@ -1,0 +1,182 @@
+"""Which files are entries, with which args and rules: what the options that several commands share come to."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterable
+
+from launchlint.check.options import Arguments, EntryRequest, Options
+from launchlint.errors import UsageError
+from launchlint.finding import Severity
+
+STANDARD_INPUT = "stdin.launch"
+"""What standard input is called where nobody says it."""
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.session import Session
+    from launchlint.workspace.configuration import Configuration
+
+
+class EntryOptions:
+    """What ``PATHS``, ``--stdin-filename``, ``--arg``, ``--entries``, ``--workspace`` and ``--config`` say.
+
+    Raises UsageError where they clash.
+    """
+
+    def __init__(
+        self,
+        paths: tuple[str, ...],
+        args: tuple[str, ...] = (),
+        entries: str | None = None,
+        workspace: tuple[str, ...] = (),
+        config: str | None = None,
+        stdin_filename: str | None = None,
+    ) -> None:
+        if "-" in paths and len(paths) > 1:
+            raise UsageError("- stands for standard input and cannot be mixed with other paths; check them in two calls")
+        if stdin_filename is not None and paths != ("-",):
+            raise UsageError("--stdin-filename names standard input; give - as the path too")
+        if entries is not None and paths:
+            raise UsageError("--entries names the files; give no paths beside it")
+        self.standard_input = (stdin_filename or STANDARD_INPUT) if paths == ("-",) else None
+        self.paths = paths or (() if entries else (os.curdir,))
+        self.arguments = tuple(parse_argument(text) for text in args)
+        self.entries = entries
+        self.workspace = workspace
+        self.configuration = read_configuration(config, (self.standard_input,) if self.standard_input else self.paths)
+
+    @property
+    def named(self) -> frozenset[str]:
+        """The files that are asked for by name, absolute."""
+        return frozenset(os.path.abspath(path) for path in self.paths if not os.path.isdir(path))
+
+    def requests(self) -> tuple[list[EntryRequest], dict[str, bytes]]:
+        """The entry files that are asked for, in order, and text that stands in for files: standard input for ``-``.
+
+        Raises UsageError for a path that does not exist.
+        """
+        if self.standard_input is not None:
+            return [EntryRequest(self.standard_input, self.standard_input, self.arguments)], {self.standard_input: sys.stdin.buffer.read()}
+        if self.entries is not None:
+            return self._listed(), {}
+        from launchlint.workspace.discovery import discover
+
+        configuration = self.configuration
+        declared: dict[str, list[Arguments]] = {}
+        for entry in configuration.entries or ():
+            declared.setdefault(os.path.abspath(entry.file), []).append(tuple(entry.arguments.items()))
+        profiles = [tuple(arguments.items()) for arguments in configuration.args.values()]
+        requests: dict[EntryRequest, None] = {}
+        for file in discover(self.paths, configuration.exclude, configuration.directory):
+            given = declared.get(os.path.abspath(file))
+            for arguments in given or [()]:
+                for profile in ((), *profiles):
+                    both = merge_arguments(merge_arguments(arguments, profile), self.arguments)
+                    requests[EntryRequest(file, file, both, given is not None)] = None
+        return list(requests), {}
+
+    def _listed(self) -> list[EntryRequest]:
+        from launchlint.workspace.entries import load_entries
+
+        assert self.entries is not None
+        return [
+            EntryRequest(entry.file, entry.as_ or entry.file, merge_arguments(tuple(entry.arguments.items()), self.arguments))
+            for entry in load_entries(self.entries)
+        ]
+
+    def options(
+        self, *, everything: bool = False, select: Iterable[str] = (), ignore: Iterable[str] = (), severity: Iterable[str] = ()
+    ) -> Options:
+        """All that changes findings. ``everything``: all rules, with their own severities."""
+        from launchlint.cli.selection import selected_rules, severities
+
+        configuration = self.configuration
+        rules = selected_rules(tuple(select), tuple(ignore), configuration, everything=everything)
+        workspaces = self.workspace or configuration.workspace
+        for directory in self.workspace:
+            if not os.path.isdir(directory):
+                raise UsageError(
+                    f"--workspace {directory}: there is no such directory; packages are looked for in it, so give one that exists"
+                )
+        if not workspaces:
+            from launchlint.workspace.repository import default_workspaces
+
+            workspaces = tuple(default_workspaces([self.standard_input] if self.standard_input else self.paths or [os.curdir]))
+        return Options(
+            rules=rules,
+            workspaces=tuple(os.path.abspath(directory) for directory in workspaces),
+            explicit=bool(self.workspace or configuration.workspace),
+            variables={**os.environ, **configuration.env},
+            root=os.getcwd(),
+            severities={} if everything else severities(tuple(severity), configuration),
+            complete=None if configuration.packages is None else configuration.packages == "complete",
+        )
+
+
+def leave_ros2_out(entry: EntryOptions, requests: list[EntryRequest], session: Session) -> tuple[list[EntryRequest], tuple[str, ...]]:
+    """``requests`` without ROS 2 launch files that nobody asked for by name, and a notice of them."""
+    if (
+        entry.entries is not None
+        or entry.standard_input is not None
+        or entry.named.issuperset(os.path.abspath(each.at) for each in requests)
+    ):
+        return requests, ()
+    from launchlint.check.dialects import without_ros2
+
+    kept, skipped = without_ros2(requests, entry.named, session)
+    if not skipped:
+        return kept, ()
+    files = f"{len(skipped)} ROS 2 launch files such as {skipped[0]}" if len(skipped) > 1 else f"the ROS 2 launch file {skipped[0]}"
+    return kept, (f"left out {files}: only ROS 1 is checked; name a file to check it all the same",)
+
+
+def parse_argument(text: str) -> tuple[str, str]:
+    """``name:=value``, as on roslaunch's own command line. Raises UsageError."""
+    name, separator, value = text.partition(":=")
+    if not separator or not name:
+        raise UsageError(f"--arg {text}: an arg is given as name:=value, as to roslaunch")
+    return name, value
+
+
+def merge_arguments(base: Arguments, over: Arguments) -> Arguments:
+    """``base`` with the pairs of ``over`` in place of those of the same name."""
+    return tuple({**dict(base), **dict(over)}.items())
+
+
+def read_configuration(config: str | None, paths: tuple[str, ...]) -> Configuration:
+    """The configuration file named, or the nearest one to the first path; defaults where there is none."""
+    from launchlint.workspace.configuration import Configuration, find_configuration, load
+
+    if config is not None:
+        return load(config)
+    found = find_configuration(paths[0] if paths else os.curdir)
+    return Configuration() if found is None else load(os.path.relpath(found))
+
+
+def use_color(choice: str) -> bool:
+    """Whether to colour: as asked, else as NO_COLOR and FORCE_COLOR say, else where standard output is a terminal."""
+    if choice != "auto":
+        return choice == "always"
+    if os.environ.get("NO_COLOR"):
+        return False
+    if os.environ.get("FORCE_COLOR"):
+        return True
+    return sys.stdout.isatty()
+
+
+def parse_severity(word: str, what: str) -> Severity:
+    """``error``, ``warning`` or ``info``. Raises UsageError."""
+    try:
+        return Severity[word.upper()]
+    except KeyError:
+        raise UsageError(f"{what}: {word} is no severity; write error, warning or info") from None
+
+
+def tell(message: str) -> None:
+    """One line for people, on standard error."""
+    from launchlint.report.escape import visible
+    from launchlint.report.formats import emit
+
+    emit(f"launchlint: {visible(message)}\n", sys.stderr)

@@ -1,0 +1,29 @@
+"""Files that a package holds elsewhere, and that its build may install to the place where they are looked for."""
+
+from __future__ import annotations
+
+import posixpath
+
+from launchlint.workspace.looking import walk
+from launchlint.workspace.packages import Packages
+
+_MOST_DIRECTORIES = 300
+
+
+def installed_from(file: str, packages: Packages) -> str | None:
+    """The one file of the same package that bears the name of ``file``, which is not there, in a directory of the same name; else None.
+
+    ``install(DIRECTORY test/yaml DESTINATION share/pkg)`` in CMakeLists.txt makes ``$(find pkg)/yaml/a.yaml`` right once the package is
+    installed.
+    """
+    directory, name = posixpath.split(posixpath.abspath(file))
+    package = packages.package_of(directory)
+    if package is None or directory == package.directory:
+        return None
+    last = posixpath.basename(directory)
+    found = [
+        posixpath.join(parent, name)
+        for parent, listed in walk(package.directory, _MOST_DIRECTORIES)
+        if posixpath.basename(parent) == last and name in listed
+    ]
+    return found[0] if len(found) == 1 else None
