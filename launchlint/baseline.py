@@ -11,14 +11,13 @@ import os
 import re
 import stat
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, NamedTuple
 
 from launchlint.atomic import write_text
 from launchlint.errors import ConfigurationError
 from launchlint.finding import Finding
 from launchlint.fingerprint import fingerprint
 from launchlint.order import ordered
-from launchlint.records import NamedTuple
 
 _VERSION = 1
 _LARGEST = 100_000_000

@@ -8,9 +8,9 @@ is not here …) is an :class:`Unknown`; it is never guessed at and never causes
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from launchlint.problem import Problem
-from launchlint.records import NamedTuple
 from launchlint.source import Origin, Place, Source
 
 TYPE_CHECKING = False

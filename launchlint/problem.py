@@ -8,8 +8,8 @@ the facts a rule needs for its message. One rule turns one kind (or a few) into 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
-from launchlint.records import NamedTuple
 from launchlint.source import Origin, Place
 
 TYPE_CHECKING = False

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-
-from launchlint.records import NamedTuple
+from typing import NamedTuple
 
 _LINE_END = re.compile(r"\r\n|\n|\r")
 

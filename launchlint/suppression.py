@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple
 
 from launchlint.finding import Edit, Finding, Location
-from launchlint.records import NamedTuple
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.tree import Comment, Document, Element
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import NamedTuple
 
 from launchlint.check.file import FileResult, check_file, internal_error, run_rule, tell
 from launchlint.check.options import EntryRequest, Options
@@ -12,7 +13,6 @@ from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.finding import Finding, Key, Location, Severity
 from launchlint.problem import Problem
-from launchlint.records import NamedTuple
 from launchlint.rules.registry import RULES, Entry, rule_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary, FileView, LaunchView

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from launchlint.finding import Finding, Location
 from launchlint.problem import Problem
-from launchlint.records import NamedTuple
 from launchlint.rules.registry import Entry, by_kind
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import FileView

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from launchlint.check.entry import EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult, run_rule
@@ -10,7 +11,6 @@ from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.options import Options
 from launchlint.finding import Finding, Key, Severity
 from launchlint.order import ordered
-from launchlint.records import NamedTuple
 from launchlint.rules.registry import RULES, find
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import RunView, SuppressionView

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from launchlint.finding import Severity
-from launchlint.records import NamedTuple
 
 Arguments = tuple[tuple[str, str], ...]
 

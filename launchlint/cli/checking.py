@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import sys
+from typing import NamedTuple
 
 from launchlint import __version__
 from launchlint.cli.entries import EntryOptions, leave_ros2_out, parse_severity, tell, use_color
 from launchlint.errors import UsageError
-from launchlint.records import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from launchlint.check.entry import EntryResult
 from launchlint.check.ignores import PerFileIgnores
@@ -12,7 +13,6 @@ from launchlint.check.merge import Outcome, merge
 from launchlint.check.options import Options
 from launchlint.errors import UsageError
 from launchlint.finding import Severity
-from launchlint.records import NamedTuple
 from launchlint.report.formats import emit, parse, write
 from launchlint.report.run import RuleMetadata, Run, files_below
 from launchlint.workspace.packages import Packages

@@ -7,6 +7,7 @@ noticed: two nodes of one name, two machines of one name, a machine that does no
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, NodeEffect, PrivateParameter
 from launchlint.evaluate.names import canonical
@@ -25,7 +26,6 @@ from launchlint.model import (
     ScopedSetting,
 )
 from launchlint.problem import Problem
-from launchlint.records import NamedTuple
 from launchlint.source import IncludeStep, Origin, Source
 from launchlint.syntax.tree import Document
 
@@ -136,12 +136,13 @@ class _Assembly:
             conditions=inherited.conditions + node.conditions,
             remaps=tuple(remap for remap in inherited.remaps if remap.source not in respelled)
             + tuple(remap._replace(origin=place.origin(remap.origin)) for remap in node.remaps),
-            environment=inherited.environment + tuple(setting._replace(origin=place.origin(setting.origin)) for setting in node.environment),
+            environment=inherited.environment
+            + tuple(setting._replace(origin=place.origin(setting.origin)) for setting in node.environment),
         )
         scoped = _merge(inherited.private, tuple(place.private(parameter) for parameter in effect.scoped_private))
         if not node.unknown & {"name", "ns"}:
             for parameter in (*scoped, *(place.private(own) for own in effect.own_private)):
-                key = parameter.key[1:] if parameter.key.startswith("~") else parameter.key
+                key = parameter.key.removeprefix("~")
                 name = canonical(effect.parameter_namespace + key)
                 self.settings.append(parameter.setting._replace(name=name, node=node.full_name))
         if node.is_test:
@@ -200,7 +201,13 @@ class _Assembly:
         steered: frozenset[str] = frozenset().union(*(steer.get(name, frozenset()) for name in effect.reads))
         self.branches.append(
             Branch(
-                place.origin(effect.origin), effect.element, effect.attribute, effect.text, effect.taken, steered, _is_open(block, effect.reads)
+                place.origin(effect.origin),
+                effect.element,
+                effect.attribute,
+                effect.text,
+                effect.taken,
+                steered,
+                _is_open(block, effect.reads),
             )
         )
 
@@ -260,7 +267,9 @@ class _Placing:
 def assemble(
     block: Block, file: str, arguments: Mapping[str, str], given: tuple[tuple[str, str], ...], pinned: frozenset[str]
 ) -> Evaluation:
-    """The launch that ``block``, the block of the entry file, amounts to. ``pinned`` args are not to be changed by further configurations."""
+    """The launch that ``block``, the block of the entry file, amounts to. ``pinned`` args are not to be changed by further
+    configurations.
+    """
     assembly = _Assembly()
     steer = {name: frozenset() if name in pinned else frozenset((name,)) for name in block.open_arguments}
     assembly.walk(block, file, _Inherited(None, None, (), False, (), (), (), steer, frozenset(arguments)))

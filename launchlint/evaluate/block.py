@@ -1,11 +1,13 @@
 """What one launch file contributes when it is entered with given args in a given namespace.
 
 A block knows nothing of who includes it: its origins have no include chain beyond its own includes, its nodes carry only the remaps and
-settings of its own file. So a block can be worked out once and used wherever the file is entered in the same way; :mod:`.assemble` joins the
-blocks of one entry file into a :class:`~launchlint.model.Launch`.
+settings of its own file. So a block can be worked out once and used wherever the file is entered in the same way; :mod:`.assemble` joins
+the blocks of one entry file into a :class:`~launchlint.model.Launch`.
 """
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 from launchlint.model import (
     Argument,
@@ -21,7 +23,6 @@ from launchlint.model import (
     Unknown,
 )
 from launchlint.problem import Problem
-from launchlint.records import NamedTuple
 from launchlint.source import Origin, Place
 from launchlint.syntax.tree import Document
 
@@ -103,12 +104,15 @@ class Block:
 
     ``declared`` are the args declared at file level; ``argument_reads`` says for each arg of the file which other args its value was made
     from; ``open_arguments`` are the args a caller can set. ``missing`` are args that were read but have no value: name to
-    (declaration, reading place); ``refused_overrides`` are ``value=`` args that the caller tried to set. ``default_machine`` and ``leaked`` leak to the
+    (declaration, reading place); ``refused_overrides`` are ``value=`` args that the caller tried to set. ``default_machine`` and
+    ``leaked`` leak to the
     including file. ``anonymous``: an ``$(anon)`` was evaluated, so the block is not to be used again; ``near``: a package was found by its
-    nearness to the entry file. ``unknown_machines`` are the machines that are defined by something unknown (empty: the name itself is). ``assumed_declarations``: an arg is declared under a condition of unknown value.
+    nearness to the entry file. ``unknown_machines`` are the machines that are defined by something unknown (empty: the name itself is).
+    ``assumed_declarations``: an arg is declared under a condition of unknown value.
 
     What it cost, so that using it again counts as doing it again: ``looked_at`` elements, ``depth`` includes inside includes, and the files
-    and environment variables it ``touched``. ``angles``: after it, YAML values may be angles. ``cycle_floor`` is the lowest place on the include stack that an include cycle in it leads back to.
+    and environment variables it ``touched``. ``angles``: after it, YAML values may be angles. ``cycle_floor`` is the lowest place on the
+    include stack that an include cycle in it leads back to.
     """
 
     __slots__ = (
@@ -122,6 +126,7 @@ class Block:
         "depth",
         "document",
         "effects",
+        "entered",
         "leaked",
         "looked_at",
         "missing",
@@ -157,3 +162,4 @@ class Block:
         self.touched: frozenset[str] = frozenset()
         self.variables: frozenset[str] = frozenset()
         self.cycle_floor = NO_CYCLE
+        self.entered: set[object] = set()

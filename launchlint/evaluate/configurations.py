@@ -93,9 +93,11 @@ def _candidates(branch: Branch, base: Evaluation) -> Iterator[Pairs]:
 
 
 def _all_candidates(branch: Branch, base: Evaluation) -> Iterator[Pairs]:
-    """As :func:`_candidates`; then what other expressions compare the args with (``value="$(eval mode == 'sim')"``), then several args at once.
+    """As :func:`_candidates`; then what other expressions compare the args with (``value="$(eval mode == 'sim')"``), then several args at
+    once.
 
-    Among several are those of the conditions around this one: ``<group if="$(eval sim or gui)">`` has to stay taken while ``sim`` is turned in it.
+    Among several are those of the conditions around this one: ``<group if="$(eval sim or gui)">`` has to stay taken while ``sim`` is
+    turned in it.
     """
     yield from _candidates(branch, base)
     defaults = _defaults(base.launch.declared)
@@ -114,7 +116,7 @@ def _all_candidates(branch: Branch, base: Evaluation) -> Iterator[Pairs]:
             if _is_plausible(defaults.get(name), value):
                 values[name][value] = None
     combinations = (
-        tuple((name, value) for name, value in zip(names, together) if value is not None)
+        tuple((name, value) for name, value in zip(names, together, strict=True) if value is not None)
         for together in product(*(values[name] for name in names))
     )
     yield from islice((pairs for pairs in combinations if len(pairs) > 1), MOST_COMBINATIONS)

@@ -87,7 +87,7 @@ class Session:
         """The path people see for ``file``: relative to the root where it lies inside, with ``/``."""
         absolute = os.path.abspath(file)
         inside = self.root.rstrip(os.sep) + os.sep
-        path = absolute[len(inside) :] if absolute.startswith(inside) else absolute
+        path = absolute.removeprefix(inside)
         return path.replace(os.sep, "/")
 
     def read(self, file: str) -> Read:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Callable, Mapping
+from typing import NamedTuple
 
 from launchlint.finding import Severity
-from launchlint.records import NamedTuple
 
 _LARGEST = 100_000_000
 """Bytes of the largest file that is read again for a report."""

@@ -110,8 +110,10 @@ def _remarks(finding: Finding) -> Iterator[str]:
         yield f"show it: {command(finding)}"
     if finding.fix is not None:
         yield f"fix: {visible(finding.fix.message)} ({'--fix' if finding.fix.safe else '--unsafe-fixes'} does it)"
-    explain = f"[explain {visible(finding.rule)}]"
-    yield f"help: {visible(finding.help)}      {explain}" if finding.help else explain
+    # A crash of launchlint itself has no page.
+    explain = "" if finding.name == "internal-error" else f"[explain {visible(finding.rule)}]"
+    if finding.help or explain:
+        yield (f"help: {visible(finding.help)}      {explain}" if finding.help else explain).rstrip()
 
 
 def command(finding: Finding) -> str:

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from launchlint.finding import Severity
-from launchlint.records import NamedTuple
 from launchlint.spelling import closest, one_slip
 from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.public_packages import public_names

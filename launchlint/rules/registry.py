@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from importlib import import_module
+from typing import NamedTuple
 
 from launchlint.finding import Severity
-from launchlint.records import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -11,8 +11,9 @@ order here". A finding of the same rule at a place that is in order in any confi
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from launchlint.finding import Finding, Fix, Location, Related, Severity
-from launchlint.records import NamedTuple
 from launchlint.source import Origin, Place
 
 TYPE_CHECKING = False

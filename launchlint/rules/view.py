@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 from launchlint.finding import Location
 from launchlint.model import Launch
-from launchlint.records import NamedTuple
 from launchlint.syntax.tree import Document
 from launchlint.workspace.packages import Packages
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import re
-from typing import Literal
+from typing import Literal, NamedTuple
 
-from launchlint.records import NamedTuple
 from launchlint.source import Span
 
 NAME = re.compile(r"[^\s<>/=\"'&;]+")

@@ -6,8 +6,7 @@ Facts from cmake-language(7): comments, bracket comments, quoted, unquoted and b
 from __future__ import annotations
 
 import re
-
-from launchlint.records import NamedTuple
+from typing import NamedTuple
 
 # One step of the tokenizer each; possessive in effect, since every alternative starts with a different character.
 _SPACE = re.compile(r"(?:[\s;]|#(?!\[=*\[)[^\n]*)+")

@@ -10,8 +10,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
-from launchlint.records import NamedTuple
 from launchlint.workspace.cmake import CMakeError, Command, commands
 from launchlint.workspace.cmake_scope import Scope, Value, merged
 from launchlint.workspace.cmake_words import HARMLESS, HARMLESS_PREFIXES, INSTALL_WORDS

@@ -10,8 +10,8 @@ import os
 import stat
 from collections.abc import Iterable, Mapping, Sequence
 from fnmatch import fnmatchcase
+from typing import NamedTuple
 
-from launchlint.records import NamedTuple
 from launchlint.workspace.cmake_facts import CMAKE_FILE, CMakeFacts, Install, read_cmake
 from launchlint.workspace.looking import start
 from launchlint.workspace.manifest import PACKAGE_FILE

@@ -11,8 +11,8 @@ import os
 import re
 from collections.abc import Callable
 from pyexpat import ExpatError, ParserCreate
+from typing import NamedTuple
 
-from launchlint.records import NamedTuple
 from launchlint.source import Place, Source, Span
 from launchlint.workspace.reading import read_bytes
 

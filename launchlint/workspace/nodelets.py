@@ -10,8 +10,8 @@ import os
 import re
 from collections.abc import Mapping
 from pyexpat import ExpatError, ParserCreate
+from typing import NamedTuple
 
-from launchlint.records import NamedTuple
 from launchlint.workspace.packages import Package
 from launchlint.workspace.reading import read_bytes
 

@@ -14,6 +14,12 @@ import pytest
 from launchlint.rules.registry import RULES
 from tests.cli.running import CLEAN, clean_environment, run, write
 
+NO_EFFECT = "and one that is misspelled would have no effect"
+NO_WORKSPACE = "--workspace nowhere: there is no such directory; packages are looked for in it, so give one that exists"
+BROKEN_BASELINE = (
+    "broken.json:1:2: this baseline is no JSON: Expecting property name enclosed in double quotes; --write-baseline makes a new one"
+)
+
 
 @pytest.mark.parametrize(
     ("words", "message"),
@@ -38,11 +44,10 @@ from tests.cli.running import CLEAN, clean_environment, run, write
         (["--write-baseline", "demo"], "cannot write the baseline to 'demo': it is a directory; give the name of a file"),
         (["--baseline", "nowhere.json"], "nowhere.json: there is no such baseline file; --write-baseline makes one"),
         (["--baseline", "demo"], "demo: the baseline must be a file"),
-        (["--baseline", "broken.json"], "broken.json:1:2: this baseline is no JSON: Expecting property name enclosed in double quotes; "
-         "--write-baseline makes a new one"),
+        (["--baseline", "broken.json"], BROKEN_BASELINE),
         (["--baseline", "list.json"], 'list.json: this is no baseline: it has no list "findings"; --write-baseline makes a new one'),
         (["--select", "LL999"], "--select LL999: there is no rule LL999; did you mean LL109?"),
-        (["--select", "duplicate-node-nam"], "--select duplicate-node-nam: there is no rule duplicate-node-nam; did you mean duplicate-node-name?"),
+        (["--select", "unused-ar"], "--select unused-ar: there is no rule unused-ar; did you mean unused-arg?"),
         (["--ignore", "LL301,whatever-else"], "--ignore whatever-else: there is no rule whatever-else; launchlint rules lists them all"),
         (["--severity", "LL301"], "--severity LL301: write RULE=error, RULE=warning or RULE=info"),
         (["--severity", "LL301=fatal"], "--severity LL301=fatal: write RULE=error, RULE=warning or RULE=info"),
@@ -50,7 +55,7 @@ from tests.cli.running import CLEAN, clean_environment, run, write
         (["--fail-on", "fatal"], "--fail-on: fatal is no severity; write error, warning or info"),
         (["--arg", "speed=1"], "--arg speed=1: an arg is given as name:=value, as to roslaunch"),
         (["--arg", ":=1"], "--arg :=1: an arg is given as name:=value, as to roslaunch"),
-        (["--workspace", "nowhere"], "--workspace nowhere: there is no such directory; packages are looked for in it, so give one that exists"),
+        (["--workspace", "nowhere"], NO_WORKSPACE),
         (["-", "demo"], "- stands for standard input and cannot be mixed with other paths; check them in two calls"),
         (["--stdin-filename", "a.launch"], "--stdin-filename names standard input; give - as the path too"),
         (["--entries", "nowhere.json"], "nowhere.json: it cannot be read: No such file or directory"),
@@ -59,10 +64,10 @@ from tests.cli.running import CLEAN, clean_environment, run, write
             ["--entries", "list.json", "--format", "sarif"],
             "--entries judges each entry by itself and prints one line of JSON for it: it goes with --format jsonl only",
         ),
-        (["--entries", "entries.yaml"], "entries.yaml:2:3: an entry has no key fiel, and one that is misspelled would have no effect; did you mean file?"),
+        (["--entries", "entries.yaml"], f"entries.yaml:2:3: an entry has no key fiel, {NO_EFFECT}; did you mean file?"),
         (["--config", "nowhere.yaml"], "nowhere.yaml: it cannot be read: No such file or directory"),
         (["--config", "demo"], "demo: it cannot be read: it is not a plain file"),
-        (["--config", "unknown.yaml"], "unknown.yaml:2:1: the configuration has no key selct, and one that is misspelled would have no effect; did you mean select?"),
+        (["--config", "unknown.yaml"], f"unknown.yaml:2:1: the configuration has no key selct, {NO_EFFECT}; did you mean select?"),
         (["--config", "rule.yaml"], "rule.yaml:1:17: select: there is no rule LL999; did you mean LL109?"),
         (["--config", "ignores.yaml"], "ignores.yaml:2:13: per-file-ignores: there is no rule nothing; launchlint rules lists them all"),
         (["--config", "severity.yaml"], "severity.yaml:1:12: severity: there is no rule LL3x1; did you mean LL301?"),
@@ -153,8 +158,8 @@ def test_a_full_disk(repository: Path) -> None:
     environment = clean_environment(repository / ".cache")
     with open("/dev/full", "wb") as full:
         ran = subprocess.run(
-            [sys.executable, "-m", "launchlint", "check", "--no-cache"], cwd=repository, env=environment, stdout=full, stderr=subprocess.PIPE,
-            check=False, timeout=60,
+            [sys.executable, "-m", "launchlint", "check", "--no-cache"], cwd=repository, env=environment, stdout=full,
+            stderr=subprocess.PIPE, check=False, timeout=60,
         )  # fmt: skip
     assert (ran.returncode, ran.stderr) == (2, b"launchlint: this cannot be done: No space left on device\n")
 
@@ -190,7 +195,8 @@ def test_a_crash_of_launchlint_itself_is_one_line(repository: Path) -> None:
         "from launchlint.cli import main; main(['check'])"
     )
     ran = subprocess.run(
-        [sys.executable, "-c", program], cwd=repository, env=clean_environment(repository / ".cache"), capture_output=True, text=True, check=False,
+        [sys.executable, "-c", program], cwd=repository, env=clean_environment(repository / ".cache"), capture_output=True, text=True,
+        check=False,
     )  # fmt: skip
     assert (ran.returncode, ran.stdout) == (2, "")
     assert ran.stderr == ("launchlint: launchlint itself failed: ZeroDivisionError: on purpose (<string>, line 2); please report this\n")

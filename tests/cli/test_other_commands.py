@@ -28,8 +28,7 @@ ROBOT = """\
 
 def test_model_for_people(repository: Path) -> None:
     write(repository, {"robot.launch": ROBOT})
-    assert run(repository, "model", "robot.launch") == (
-        0,
+    expected = (
         "NODES\n"
         "  /robot/talker  demo/talk.py  [required]\n"
         "      args   --loud\n"
@@ -38,9 +37,9 @@ def test_model_for_people(repository: Path) -> None:
         "\n"
         "PARAMETERS\n"
         "  /color = red\n"
-        f"  /description = output of: xacro {repository}/robot.xacro\n",
-        "",
+        f"  /description = output of: xacro {repository}/robot.xacro\n"
     )
+    assert run(repository, "model", "robot.launch") == (0, expected, "")
 
 
 def test_model_with_args(repository: Path) -> None:

@@ -141,7 +141,7 @@ def difference(real: Any, own: Any, where: str = "") -> str:
                 return found
         return ""
     if isinstance(real, list) and isinstance(own, list):
-        for index, (left, right) in enumerate(zip(real, own)):
+        for index, (left, right) in enumerate(zip(real, own, strict=False)):
             found = difference(left, right, f"{where}[{index}]")
             if found:
                 return found

@@ -30,7 +30,17 @@ YAMLS = (
     "{a: {}, b: 1}",
     "\n  p: on\n  q: 012\n",
 )
-EVALUATIONS = ("1 + 1", "'x' + 'y'", "2 &gt; 1", "str(3)", "not True", "dirname()[0]", "optenv('NO', 'd')", "find('pkg')[-3:]", "env('SET')")
+EVALUATIONS = (
+    "1 + 1",
+    "'x' + 'y'",
+    "2 &gt; 1",
+    "str(3)",
+    "not True",
+    "dirname()[0]",
+    "optenv('NO', 'd')",
+    "find('pkg')[-3:]",
+    "env('SET')",
+)
 MISTAKES = (
     '<node pkg="p" name="m"/>',
     '<node pkg="p" type="t" name="a/b"/>',
@@ -99,7 +109,9 @@ class _Scope:
 
 
 class Generator:
-    """Draws one case. ``mistakes`` is the share of cases that may hold mistakes, ``files`` and ``elements`` the most there may be of them."""
+    """Draws one case. ``mistakes`` is the share of cases that may hold mistakes, ``files`` and ``elements`` the most there may be of
+    them.
+    """
 
     def __init__(self, random: Random, mistakes: float, files: int, elements: int) -> None:
         self.random = random
@@ -200,7 +212,9 @@ class Generator:
         if roll < 0.8:
             return f"$(anon {random.choice('ab')})"
         if roll < 0.9:
-            return random.choice(("$(dirname)", "$(optenv NO x y)", "$(env SET)", "$(find pkg)/x y", "$(find pkg)x", "$(optenv SET)", "${arg a}"))
+            return random.choice(
+                ("$(dirname)", "$(optenv NO x y)", "$(env SET)", "$(find pkg)/x y", "$(find pkg)x", "$(optenv SET)", "${arg a}")
+            )
         return self.evaluation(scope)
 
     def evaluation(self, scope: _Scope) -> str:
@@ -245,7 +259,9 @@ class Generator:
         if random.random() < 0.2:
             extra += f' args="{self.value(scope)}"'
         if random.random() < 0.1:
-            extra += random.choice((' output="screen"', ' respawn="true" respawn_delay="2"', ' required="True"', ' cwd="node"', ' launch-prefix="nice"'))
+            extra += random.choice(
+                (' output="screen"', ' respawn="true" respawn_delay="2"', ' required="True"', ' cwd="node"', ' launch-prefix="nice"')
+            )
         if self.machines and random.random() < 0.1:
             extra += f' machine="{random.choice(self.machines)}"'
         start = f'<node pkg="p" type="t" name="{self._fresh()}"{self.namespace(0.15)}{extra}{self.condition(scope, 0.15)}'

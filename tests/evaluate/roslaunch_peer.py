@@ -1,6 +1,7 @@
 """The peer of the comparison: what the real roslaunch makes of launch files, as JSON.
 
-Run with a Python that has roslaunch. Standard input is a JSON list of ``{"file", "args", "environment", "packages", "directory"}``; standard output one
+Run with a Python that has roslaunch. Standard input is a JSON list of ``{"file", "args", "environment", "packages", "directory"}``;
+standard output one
 JSON object per job, in order, with the keys of ``launchlint model``. No master is asked, nothing is started, no command of a param is run,
 ``$(anon)`` gives numbered names, and an ``$(eval)`` that names a builtin with effects is refused. Every job has a process of its own.
 """
@@ -19,13 +20,13 @@ import shlex
 import sys
 from itertools import count
 
+import rosgraph.names
+import rosgraph.network
 import roslaunch.config
 import roslaunch.core
 import roslaunch.loader
 import roslaunch.substitution_args
 import roslaunch.xmlloader
-import rosgraph.names
-import rosgraph.network
 import rospkg
 
 PLAIN = {"abs", "bool", "dict", "eval", "float", "int", "len", "list", "max", "min", "range", "round", "sorted", "str", "sum", "tuple"}

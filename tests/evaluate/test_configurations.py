@@ -56,7 +56,10 @@ FOUND: dict[str, tuple[Case, list[dict[str, str]]]] = {
         case('<arg name="sim" default="true"/>' + GUI + '[[n if="$(eval sim and gui)"]]'),
         [{}, {"gui": "true"}],
     ),
-    "two args in one condition, both are needed": (case(SIM + GUI + '[[n if="$(eval sim and gui)"]]'), [{}, {"gui": "true", "sim": "true"}]),
+    "two args in one condition, both are needed": (
+        case(SIM + GUI + '[[n if="$(eval sim and gui)"]]'),
+        [{}, {"gui": "true", "sim": "true"}],
+    ),
     "two texts in one condition": (
         case(MODE + '<arg name="world" default="a"/>' + "[[n if=\"$(eval mode == 'p' and world == 'q')\"]]"),
         [{}, {"mode": "p", "world": "q"}],
@@ -90,12 +93,14 @@ FOUND: dict[str, tuple[Case, list[dict[str, str]]]] = {
     "through an include, compared under another name": (
         case(
             MODE + '<include file="$(dirname)/i.launch"><arg name="kind" value="$(arg mode)"/></include>',
-            files={"i.launch": "<arg name=\"kind\"/>[[n if=\"$(eval kind == 'b')\"]]"},
+            files={"i.launch": '<arg name="kind"/>[[n if="$(eval kind == \'b\')"]]'},
         ),
         [{}, {"mode": "b"}],
     ),
     "through pass_all_args": (
-        case(SIM + '<include file="$(dirname)/i.launch" pass_all_args="true"/>', files={"i.launch": '<arg name="sim"/>[[n if="$(arg sim)"]]'}),
+        case(
+            SIM + '<include file="$(dirname)/i.launch" pass_all_args="true"/>', files={"i.launch": '<arg name="sim"/>[[n if="$(arg sim)"]]'}
+        ),
         [{}, {"sim": "true"}],
     ),
     "an arg of an included file that nobody passes": (
@@ -118,7 +123,10 @@ FOUND: dict[str, tuple[Case, list[dict[str, str]]]] = {
         ),
         [{}],
     ),
-    "a text is not given a boolean": (case('<arg name="file" default="map.yaml"/><group unless="$(eval file == \'\')">[[n]]</group>'), [{}]),
+    "a text is not given a boolean": (
+        case('<arg name="file" default="map.yaml"/><group unless="$(eval file == \'\')">[[n]]</group>'),
+        [{}],
+    ),
 }
 
 
@@ -214,7 +222,8 @@ def test_what_some_values_of_the_args_reach_is_reached(each: Case) -> None:
         found = evaluations(each, directory)
         session = session_in(directory)
         every = [
-            evaluate(session, str(directory / MAIN), tuple(zip(ARGS, values))) for values in product(("true", "false"), repeat=len(ARGS))
+            evaluate(session, str(directory / MAIN), tuple(zip(ARGS, values, strict=True)))
+            for values in product(("true", "false"), repeat=len(ARGS))
         ]
         assert sides(found) == sides(every)
         reached: set[tuple[int, bool | None]] = set()

@@ -38,7 +38,9 @@ def without_blocks(directory: Path, case: Case) -> Session:
 
 
 def outcome(session: Session, case: Case, directory: Path) -> tuple[object, ...]:
-    """Everything that comes out of a case, in a form that can be compared: the model, the problems with their places, conditions, settings."""
+    """Everything that comes out of a case, in a form that can be compared: the model, the problems with their places, conditions,
+    settings.
+    """
     with inside(directory):
         evaluation = evaluate(session, str(directory / MAIN), tuple(case.arguments.items()))
     launch = evaluation.launch
@@ -70,7 +72,8 @@ def test_random_trees_are_what_roslaunch_says(seed: int, ros_python: str, tmp_pa
         placed.append((case, directory))
     answers = theirs(ros_python, placed)
     differences = {
-        number: difference(answer, ours(case, directory)) for number, ((case, directory), answer) in enumerate(zip(placed, answers, strict=True))
+        number: difference(answer, ours(case, directory))
+        for number, ((case, directory), answer) in enumerate(zip(placed, answers, strict=True))
     }
     assert {number: text for number, text in differences.items() if text} == {}
     # Both kinds are among them, else the comparison would say nothing.

@@ -1,6 +1,7 @@
 """The evaluation of one launch file: what every tag needs to do its work.
 
-The tags themselves are in ``launch_tags``, ``include_tags``, ``node_tags``, ``parameter_tags`` and ``machine_tags``; this is the state they share.
+The tags themselves are in ``launch_tags``, ``include_tags``, ``node_tags``, ``parameter_tags`` and ``machine_tags``; this is the state
+they share.
 """
 
 from __future__ import annotations
@@ -48,7 +49,8 @@ class Exhausted(Exception):
 class Progress:
     """What all files of one evaluation share: the anonymous names so far, the include stack, and how much has been looked at.
 
-    ``angles``: a ``<rosparam>`` has been loaded, and with it roslaunch's knowledge of ``deg(…)`` and ``rad(…)``, also for ``<param type="yaml">``.
+    ``angles``: a ``<rosparam>`` has been loaded, and with it roslaunch's knowledge of ``deg(…)`` and ``rad(…)``, also for ``<param
+    type="yaml">``.
     """
 
     __slots__ = ("angles", "anonymous", "looked_at", "stack")
@@ -60,15 +62,19 @@ class Progress:
         self.stack: list[tuple[Any, ...]] = []
 
     def has_room_for(self, block: Block) -> bool:
-        """Whether ``block``, worked out before, may be used here: doing it again must not meet a bound either."""
-        return self.looked_at + block.looked_at <= LARGEST_EVALUATION and len(self.stack) + block.depth < DEEPEST_INCLUDE
+        """Whether ``block``, worked out before, may be used here: doing it again must meet no bound and no file above it."""
+        return (
+            self.looked_at + block.looked_at <= LARGEST_EVALUATION
+            and len(self.stack) + block.depth < DEEPEST_INCLUDE
+            and block.entered.isdisjoint(self.stack)
+        )
 
 
 class FileEvaluation:
     """One launch file, entered in one way.
 
-    ``reads`` collects the args read since it was last emptied; ``environment_arguments`` are the args whose values the including files made from
-    environment variables.
+    ``reads`` collects the args read since it was last emptied; ``environment_arguments`` are the args whose values the including files
+    made from environment variables.
     """
 
     def __init__(
@@ -133,7 +139,9 @@ class FileEvaluation:
             raise Exhausted(Problem("evaluation-bound", Origin(self.place(span)), {"elements": LARGEST_EVALUATION}))
 
     def spend_characters(self, count: int, span: Span) -> None:
-        """Count a text of ``count`` characters that is made at ``span``: args that double in every include grow without end. Raises Exhausted."""
+        """Count a text of ``count`` characters that is made at ``span``: args that double in every include grow without end. Raises
+        Exhausted.
+        """
         if count >= CHARACTERS_PER_ELEMENT:
             self.spend(count // CHARACTERS_PER_ELEMENT, span)
 

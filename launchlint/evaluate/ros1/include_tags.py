@@ -63,6 +63,7 @@ def include(file: FileEvaluation, element: Element, context: Context, default_ma
     file.block.near |= block.near
     file.block.depth = max(file.block.depth, block.depth + 1)
     file.block.cycle_floor = min(file.block.cycle_floor, block.cycle_floor)
+    file.block.entered |= block.entered
     file.block.node_count += block.node_count
     context.reach(block.node_count)
     _check_arguments(file, element, document, block, explicit, pass_all=pass_all)

@@ -78,6 +78,7 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
         block.touched, block.variables = frozenset(session.touched), frozenset(session.variables)
         session.touched, session.variables = outer[0] | block.touched, outer[1] | block.variables
     block.looked_at = progress.looked_at - before
+    block.entered.add(key)
     block.angles = progress.angles
     if entering.private_above:
         block.leaked = list(context.private)

@@ -35,7 +35,8 @@ def node(file: FileEvaluation, element: Element, context: Context, default_machi
     if given is None:
         unknown.add("ns")
     private_namespace = _private_namespace(file, element, namespace, name)
-    # roslaunch copies what substitutions know before it looks at the other attributes, so a new $(anon) in a param stays in the node's params.
+    # roslaunch copies what substitutions know before it looks at the other attributes, so a new $(anon) in a param stays in the node's
+    # params.
     file.spend_on_scope(context, element.name_span)
     values = Context(private_namespace, context)
     if file.flag(element, "clear_params", context, empty_is_absent=True):

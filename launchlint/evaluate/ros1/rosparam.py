@@ -5,12 +5,11 @@ Sources: roslaunch.loader.load_rosparam and add_param, and the constructors that
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from launchlint.evaluate.ros1.values import UnknownValue
 from launchlint.evaluate.ros1.yaml_tree import DEEPEST, Node, YamlError, YamlUnknown, parse, shown
 from launchlint.evaluate.ros1.yaml_values import Constructor, Duplicate
-from launchlint.records import NamedTuple
 
 __all__ = ("Duplicate", "Entry", "Loaded", "UnknownValue", "YamlError", "YamlUnknown", "load")
 

@@ -10,7 +10,9 @@ from launchlint.source import Origin, Place
 
 
 class Missing(Unknown):
-    """The value of an arg that was read before it had one: this has been told of, and a declaration that follows still gives it its value."""
+    """The value of an arg that was read before it had one: this has been told of, and a declaration that follows still gives it its
+    value.
+    """
 
     __slots__ = ()
 

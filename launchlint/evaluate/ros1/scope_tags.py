@@ -13,7 +13,9 @@ from launchlint.syntax.tree import Element
 
 
 def scope_namespace(file: FileEvaluation, element: Element, context: Context) -> tuple[str, bool | None]:
-    """The namespace that ``ns`` opens, and whether ``ns`` is there, None where its value is unknown (roslaunch.xmlloader._ns_clear_params_attr)."""
+    """The namespace that ``ns`` opens, and whether ``ns`` is there, None where its value is unknown
+    (roslaunch.xmlloader._ns_clear_params_attr).
+    """
     attribute = element.attributes.get("ns")
     if attribute is None:
         return context.namespace, False
@@ -73,8 +75,8 @@ def env(file: FileEvaluation, element: Element, context: Context) -> Environment
 def check_quotes(file: FileEvaluation, element: Element, attribute: str, text: str) -> None:
     """Record quotes that do not match: roslaunch splits the resolved ``text`` as a shell does.
 
-    It splits ``args`` and ``launch-prefix`` when it starts the node (roslaunch.node_args.create_local_process_args), the ``command`` of a param when
-    it loads the file (roslaunch.loader.Loader.param_value).
+    It splits ``args`` and ``launch-prefix`` when it starts the node (roslaunch.node_args.create_local_process_args), the ``command`` of a
+    param when it loads the file (roslaunch.loader.Loader.param_value).
     """
     if not any(char in text for char in "'\"\\"):
         return

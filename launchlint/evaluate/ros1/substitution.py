@@ -1,6 +1,7 @@
 """``$(…)`` in attribute values and in rosparam text (roslaunch.substitution_args).
 
-``env``, ``optenv``, ``dirname``, ``anon`` and ``arg`` are replaced in a first pass, ``find`` in a second one, since the path behind it takes part in
+``env``, ``optenv``, ``dirname``, ``anon`` and ``arg`` are replaced in a first pass, ``find`` in a second one, since the path behind it
+takes part in
 the search. ``$(eval …)`` must fill the whole value. Whatever cannot be known makes the whole value an :class:`~launchlint.model.Unknown`.
 """
 
@@ -85,7 +86,9 @@ def collect(text: str) -> list[tuple[str, int, int]]:
 
 
 def resolve(evaluation: FileEvaluation, text: str, where: Where, context: Context) -> Value:
-    """The value of ``text`` in ``context``; problems are recorded on ``evaluation`` at the place ``where`` gives for offsets into ``text``."""
+    """The value of ``text`` in ``context``; problems are recorded on ``evaluation`` at the place ``where`` gives for offsets into
+    ``text``.
+    """
     if "$" not in text:
         return text
     try:

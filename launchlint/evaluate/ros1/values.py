@@ -31,8 +31,8 @@ def convert_value(text: str, type_: str, *, angles: bool = False) -> Any:
     """The value roslaunch makes of ``text`` for a parameter of type ``type_`` (roslaunch.loader.convert_value).
 
     ``type_`` is one of :data:`PARAMETER_TYPES` in any case. ``text`` is taken as it is: roslaunch strips the blanks of ``value=`` but
-    not of a text file before it converts. ``angles`` says whether YAML knows ``deg(…)`` and ``rad(…)``: it does as soon as roslaunch has loaded
-    one ``<rosparam>``. The result is a bool, int, float or str, and for ``yaml`` whatever the YAML text says.
+    not of a text file before it converts. ``angles`` says whether YAML knows ``deg(…)`` and ``rad(…)``: it does as soon as roslaunch has
+    loaded one ``<rosparam>``. The result is a bool, int, float or str, and for ``yaml`` whatever the YAML text says.
 
     Raises ``ValueError``, whose text is plain words for the user, where roslaunch stops; and :class:`UnknownValue` for YAML beyond
     our bounds.

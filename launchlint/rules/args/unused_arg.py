@@ -45,6 +45,7 @@ RULE = Rule("LL206", "unused-arg", Severity.WARNING)
 # Whatever looks like a read counts as one, closed or not: what is wrong with it is told by other rules.
 READ = re.compile(r"[({\[]\s*arg\s+([^\s(){}\[\]$]+)")
 WORD = re.compile(r"[^\W\d]\w*")
+MARKUP = re.compile(r"<[^<>]*>")
 EVAL = re.compile(r"\$\(eval([^\n]*)")
 COMPUTED_NAME = re.compile(r"\barg\s*\(\s*[^'\"\s]|\b(?:globals|locals|vars|dir|eval|exec)\s*\(")
 ON_PURPOSE = re.compile(
@@ -131,7 +132,7 @@ def _kept_on_purpose(document: Document) -> set[int]:
     """
     args = [each for each in document.elements if each.tag == "arg"]
     kept = {each.index for each in args if ON_PURPOSE.search(each.get("doc") or "")}
-    speaking = [each for each in document.comments if ON_PURPOSE.search(each.text)]
+    speaking = [each for each in document.comments if _says_so(each)]
     if not speaking:
         return kept
     source = document.source
@@ -148,9 +149,14 @@ def _kept_on_purpose(document: Document) -> set[int]:
             in_run = heard
             if heard:
                 kept.add(thing.index)
-        elif first.line > line and ON_PURPOSE.search(thing.text):
+        elif first.line > line and _says_so(thing):
             heard, in_run = True, False
         elif first.line > line + 1:
             heard = False
         line = last.line
     return kept
+
+
+def _says_so(comment: Comment) -> bool:
+    """Whether the words of a comment say it; not the XML that is commented out in it."""
+    return ON_PURPOSE.search(MARKUP.sub(" ", comment.text)) is not None

@@ -1,8 +1,8 @@
 """A node is to run on a machine that no `<machine>` tag defines.
 
 What it does: it compares the `machine` of every node and test with the machines of the whole launch. A machine may be defined
-after the node that uses it, and in any included file. Where the launch defines no machine at all it is an info: the file may be
-made to be included. Where the launch is not known as a whole, because a file of it is not here or a condition cannot be worked out, the
+after the node that uses it, and in any included file. Where the launch defines no machine at all it is a warning, and in a file
+whose name ends with `.xml` an info: it may be made to be included. Where the launch is not known as a whole, because a file of it is not here or a condition cannot be worked out, the
 machine may be defined there, and nothing is told.
 
 ## Why it matters
@@ -61,11 +61,12 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     name, known = problem.facts["name"], problem.facts["known"]
     if _may_be_elsewhere(view.launch):
         return
+    fragment = view.launch.entry.path.endswith(".xml")
     certain = bool(known) or view.declared_entry
     yield RULE.at(
         problem.origin,
         f"there is no machine {name}",
-        severity=None if certain else Severity.INFO,
+        severity=None if certain else Severity.INFO if fragment else Severity.WARNING,
         label="not defined",
         notes=(
             f"roslaunch stops with: ERROR: unknown machine [{name}]",

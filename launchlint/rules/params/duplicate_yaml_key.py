@@ -57,5 +57,6 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         severity=Severity.INFO if same else None,
         label="the last one counts",
         related=problem.related,
+        topic=key,
         help="remove one of the two" if same else "remove one of the two, or merge what is below them",
     )

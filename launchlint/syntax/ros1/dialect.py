@@ -6,7 +6,8 @@ the RelaxNG schema all read it here. Source: the ``*_ATTRS`` lists and the tag m
 
 from __future__ import annotations
 
-from launchlint.records import NamedTuple
+from typing import NamedTuple
+
 from launchlint.syntax.ros1.domains import (
     COMMAND,
     CONDITION,

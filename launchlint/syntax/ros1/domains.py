@@ -7,8 +7,7 @@ RelaxNG schema and did-you-mean use ``choices``.
 from __future__ import annotations
 
 from collections.abc import Callable
-
-from launchlint.records import NamedTuple
+from typing import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

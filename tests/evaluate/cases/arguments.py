@@ -8,7 +8,7 @@ GO = '<include file="$(dirname)/inner.launch"/>'
 SHOW = '<param name="x" value="$(arg a)"/>'
 
 
-def passing(inner: str, children: str = "", attributes: str = "", before: str = "", after: str = "", *refused: str, **more: dict[str, str]):  # type: ignore[no-untyped-def]  # noqa: ANN201 - see case
+def passing(inner: str, children: str = "", attributes: str = "", before: str = "", after: str = "", *refused: str, **more: dict[str, str]):  # type: ignore[no-untyped-def]
     """A file that includes one other, with what stands before, in and after the include."""
     main = f'{before}<include file="$(dirname)/inner.launch" {attributes}>{children}</include>{after}'
     return case(main, *refused, files={"inner.launch": inner}, **more)  # type: ignore[arg-type]
@@ -45,8 +45,12 @@ ARGUMENTS = {
     "a name with two underscores on the command line": case(
         '<arg name="__a" default="1"/><param name="x" value="$(arg __a)"/>', args={"__a": "2"}
     ),
-    "a name with a digit first on the command line": case('<arg name="1a" default="1"/><param name="x" value="$(arg 1a)"/>', args={"1a": "2"}),
-    "a name with a hyphen on the command line": case('<arg name="a-b" default="1"/><param name="x" value="$(arg a-b)"/>', args={"a-b": "2"}),
+    "a name with a digit first on the command line": case(
+        '<arg name="1a" default="1"/><param name="x" value="$(arg 1a)"/>', args={"1a": "2"}
+    ),
+    "a name with a hyphen on the command line": case(
+        '<arg name="a-b" default="1"/><param name="x" value="$(arg a-b)"/>', args={"a-b": "2"}
+    ),
     "a value with := on the command line": case('<arg name="a" default="1"/>' + SHOW, args={"a": "b:=c"}),
     "a value with a line end on the command line": case('<arg name="a" default="1"/>' + SHOW, args={"a": "b\nc"}),
     "a substitution on the command line": case('<arg name="a" default="1"/>' + SHOW, args={"a": "$(arg b)"}),
@@ -56,7 +60,9 @@ ARGUMENTS = {
     # scopes
     "a group sees the args around it": case('<arg name="a" value="1"/><group>' + SHOW + "</group>"),
     "an arg of a group stays there": case('<group><arg name="a" value="1"/></group>' + SHOW, "arg-out-of-scope"),
-    "a group cannot declare an outer arg again": case('<arg name="a" value="1"/><group><arg name="a" value="2"/></group>', "arg-redeclared"),
+    "a group cannot declare an outer arg again": case(
+        '<arg name="a" value="1"/><group><arg name="a" value="2"/></group>', "arg-redeclared"
+    ),
     "a group cannot declare an outer required arg again": case('<arg name="a"/><group><arg name="a" value="2"/></group>', "arg-redeclared"),
     "sibling groups may declare the same arg": case(
         f'<group ns="g"><arg name="a" value="1"/>{SHOW}</group><group ns="h"><arg name="a" value="2"/>{SHOW}</group>'
@@ -100,20 +106,28 @@ ARGUMENTS = {
         '<include file="$(dirname)/d/inner.launch"><arg name="a" value="$(dirname)"/></include>',
         files={"d/inner.launch": '<arg name="a"/><param name="x" value="$(arg a) $(dirname)"/>'},
     ),
-    "an include's if sees this file": passing('<arg name="a"/>' + SHOW, '<arg name="a" value="1"/>', 'if="$(arg b)"', '<arg name="b" value="1"/>'),
+    "an include's if sees this file": passing(
+        '<arg name="a"/>' + SHOW, '<arg name="a" value="1"/>', 'if="$(arg b)"', '<arg name="b" value="1"/>'
+    ),
     "tags of an include in capital letters": passing('<arg name="a"/>' + SHOW, '<ARG name="a" value="1"/><Env name="A" value="1"/>'),
     "other tags in an include": passing("[[n]]", '<param name="x" value="1"/><remap/>text'),
     # pass_all_args
     "pass_all_args passes all": passing('<arg name="a"/>' + SHOW, "", ALL, '<arg name="a" default="1"/>'),
     "pass_all_args passes what was given": passing('<arg name="a"/>' + SHOW, "", ALL, args={"a": "7"}),
     "pass_all_args and an own arg": passing('<arg name="a"/>' + SHOW, '<arg name="a" value="2"/>', ALL, '<arg name="a" default="1"/>'),
-    "pass_all_args and an own default": passing('<arg name="a"/>' + SHOW, '<arg name="a" default="2"/>', ALL, '<arg name="a" default="1"/>'),
+    "pass_all_args and an own default": passing(
+        '<arg name="a"/>' + SHOW, '<arg name="a" default="2"/>', ALL, '<arg name="a" default="1"/>'
+    ),
     "pass_all_args and a new default": passing('<arg name="a"/>' + SHOW, '<arg name="a" default="2"/>', ALL),
-    "pass_all_args and an own arg without a value": passing('<arg name="a"/>' + SHOW, '<arg name="a"/>', ALL, '<arg name="a" default="1"/>'),
+    "pass_all_args and an own arg without a value": passing(
+        '<arg name="a"/>' + SHOW, '<arg name="a"/>', ALL, '<arg name="a" default="1"/>'
+    ),
     "pass_all_args and a new arg without a value": passing('<arg name="a"/>', '<arg name="a"/>', ALL, "", "", "missing-attribute"),
     "pass_all_args and an own arg twice": passing('<arg name="a"/>' + SHOW, '<arg name="a" value="1"/><arg name="a" value="2"/>', ALL),
     "pass_all_args checks no undeclared ones": passing("", '<arg name="typo" value="1"/>', ALL),
-    "pass_all_args and a value there": passing('<arg name="a" value="3"/>' + SHOW, '<arg name="a" value="2"/>', ALL, '<arg name="a" default="1"/>'),
+    "pass_all_args and a value there": passing(
+        '<arg name="a" value="3"/>' + SHOW, '<arg name="a" value="2"/>', ALL, '<arg name="a" default="1"/>'
+    ),
     "pass_all_args and a value in a group there": passing(
         '<group><arg name="a" value="3"/></group>', "", ALL, '<arg name="a" default="1"/>', "", "arg-override-refused"
     ),
@@ -151,22 +165,35 @@ ARGUMENTS = {
     "an include without file": case("<include/>", "missing-attribute"),
     "an include that is switched off": case('<include file="$(dirname)/no.launch" if="0" pass_all_args="x"/>[[n]]'),
     "an include of a directory": case('<include file="$(dirname)"/>', "include-not-found"),
-    "an include of a file that is no launch file": case('<include file="$(dirname)/x.xml"/>', "include-not-loadable", files={"x.xml": "<robot/>"}),
-    "an include of a file that is not well-formed": case('<include file="$(dirname)/x.xml"/>', "include-not-loadable", files={"x.xml": "<launch>"}),
-    "an include by a relative name": case('<include file="d/inner.launch"/>', files={"d/inner.launch": '<include file="other.launch"/>', "other.launch": "[[n]]"}),
-    "a name with two dots": case('<include file="$(dirname)/d/../inner.launch"/>', files={"inner.launch": '<param name="x" value="$(dirname)"/>', "d/x": ""}),
+    "an include of a file that is no launch file": case(
+        '<include file="$(dirname)/x.xml"/>', "include-not-loadable", files={"x.xml": "<robot/>"}
+    ),
+    "an include of a file that is not well-formed": case(
+        '<include file="$(dirname)/x.xml"/>', "include-not-loadable", files={"x.xml": "<launch>"}
+    ),
+    "an include by a relative name": case(
+        '<include file="d/inner.launch"/>', files={"d/inner.launch": '<include file="other.launch"/>', "other.launch": "[[n]]"}
+    ),
+    "a name with two dots": case(
+        '<include file="$(dirname)/d/../inner.launch"/>', files={"inner.launch": '<param name="x" value="$(dirname)"/>', "d/x": ""}
+    ),
     "a file that includes itself": case('<include file="$(dirname)/main.launch"/>', "include-cycle"),
     "two files that include each other": case(GO, "include-cycle", files={"inner.launch": '<include file="$(dirname)/main.launch"/>'}),
     "a file that includes itself, once": case(
-        '<arg name="again" default="true"/>[[n ns="$(arg again)"]]<include file="$(dirname)/main.launch" if="$(arg again)"><arg name="again" value="false"/></include>'
+        '<arg name="again" default="true"/>[[n ns="$(arg again)"]]<include file="$(dirname)/main.launch" if="$(arg again)">'
+        '<arg name="again" value="false"/></include>'
     ),
     "a file that counts down": case(
-        '<arg name="k" default="5"/>[[n$(arg k)]]<include file="$(dirname)/main.launch" if="$(eval k &gt; 0)"><arg name="k" value="$(eval k - 1)"/></include>'
+        '<arg name="k" default="5"/>[[n$(arg k)]]<include file="$(dirname)/main.launch" if="$(eval k &gt; 0)">'
+        '<arg name="k" value="$(eval k - 1)"/></include>'
     ),
     "an included file that is deprecated": case(GO, files={"inner.launch": '<launch deprecated="use the other one">[[n]]</launch>'}),
     # conditions
     "conditions in every spelling": case(
-        "".join(f'<param name="p{number}" value="1" if="{word}"/>' for number, word in enumerate(["true", "1", "TRUE", " true ", "0", "False", " 0"]))
+        "".join(
+            f'<param name="p{number}" value="1" if="{word}"/>'
+            for number, word in enumerate(["true", "1", "TRUE", " true ", "0", "False", " 0"])
+        )
     ),
     "unless in every spelling": case(
         "".join(f'<param name="p{number}" value="1" unless="{word}"/>' for number, word in enumerate(["true", "1", "0", "fALSE", " 0\t"]))
@@ -190,4 +217,4 @@ ARGUMENTS = {
     "a condition with an arg on the root": case('<launch if="$(arg x)">[[n]]</launch>', "condition-on-launch"),
     "a wrong condition on the root": case('<launch unless="maybe">[[n]]</launch>', "condition-not-boolean"),
     "a condition with an arg on an included root": case(GO, "condition-on-launch", files={"inner.launch": '<launch if="$(arg x)"/>'}),
-}  # fmt: skip
+}

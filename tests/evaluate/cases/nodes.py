@@ -5,7 +5,7 @@ from __future__ import annotations
 from tests.evaluate.comparison import case
 
 
-def test_tag(attributes: str, *refused: str):  # type: ignore[no-untyped-def]  # noqa: ANN201 - see case
+def test_tag(attributes: str, *refused: str):  # type: ignore[no-untyped-def]
     """A test with these attributes besides the required ones."""
     return case(f'<test pkg="p" type="t" test-name="x" {attributes}/>', *refused)
 
@@ -14,7 +14,8 @@ test_tag.__test__ = False  # type: ignore[attr-defined]
 
 NODES = {
     "every attribute": case(
-        '[[n machine="" args="-a \'b c\'" output="screen" respawn="true" respawn_delay="1.5" cwd="node" launch-prefix="nice -n 5" required="false"]]'
+        '[[n machine="" args="-a \'b c\'" output="screen" respawn="true" respawn_delay="1.5" cwd="node"'
+        ' launch-prefix="nice -n 5" required="false"]]'
     ),
     "attributes that are empty": case('[[n args="" launch-prefix="" machine=""]]'),
     "cwd in small letters": case('[[n cwd="ros_home"]][[m cwd="ROS_HOME"]]'),
@@ -36,11 +37,13 @@ NODES = {
     "an empty pkg": case('<node pkg=" " type="t" name="n"/>', "invalid-value"),
     "an empty type": case('<node pkg="p" type="" name="n"/>', "invalid-value"),
     "an empty name": case("[[]][[]]"),
-    "an empty name in a namespace, with params": case('<group ns="g">[[ | <param name="x" value="1"/><param name="~y" value="1"/>]]</group>'),
-    "a name with a slash": case('[[a/b]]', "invalid-node-name"),
-    "a name that is absolute": case('[[/a]]', "invalid-node-name"),
-    "a private name": case('[[~a]]', "invalid-node-name"),
-    "the name ~": case('[[~]]', "invalid-node-name"),
+    "an empty name in a namespace, with params": case(
+        '<group ns="g">[[ | <param name="x" value="1"/><param name="~y" value="1"/>]]</group>'
+    ),
+    "a name with a slash": case("[[a/b]]", "invalid-node-name"),
+    "a name that is absolute": case("[[/a]]", "invalid-node-name"),
+    "a private name": case("[[~a]]", "invalid-node-name"),
+    "the name ~": case("[[~]]", "invalid-node-name"),
     "odd names": case('[[1a]][[a-b]][[ä]]<node pkg="p" type="t" name="a b"/>'),
     "names with odd characters and params": case('[[a.b | <param name="x" value="1"/>]]'),
     "two nodes of one name": case("[[a]][[a]]", "duplicate-node"),
@@ -50,17 +53,21 @@ NODES = {
     "one name in two namespaces": case('[[a]][[a ns="g"]]'),
     "roscore's own node": case("[[rosout]]", "duplicate-node"),
     "roscore's node in a namespace": case('[[rosout ns="g"]]'),
-    "quotes in args": case("[[n args=\"'a\"]]", "unbalanced-quotes"),
+    "quotes in args": case('[[n args="\'a"]]', "unbalanced-quotes"),
     "a backslash in args": case('[[n args="a\\"]]', "unbalanced-quotes"),
-    "quotes in a prefix": case("[[n launch-prefix=\"'a\"]]", "unbalanced-quotes"),
-    "a hash in args": case("[[n args=\"a #'b\"]]", "unbalanced-quotes"),
-    "tags in a node in any case": case('[[n | <Param name="x" value="1"/><REMAP from="a" to="b"/><rosParam>{y: 1}</rosParam><Env name="A" value="1"/>]]'),
+    "quotes in a prefix": case('[[n launch-prefix="\'a"]]', "unbalanced-quotes"),
+    "a hash in args": case('[[n args="a #\'b"]]', "unbalanced-quotes"),
+    "tags in a node in any case": case(
+        '[[n | <Param name="x" value="1"/><REMAP from="a" to="b"/><rosParam>{y: 1}</rosParam><Env name="A" value="1"/>]]'
+    ),
     "other tags in a node": case('[[n | <arg name="a" value="1"/><node/><group/>text]]'),
     "unknown attributes": case('[[n namespace="x" Name="y" ns2="$(bad)"]]'),
     "an unset arg in each attribute": case('[[n args="$(arg a)"]]', "undeclared-arg"),
     # tests
     "a test": test_tag(""),
-    "a test in full": test_tag('name="n" time-limit="5" retry="2" args="a" machine="" cwd="node" launch-prefix="nice" ns="g" required="true"'),
+    "a test in full": test_tag(
+        'name="n" time-limit="5" retry="2" args="a" machine="" cwd="node" launch-prefix="nice" ns="g" required="true"'
+    ),
     "a test without test-name": case('<test pkg="p" type="t" name="n"/>', "missing-attribute"),
     "a test named by its test-name": test_tag('name=""'),
     "a test without a type": case('<test pkg="p" test-name="x"/>', "missing-attribute"),
@@ -78,7 +85,8 @@ NODES = {
     "a test's name with a slash": case('<test pkg="p" type="t" test-name="a/b"/>', "invalid-node-name"),
     "a test-name with a slash": test_tag('name="n"'),
     "a test with params and remaps": case(
-        '<remap from="a" to="b"/><test pkg="p" type="t" test-name="x"><remap from="c" to="d"/><param name="q" value="1"/><rosparam>{r: 1}</rosparam></test>'
+        '<remap from="a" to="b"/><test pkg="p" type="t" test-name="x"><remap from="c" to="d"/>'
+        '<param name="q" value="1"/><rosparam>{r: 1}</rosparam></test>'
     ),
     # XML
     "unknown tags": case("<bad><node/></bad><Node/><NODE/>[[n]]<master auto='start'/>"),
@@ -92,7 +100,10 @@ NODES = {
     "a launch in a launch": case("<launch><group><launch/></group></launch>", "root-not-launch"),
     "not well-formed": case("<launch><node></launch>", "malformed-xml"),
     "an empty file": case(b"", "malformed-xml"),
-    "entities": case('<!DOCTYPE launch [<!ENTITY a "1"><!ENTITY b "<param name=\'y\' value=\'2\'/>">]><launch><param name="x" value="&a;&lt;"/>&b;</launch>'),
+    "entities": case(
+        "<!DOCTYPE launch [<!ENTITY a \"1\"><!ENTITY b \"<param name='y' value='2'/>\">]><launch>"
+        '<param name="x" value="&a;&lt;"/>&b;</launch>'
+    ),
     "an unknown entity": case("<launch>&nbsp;</launch>", "malformed-xml"),
     "UTF-8 with a mark": case(b"\xef\xbb\xbf<launch><param name='x' value='\xc3\xa9'/></launch>"),
     "Latin-1": case(b"<?xml version='1.0' encoding='ISO-8859-1'?><launch><param name='x' value='\xe9'/></launch>"),
@@ -106,4 +117,4 @@ NODES = {
     "hyphens in a comment": case(b"<launch><!-- a -- b --></launch>", "malformed-xml"),
     "CDATA and instructions": case("<?a b?>\n<launch><![CDATA[x]]><?c d?>[[n]]</launch><!-- end -->"),
     "two roots": case(b"<launch/><launch/>", "malformed-xml"),
-}  # fmt: skip
+}

@@ -4,8 +4,62 @@ from __future__ import annotations
 
 from tests.evaluate.comparison import case
 
-VALUES = ["1", "-1", "+1", "1.0", ".5", "1.", "1e5", "1.e5", "0x1F", "nan", "inf", "1_000", "1_0.5", "true", "TRUE", "yes", "on", "", " ", " 7 ", "1,5", "1:30", "٣", "012", "null", "-inf.", "1.5.2", "..", "True ", "a b", "{x: 1}", "[1, 2]", "--1", "1 2", "1L", "0b1", "é"]  # fmt: skip
-YAMLS = ["{a: 1, b: [x, 2.5, true]}", "[1, null]", "3", "1e3", "012", "yes", "1:30", "~", "2001-01-01", "text: more", "", "'1'", "!!str 1", "-.inf", "1_000"]
+VALUES = [
+    "1",
+    "-1",
+    "+1",
+    "1.0",
+    ".5",
+    "1.",
+    "1e5",
+    "1.e5",
+    "0x1F",
+    "nan",
+    "inf",
+    "1_000",
+    "1_0.5",
+    "true",
+    "TRUE",
+    "yes",
+    "on",
+    "",
+    " ",
+    " 7 ",
+    "1,5",
+    "1:30",
+    "٣",
+    "012",
+    "null",
+    "-inf.",
+    "1.5.2",
+    "..",
+    "True ",
+    "a b",
+    "{x: 1}",
+    "[1, 2]",
+    "--1",
+    "1 2",
+    "1L",
+    "0b1",
+    "é",
+]
+YAMLS = [
+    "{a: 1, b: [x, 2.5, true]}",
+    "[1, null]",
+    "3",
+    "1e3",
+    "012",
+    "yes",
+    "1:30",
+    "~",
+    "2001-01-01",
+    "text: more",
+    "",
+    "'1'",
+    "!!str 1",
+    "-.inf",
+    "1_000",
+]
 
 
 def typed(type_: str, values: list[str]) -> str:
@@ -35,22 +89,23 @@ PARAMETERS = {
     "an angle in YAML after a rosparam": case('<rosparam>a: 1</rosparam><param name="x" type="yaml" value="deg(90)"/>'),
     "an angle in YAML before a rosparam": case('<param name="x" type="yaml" value="rad(pi)"/><rosparam>a: 1</rosparam>'),
     "an angle in YAML after a rosparam of another file": case(
-        '<include file="$(dirname)/i.launch"/><param name="x" type="yaml" value="deg(90)"/>', files={"i.launch": "<rosparam>a: 1</rosparam>"}
+        '<include file="$(dirname)/i.launch"/><param name="x" type="yaml" value="deg(90)"/>',
+        files={"i.launch": "<rosparam>a: 1</rosparam>"},
     ),
     "an angle in YAML in an included file, before and after": case(
         '<include file="$(dirname)/i.launch" ns="a"/><rosparam/><include file="$(dirname)/i.launch" ns="a"/>',
         files={"i.launch": '<param name="$(anon x)" type="yaml" value="deg(90)"/><param name="y" type="yaml" value="deg(90)"/>'},
     ),
-    "an angle in YAML after a rosparam delete": case(
-        '<rosparam command="delete" param="a"/><param name="x" type="yaml" value="deg(90)"/>'
-    ),
+    "an angle in YAML after a rosparam delete": case('<rosparam command="delete" param="a"/><param name="x" type="yaml" value="deg(90)"/>'),
     # sources
     "a textfile": case('<param name="x" textfile="$(dirname)/t.txt"/>', files={"t.txt": "one\r\ntwo\rthree\n"}),
     "a textfile is converted": case(
         '<param name="x" textfile="$(dirname)/t.txt"/><param name="y" textfile="$(dirname)/t.txt" type="int"/>', files={"t.txt": " 12\n"}
     ),
     "a textfile with a mark": case('<param name="x" textfile="$(dirname)/t.txt"/>', files={"t.txt": b"\xef\xbb\xbf5"}),
-    "a textfile that is no UTF-8": case('<param name="x" textfile="$(dirname)/t.txt"/>', "param-file-missing", files={"t.txt": b"\xff\xfe"}),
+    "a textfile that is no UTF-8": case(
+        '<param name="x" textfile="$(dirname)/t.txt"/>', "param-file-missing", files={"t.txt": b"\xff\xfe"}
+    ),
     "a textfile that is not there": case('<param name="x" textfile="$(dirname)/t.txt"/>', "param-file-missing"),
     "a textfile that is a directory": case('<param name="x" textfile="$(dirname)"/>', "param-file-missing"),
     "a textfile without a name": case('<param name="x" textfile=""/>', "param-file-missing"),
@@ -72,14 +127,20 @@ PARAMETERS = {
     "a name from an arg": case('<arg name="a" value=" x "/><param name="$(arg a)" value="1"/>'),
     "a name from an arg that begins with ~": case('<arg name="a" value="~x"/><param name="$(arg a)" value="1"/>[[n]]'),
     "the last writer wins": case('<param name="x" value="1"/><param name="/x" value="2"/><rosparam>x: 3</rosparam>'),
-    "a node's param is written at the node": case('<param name="n/x" value="1"/>[[n | <param name="x" value="2"/>]]<param name="/n/x" value="3"/>'),
+    "a node's param is written at the node": case(
+        '<param name="n/x" value="1"/>[[n | <param name="x" value="2"/>]]<param name="/n/x" value="3"/>'
+    ),
     "a parent and its child": case('<param name="a" value="1"/><param name="a/b" value="2"/>'),
     "a child and its parent": case('<param name="a/b" value="2"/><param name="a" value="1"/>'),
     # rosparam
     "a dictionary": case("<rosparam>\n  a: 1\n  b: {c: [1, 2.5], d: {e: text}}\n</rosparam>"),
-    "YAML 1.1": case("<rosparam>{a: on, b: yes, c: 012, d: 1:30, e: 1e3, f: ~, g: 1_000, h: 0x1F, i: .5, j: 1.0e+3, k: 2001-01-01}</rosparam>"),
+    "YAML 1.1": case(
+        "<rosparam>{a: on, b: yes, c: 012, d: 1:30, e: 1e3, f: ~, g: 1_000, h: 0x1F, i: .5, j: 1.0e+3, k: 2001-01-01}</rosparam>"
+    ),
     "angles": case("<rosparam>{a: deg(90), b: rad(pi/2), c: !degrees 45, d: !radians 1}</rosparam>"),
-    "the number of a parameter": case('<rosparam param="x">5</rosparam><rosparam param="y">[1, a]</rosparam><rosparam param="z"> text </rosparam>'),
+    "the number of a parameter": case(
+        '<rosparam param="x">5</rosparam><rosparam param="y">[1, a]</rosparam><rosparam param="z"> text </rosparam>'
+    ),
     "ns and param": case('<group ns="g"><rosparam ns="a" param="b">1</rosparam><rosparam ns="/a" param="b">1</rosparam></group>'),
     "absolute and odd params": case('<group ns="g"><rosparam param="/a//b/">1</rosparam><rosparam ns="a" param="/c">1</rosparam></group>'),
     "a ~param of a rosparam": case('<group ns="g"><rosparam param="~a">1</rosparam></group>'),
@@ -89,7 +150,10 @@ PARAMETERS = {
     "empty keys at the root": case('<rosparam>{"": {"": {}}}</rosparam>'),
     "the param /": case('<rosparam param="/">1</rosparam>', "param-yaml-invalid"),
     "a dictionary for the param /": case('<group ns="g"><rosparam param="/">{a: 1}</rosparam></group>'),
-    "in a node": case('<group ns="g">[[n | <rosparam>{a: 1, /b: 2, ~c: 3}</rosparam><rosparam param="/d">4</rosparam><rosparam ns="e">{f: 5}</rosparam>]]</group>'),
+    "in a node": case(
+        '<group ns="g">[[n | <rosparam>{a: 1, /b: 2, ~c: 3}</rosparam><rosparam param="/d">4</rosparam>'
+        '<rosparam ns="e">{f: 5}</rosparam>]]</group>'
+    ),
     "nothing": case('<rosparam/><rosparam param="x"/><rosparam param="y">{}</rosparam><rosparam param="z">{a: {}}</rosparam>'),
     "null for a param": case('<rosparam param="x">~</rosparam>'),
     "a list without param": case("<rosparam>[1]</rosparam>", "param-yaml-invalid"),
@@ -124,11 +188,14 @@ PARAMETERS = {
     "subst_value of an eval": case('<rosparam subst_value="true" param="x">$(eval 1 + 1)</rosparam>'),
     "subst_value of an eval after a blank": case('<rosparam subst_value="true" param="x"> $(eval 1 + 1)</rosparam>', "bad-substitution"),
     "subst_value is a boolean": case('<rosparam subst_value="1">{}</rosparam>', "invalid-value"),
-    "delete and dump": case('<group ns="g"><rosparam command="delete" param="a"/><rosparam command="dump" file="x.yaml" param="b"/><rosparam command="delete" ns="c"/></group>'),
+    "delete and dump": case(
+        '<group ns="g"><rosparam command="delete" param="a"/><rosparam command="dump" file="x.yaml" param="b"/>'
+        '<rosparam command="delete" ns="c"/></group>'
+    ),
     "delete everything": case('<rosparam command="delete"/>[[n | <rosparam command="delete" param="x"/>]]'),
     "delete with a file": case('<rosparam command="delete" file="x"/>', "conflicting-attributes"),
     "an empty command": case('<rosparam command="">{a: 1}</rosparam>'),
     "an unknown command": case('<rosparam command="set">{a: 1}</rosparam>', "invalid-value"),
     "a command in capital letters": case('<rosparam command="LOAD">{a: 1}</rosparam>', "invalid-value"),
     "an unknown attribute": case('<rosparam tag="x">{a: 1}</rosparam>'),
-}  # fmt: skip
+}

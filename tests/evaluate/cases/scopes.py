@@ -81,7 +81,8 @@ SCOPES = {
     "a ~param of a group with one outside": case('<param name="~y" value="0"/><group><param name="~x" value="1"/>[[a]]</group>[[b]]'),
     "a ~param does not come out of an include": case(GO + "[[n]]", files={"inner.launch": '<param name="~x" value="1"/>[[i]]'}),
     "a ~param comes out of an include where one was set before": case(
-        '<param name="~y" value="0"/>' + GO + "[[n]]", files={"inner.launch": '<param name="~x" value="1"/>[[i]]<param name="~y" value="5"/>'}
+        '<param name="~y" value="0"/>' + GO + "[[n]]",
+        files={"inner.launch": '<param name="~x" value="1"/>[[i]]<param name="~y" value="5"/>'},
     ),
     "a ~param leaks through two includes": case(
         '<param name="~y" value="0"/>' + GO + "[[n]]",
@@ -120,7 +121,9 @@ SCOPES = {
     # machines
     "a default machine acts on what follows": case('[[a]]<machine name="m" address="h" default="true"/>[[b]][[c machine="m"]]'),
     "a default machine comes out of a group": case('<group><machine name="m" address="h" default="true"/>[[a]]</group>[[b]]'),
-    "a default machine comes out of an include": case(GO + "[[b]]", files={"inner.launch": '<machine name="m" address="h" default="true"/>'}),
+    "a default machine comes out of an include": case(
+        GO + "[[b]]", files={"inner.launch": '<machine name="m" address="h" default="true"/>'}
+    ),
     "a default machine goes into an include": case('<machine name="m" address="h" default="TRUE"/>' + GO, files=INNER),
     "a default machine of an included group": case(
         '<machine name="m" address="h" default="true"/>' + GO + "[[b]]",
@@ -161,7 +164,9 @@ SCOPES = {
     "clear_params is no 1": case('<group ns="a" clear_params="1"/>', "invalid-value"),
     "clear_params with a blank": case('<group ns="a" clear_params=" "/>', "invalid-value"),
     "clear_params of an include": case('<include file="$(dirname)/inner.launch" ns="a" clear_params="true"/>', files=INNER),
-    "clear_params of an include without ns": case('<include file="$(dirname)/inner.launch" clear_params="true"/>', "conflicting-attributes", files=INNER),
+    "clear_params of an include without ns": case(
+        '<include file="$(dirname)/inner.launch" clear_params="true"/>', "conflicting-attributes", files=INNER
+    ),
     "clear_params of a node": case('<group ns="a">[[n clear_params="true"]][[m ns="b" clear_params="true"]]</group>'),
     "clear_params of a node without a name": case('[[ clear_params="true"]]', "conflicting-attributes"),
     "clear_params of a test": case('<test pkg="p" type="t" test-name="t" clear_params="true"/>'),
@@ -172,13 +177,16 @@ SCOPES = {
         '<machine name="m" address="h" default="true"/>[[n4]]'
     ),
     "groups in groups leak nothing": case(
-        '<group ns="a"><group ns="b"><env name="A" value="1"/><remap from="x" to="y"/><param name="~p" value="1"/></group>[[n]]</group>[[m]]'
+        '<group ns="a"><group ns="b"><env name="A" value="1"/><remap from="x" to="y"/>'
+        '<param name="~p" value="1"/></group>[[n]]</group>[[m]]'
     ),
     "one file included twice": case(
-        '<include file="$(dirname)/inner.launch" ns="a"/><remap from="x" to="y"/><include file="$(dirname)/inner.launch" ns="b"/>', files=INNER
+        '<include file="$(dirname)/inner.launch" ns="a"/><remap from="x" to="y"/><include file="$(dirname)/inner.launch" ns="b"/>',
+        files=INNER,
     ),
     "one file included twice in one namespace": case(GO + GO, "duplicate-node", files=INNER),
     "one file included in the same way after a remap": case(
-        '<group>' + GO + '</group><remap from="x" to="y"/><env name="A" value="1"/>' + GO, files={"inner.launch": '[[]]<param name="x" value="1"/>'}
+        "<group>" + GO + '</group><remap from="x" to="y"/><env name="A" value="1"/>' + GO,
+        files={"inner.launch": '[[]]<param name="x" value="1"/>'},
     ),
-}  # fmt: skip
+}

@@ -12,7 +12,7 @@ PACKAGES = {
 }
 
 
-def values(*texts: str, before: str = "", refused: tuple[str, ...] = (), **more: dict[str, str]):  # type: ignore[no-untyped-def]  # noqa: ANN201 - see case
+def values(*texts: str, before: str = "", refused: tuple[str, ...] = (), **more: dict[str, str]):  # type: ignore[no-untyped-def]
     """Params that hold these values."""
     params = "".join(f'<param name="p{number}" value="{text}"/>' for number, text in enumerate(texts))
     more.setdefault("files", PACKAGES)
@@ -41,7 +41,10 @@ SUBSTITUTIONS = {
     "a tab is no blank": values("$(arg&#9;a)", before=A, refused=("bad-substitution",)),
     "an unknown command that is switched off": case('<param name="x" value="$(bad)" if="0"/>[[n]]'),
     "args that hold substitutions": values(
-        "$(arg d)", "$(arg e)(arg f)", "$(arg f)", before='<arg name="d" value="$(optenv"/><arg name="e" value="$"/><arg name="f" value="a)"/>'
+        "$(arg d)",
+        "$(arg e)(arg f)",
+        "$(arg f)",
+        before='<arg name="d" value="$(optenv"/><arg name="e" value="$"/><arg name="f" value="a)"/>',
     ),
     "a find that comes out of an arg": values("$(arg d)p)/x", before='<arg name="d" value="$(find "/>'),
     "an unknown command that comes out of an arg": values(
@@ -62,7 +65,9 @@ SUBSTITUTIONS = {
     "env that holds an eval": values("$(env A)", environment={"A": "$(eval 1)"}, refused=("bad-substitution",)),
     # find
     "find": values("$(find p)", "$(find p)/x", "$(find p)x", "$(find p)/", "$(find p)/x y", "$( find  p )/x", "$(find p)\\x\\y"),
-    "find in the middle": values("a:$(find p)/x:b", "--x=$(find p)/y --z", "$(find p)/a:$(find q)/b", "$(find p) $(find q)", "$(find p)/a $(find p)/b"),
+    "find in the middle": values(
+        "a:$(find p)/x:b", "--x=$(find p)/y --z", "$(find p)/a:$(find q)/b", "$(find p) $(find q)", "$(find p)/a $(find p)/b"
+    ),
     "find with args in the path": values("$(find p)/$(arg a)/$(arg b)", "$(find $(optenv NO p))", before=A, refused=("bad-substitution",)),
     "find with an arg behind it": values("$(find p)/$(arg a)/$(arg b)/z", before=A),
     "find with an absolute path": values("$(find p)//etc/x", "$(find p)///x"),
@@ -76,44 +81,55 @@ SUBSTITUTIONS = {
     # dirname
     "dirname": values("$(dirname)", "$(dirname)/..", "$(dirname x)"),
     "dirname of a relative include": case(
-        '<include file="d/i.launch"/>', files={"d/i.launch": '<param name="x" value="$(dirname)"/><include file="d/../d/j.launch"/>', "d/j.launch": '<param name="y" value="$(dirname)"/>'}
+        '<include file="d/i.launch"/>',
+        files={
+            "d/i.launch": '<param name="x" value="$(dirname)"/><include file="d/../d/j.launch"/>',
+            "d/j.launch": '<param name="y" value="$(dirname)"/>',
+        },
     ),
     # anon
     "one anonymous name": case('[[$(anon a)]]<param name="x" value="$(anon a) $(anon a)"/>'),
     "characters of anonymous names": case('<param name="x" value="$(anon a.b-c:d)"/>'),
-    "anonymous names of siblings": case('<group>[[$(anon a)]]</group><group>[[$(anon a)]]</group>[[$(anon a)]]'),
+    "anonymous names of siblings": case("<group>[[$(anon a)]]</group><group>[[$(anon a)]]</group>[[$(anon a)]]"),
     "anonymous names go into groups": case('<param name="x" value="$(anon a)"/><group><param name="y" value="$(anon a)"/></group>'),
     "anonymous names and includes": case(
-        '<param name="x" value="$(anon a)"/><include file="$(dirname)/i.launch"><arg name="v" value="$(anon a) $(anon b)"/></include><param name="z" value="$(anon b)"/>',
+        '<param name="x" value="$(anon a)"/><include file="$(dirname)/i.launch">'
+        '<arg name="v" value="$(anon a) $(anon b)"/></include><param name="z" value="$(anon b)"/>',
         files={"i.launch": '<arg name="v"/><param name="y" value="$(anon a) $(anon b) $(arg v)"/>'},
     ),
     "anonymous names in a file that is included twice": case(
         '<include file="$(dirname)/i.launch"/><include file="$(dirname)/i.launch"/>', files={"i.launch": "[[$(anon a)]]"}
     ),
     "anonymous names in a node": case(
-        '[[$(anon n) args="$(anon a)" | <param name="x" value="$(anon n) $(anon a)"/><remap from="q" to="$(anon r)"/><env name="A" value="$(anon e)"/>]]'
+        '[[$(anon n) args="$(anon a)" | <param name="x" value="$(anon n) $(anon a)"/>'
+        '<remap from="q" to="$(anon r)"/><env name="A" value="$(anon e)"/>]]'
         '<param name="y" value="$(anon n) $(anon a) $(anon x) $(anon r) $(anon e)"/>'
     ),
     "anonymous names in the env of two nodes": case(
-        '[[n | <env name="A" value="$(anon e)"/><env name="B" value="$(anon e)"/>]][[m | <env name="A" value="$(anon e)"/>]]<env name="C" value="$(anon e)"/>[[o]]'
+        '[[n | <env name="A" value="$(anon e)"/>'
+        '<env name="B" value="$(anon e)"/>]][[m | <env name="A" value="$(anon e)"/>]]<env name="C" value="$(anon e)"/>[[o]]'
     ),
     "anonymous names in the params of a node": case(
         '[[n | <param name="x" value="$(anon e)"/><param name="y" value="$(anon e)"/>]][[m | <param name="x" value="$(anon e)"/>]]'
     ),
-    "anonymous names in a rosparam of a node": case('[[n | <rosparam subst_value="true">{a: $(anon e)}</rosparam><param name="y" value="$(anon e)"/>]]'),
+    "anonymous names in a rosparam of a node": case(
+        '[[n | <rosparam subst_value="true">{a: $(anon e)}</rosparam><param name="y" value="$(anon e)"/>]]'
+    ),
     "anonymous names in conditions": case(
         '<group if="$(eval anon(\'a\') != \'\')"><param name="x" value="$(anon a)"/></group><param name="y" value="$(anon a)"/>'
     ),
-    "anonymous names in a machine": case('<machine name="$(anon m)" address="$(anon h)" user="$(anon u)"/><param name="x" value="$(anon h)"/>'),
+    "anonymous names in a machine": case(
+        '<machine name="$(anon m)" address="$(anon h)" user="$(anon u)"/><param name="x" value="$(anon h)"/>'
+    ),
     "anonymous names of attributes in turn": case('[[$(anon a) ns="$(anon b)" args="$(anon c)" launch-prefix="$(anon d)"]]'),
     "anonymous names of a test in turn": case('<test test-name="$(anon b)" name="$(anon a)" pkg="$(anon c)" type="$(anon d)" cwd="node"/>'),
-    "anonymous names of a param in turn": case('<param name="$(anon a)" value="$(anon b)"/><rosparam param="$(anon d)" ns="$(anon c)">1</rosparam>'),
+    "anonymous names of a param in turn": case(
+        '<param name="$(anon a)" value="$(anon b)"/><rosparam param="$(anon d)" ns="$(anon c)">1</rosparam>'
+    ),
     "anonymous names of a machine in turn": case(
         '<machine timeout="5" user="$(anon c)" password="x" env-loader="$(anon d)" address="$(anon b)" name="$(anon a)"/>'
     ),
-    "anonymous names of an include in turn": case(
-        '<include ns="$(anon b)" file="$(dirname)/$(arg f)"/>', "undeclared-arg"
-    ),
+    "anonymous names of an include in turn": case('<include ns="$(anon b)" file="$(dirname)/$(arg f)"/>', "undeclared-arg"),
     "anon without a name": values("$(anon)", refused=("bad-substitution",)),
     "anon with two names": values("$(anon a b)", refused=("bad-substitution",)),
     # eval
@@ -132,14 +148,18 @@ SUBSTITUTIONS = {
     "eval with underscores": values("$(eval '__')", refused=("eval-error",)),
     "eval with an env that is not set": values("$(eval env('NO'))", refused=("env-unset",)),
     "eval with a package that is not here": values("$(eval find('nothing'))", refused=("package-not-found",)),
-    "eval of an arg with the name of a constant": values("$(eval e)", "$(eval pi &gt; 3)", before='<arg name="e" value="5"/><arg name="pi" value="1"/>'),
+    "eval of an arg with the name of a constant": values(
+        "$(eval e)", "$(eval pi &gt; 3)", before='<arg name="e" value="5"/><arg name="pi" value="1"/>'
+    ),
     "eval of types": values("$(eval str(a) + str(f) + str(t))", before=A + '<arg name="f" value="1.50"/><arg name="t" value="TRUE"/>'),
-    "eval in a condition, as a text": case('<group if="$(eval \'tr\' + \'ue\')">[[n]]</group>'),
+    "eval in a condition, as a text": case("<group if=\"$(eval 'tr' + 'ue')\">[[n]]</group>"),
     "eval gives a number as a condition": case('<group if="$(eval 2)">[[n]]</group>', "condition-not-boolean"),
     # places
-    "where substitutions are not looked at": case('<launch deprecated="$(bad)"><param name="x" type="auto" value="1"/>[[n nonsense="$(bad)"]]</launch>'),
+    "where substitutions are not looked at": case(
+        '<launch deprecated="$(bad)"><param name="x" type="auto" value="1"/>[[n nonsense="$(bad)"]]</launch>'
+    ),
     "in the attribute of a switched-off node": case('[[n if="false" args="$(bad)"]]'),
     "in an arg's default that is not used": case('<arg name="a" default="$(env NO)"/>', "env-unset", args={"a": "1"}),
     "a package in an arg": case('<arg name="a" default="$(find nothing)"/>', "package-not-found"),
     "a package in an arg that is overridden": case('<arg name="a" default="$(find nothing)"/>', "package-not-found", args={"a": "1"}),
-}  # fmt: skip
+}

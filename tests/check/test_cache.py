@@ -1,0 +1,373 @@
+"""The result cache: never wrong, and never in the way."""
+
+from __future__ import annotations
+
+import json
+import os
+import sqlite3
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.check.many import many
+from tests.cli.running import PACKAGE, clean_environment, run, write
+
+
+class Repository:
+    """A repository whose findings are asked for with and without the cache."""
+
+    def __init__(self, directory: Path) -> None:
+        self.directory = many(directory, 30)
+        self.cache = directory.parent / f"{directory.name}-cache" / "launchlint"
+
+    def findings(self, *words: str, **environment: str) -> list[str]:
+        """All findings, the cache being used; they must be those found without it."""
+        self._both(*words, **environment)
+        return self._both(*words, **environment)
+
+    def _both(self, *words: str, **environment: str) -> list[str]:
+        with_cache = run(self.directory, "check", "--format", "json", *words, environment=environment)
+        without = run(self.directory, "check", "--format", "json", "--no-cache", *words, environment=environment)
+        assert with_cache == without
+        return [f"{each['path']}:{each['line']} {each['rule']} {each['message']}" for each in json.loads(without.output)["findings"]]
+
+    def computed(self, *words: str) -> int:
+        """How many entry files are computed anew in one run with the cache."""
+        program = (
+            "import sys\nimport launchlint.check.entry as entry\nreal, count = entry.EntryChecker.check, [0]\n"
+            "def check(self, request):\n    count[0] += 1\n    return real(self, request)\n"
+            "entry.EntryChecker.check = check\nfrom launchlint.cli import main\n"
+            "main(sys.argv[1:], standalone_mode=False)\nprint(count[0])"
+        )
+        ran = subprocess.run(
+            [sys.executable, "-c", program, "check", "-q", "--jobs", "1", *words], cwd=self.directory,
+            env=clean_environment(self.cache.parent), capture_output=True, text=True, check=True,
+        )  # fmt: skip
+        return int(ran.stdout)
+
+
+@pytest.fixture
+def repository(tmp_path: Path) -> Repository:
+    return Repository(tmp_path / "repository")
+
+
+FILES = 36
+
+
+def test_a_second_run_computes_nothing(repository: Repository) -> None:
+    assert repository.computed() == FILES
+    assert repository.computed() == 0
+    assert repository.computed("base", "arm/launch") == 0, "what was asked for does not matter"
+
+
+def test_only_what_changed_is_computed(repository: Repository) -> None:
+    assert repository.computed() == FILES
+    file = repository.directory / "arm/launch/entry000.launch"
+    file.write_text(file.read_text().replace("robot0", "robot9"))
+    assert repository.computed() == 1
+    os.utime(file, (1, 1))
+    assert repository.computed() == 0, "times do not matter"
+    part = repository.directory / "arm/launch/part.launch"
+    part.write_text(part.read_text() + "<!-- -->\n")
+    assert repository.computed() == 16, "part.launch of arm, and the 15 entry files of arm that include it"
+
+
+def change_included(directory: Path) -> None:
+    write(
+        directory,
+        {"base/launch/part.launch": '<launch><arg name="robot"/><arg name="unused"/><param name="q" value="$(arg unused)"/></launch>\n'},
+    )
+
+
+def change_yaml(directory: Path) -> None:
+    write(directory, {"arm/config/wheel.yaml": "radius: [\n"})
+
+
+def remove_yaml(directory: Path) -> None:
+    (directory / "arm/config/wheel.yaml").unlink()
+
+
+def add_package(directory: Path) -> None:
+    write(directory, {"armm/package.xml": PACKAGE.format(name="armm")})
+
+
+def change_package(directory: Path) -> None:
+    write(directory, {"base/package.xml": PACKAGE.format(name="bass")})
+
+
+def declare_dependency(directory: Path) -> None:
+    text = PACKAGE.format(name="arm").replace("</license>", "</license><exec_depend>base</exec_depend>")
+    write(directory, {"arm/package.xml": text})
+
+
+def change_build_file(directory: Path) -> None:
+    write(directory, {"arm/CMakeLists.txt": "project(x)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"})
+
+
+def change_included_build_file(directory: Path) -> None:
+    text = (directory / "arm/CMakeLists.txt").read_text()
+    write(directory, {"arm/CMakeLists.txt": text + "include(cmake/more.cmake)\n", "arm/cmake/more.cmake": "\n"})
+
+
+def change_only_the_included_build_file(directory: Path) -> None:
+    write(directory, {"arm/cmake/more.cmake": "add_executable(drve drive.cpp)\n"})
+
+
+def take_executable_bit(directory: Path) -> None:
+    (directory / "base/scripts/talk.py").chmod(0o644)
+
+
+def take_first_line(directory: Path) -> None:
+    (directory / "base/scripts/talk.py").write_text("import rospy\n")
+
+
+def add_near_name(directory: Path) -> None:
+    write(directory, {"arm/launch/prd.launch": "<launch/>\n"})
+
+
+def ignore_package(directory: Path) -> None:
+    write(directory, {"base/CATKIN_IGNORE": ""})
+
+
+def link_package(directory: Path) -> None:
+    write(directory.parent, {"elsewhere/armm/package.xml": PACKAGE.format(name="armm")})
+    (directory / "linked").symlink_to(directory.parent / "elsewhere")
+
+
+@pytest.mark.parametrize(
+    ("change", "appears", "disappears"),
+    [
+        ([change_included], "LL404", None),
+        ([change_yaml], "LL503", None),
+        ([remove_yaml], "LL502", None),
+        ([add_package], None, "armm"),
+        ([change_package], "base", None),
+        ([declare_dependency], None, "does not declare base, which arm/"),
+        ([change_build_file], "has no executable drive", None),
+        ([change_included_build_file, change_only_the_included_build_file], None, "has no executable drve"),
+        ([take_executable_bit], "LL305", None),
+        ([take_first_line], "LL305", None),
+        ([add_near_name], None, None),
+        ([ignore_package], "LL210", None),
+        ([link_package], None, "armm"),
+    ],
+    ids=lambda value: value[-1].__name__ if isinstance(value, list) else "",
+)
+def test_every_change_is_noticed(
+    repository: Repository, change: list[Callable[[Path], None]], appears: str | None, disappears: str | None
+) -> None:
+    before = "\n".join(repository.findings())
+    for step in change:
+        step(repository.directory)
+        after = "\n".join(repository.findings())
+    assert after != before or change == [add_near_name]
+    if appears is not None:
+        assert after.count(appears) > before.count(appears)
+    if disappears is not None:
+        assert after.count(disappears) < before.count(disappears)
+
+
+def test_a_hint_from_looking_around_is_noticed(repository: Repository) -> None:
+    """The nearest name is part of a finding, wherever the directory is."""
+    words = ["check", "--format", "text", "--select", "LL401"]
+    assert "did you mean $(find arm)/launch/part.launch?" in run(repository.directory, *words).output
+    write(repository.directory, {"arm/launch/prt1.launch": "<launch/>\n"})
+    assert run(repository.directory, *words) == run(repository.directory, *words, "--no-cache")
+    outside = repository.directory.parent / "outside"
+    write(repository.directory, {"arm/launch/entry000.launch": f'<launch><include file="{outside}/a/robot.launch"/></launch>\n'})
+    for step in ({"a/robots.launch": "<launch/>\n"}, {"a/robot2.launch": "<launch/>\n"}, {"a/robot.launch": "<launch/>\n"}):
+        assert run(repository.directory, *words) == run(repository.directory, *words, "--no-cache")
+        write(outside, step)
+    assert run(repository.directory, *words) == run(repository.directory, *words, "--no-cache")
+
+
+def test_environment_variables_are_noticed(repository: Repository) -> None:
+    unset = repository.findings()
+    assert any("TALK_OUTPUT" in finding for finding in unset)
+    assert not any("TALK_OUTPUT" in finding for finding in repository.findings(TALK_OUTPUT="screen"))
+    assert any("loud" in finding for finding in repository.findings(TALK_OUTPUT="loud"))
+    assert repository.findings() == unset
+
+
+def test_packages_of_the_environment_are_noticed(repository: Repository, tmp_path: Path) -> None:
+    """Those on ROS_PACKAGE_PATH lie outside of the checked repository."""
+    path = tmp_path / "more"
+    path.mkdir()
+    without = repository.findings(ROS_PACKAGE_PATH=str(path))
+    write(path, {"armm/package.xml": PACKAGE.format(name="armm")})
+    assert repository.findings(ROS_PACKAGE_PATH=str(path)) != without
+    write(path, {"armm/scripts/drive": "#!/bin/sh\n"})
+    before = repository.findings(ROS_PACKAGE_PATH=str(path))
+    (path / "armm/scripts/drive").chmod(0o755)
+    assert repository.findings(ROS_PACKAGE_PATH=str(path)) != before
+
+
+def test_options_are_noticed(repository: Repository) -> None:
+    everything = repository.findings()
+    assert {finding.split()[1] for finding in repository.findings("--select", "LL301")} == {"LL301"}
+    assert repository.findings("--arg", "sim:=false") != everything
+    assert repository.findings("--workspace", "arm") != everything
+    assert repository.findings() == everything
+
+
+def test_another_version_starts_anew(repository: Repository, monkeypatch: pytest.MonkeyPatch) -> None:
+    from launchlint.check import surroundings
+    from launchlint.check.options import Options
+    from launchlint.workspace.packages import Packages
+
+    options = Options(frozenset(), (), True, {}, "/")
+    packages = Packages((), {}, explicit=True)
+    now = surroundings.digest(options, packages)
+    assert surroundings.digest(options, packages) == now
+    monkeypatch.setattr(surroundings, "__version__", "99.0")
+    other = surroundings.digest(options, packages)
+    assert other != now
+    monkeypatch.setattr(surroundings, "_own_code", lambda: iter([b"changed"]))
+    assert surroundings.digest(options, packages) not in (now, other)
+
+
+def test_with_very_many_files_there_is_no_cache(repository: Repository, monkeypatch: pytest.MonkeyPatch) -> None:
+    from launchlint.check import surroundings
+    from launchlint.check.options import Options
+    from launchlint.workspace.packages import Packages
+
+    monkeypatch.setattr(surroundings, "MOST_FILES", 20)
+    workspaces = (str(repository.directory),)
+    packages = Packages(workspaces, {}, explicit=True)
+    assert surroundings.digest(Options(frozenset(), workspaces, True, {}, "/"), packages) is None
+
+
+def database(repository: Repository) -> Path:
+    (file,) = repository.cache.glob("*.sqlite")
+    return file
+
+
+def destroy(file: Path) -> None:
+    file.write_bytes(b"this is no database" * 1000)
+
+
+def truncate(file: Path) -> None:
+    file.write_bytes(file.read_bytes()[: file.stat().st_size // 2])
+
+
+def scramble(file: Path) -> None:
+    data = bytearray(file.read_bytes())
+    for offset in range(4096, len(data), 97):
+        data[offset] ^= 0x55
+    file.write_bytes(bytes(data))
+
+
+def empty(file: Path) -> None:
+    file.write_bytes(b"")
+
+
+def rewrite_values(file: Path) -> None:
+    with sqlite3.connect(file) as connection:
+        connection.execute("UPDATE entries SET value = replace(value, 'error', 'fine')")
+    connection.close()
+
+
+def other_tables(file: Path) -> None:
+    file.unlink()
+    with sqlite3.connect(file) as connection:
+        connection.execute("CREATE TABLE entries (a, b, c)")
+    connection.close()
+
+
+def directory_instead(file: Path) -> None:
+    file.unlink()
+    file.mkdir()
+
+
+@pytest.mark.parametrize("damage", [destroy, truncate, scramble, empty, rewrite_values, other_tables, directory_instead])
+def test_a_damaged_cache_is_passed_over(repository: Repository, damage: Callable[[Path], None]) -> None:
+    before = run(repository.directory, "check")
+    assert repository.computed() == 0
+    damage(database(repository))
+    after = run(repository.directory, "check")
+    assert after == before
+    assert after.errors == ""
+    assert repository.findings()
+
+
+def test_values_from_somebody_else_do_no_harm(repository: Repository) -> None:
+    """Even with the right seal: what does not have the right form is computed anew."""
+    from launchlint.check.cache import _sealed
+
+    before = run(repository.directory, "check")
+    for value in ([], {}, None, 1, [[], [], [], [], []], [[], [], [], ["x"], [1] * 10], [[["a"]], 1, 2, 3, 4], [[], [], [], [], {"a": 1}]):
+        file = database(repository)
+        with sqlite3.connect(file) as connection:
+            keys = [key for (key,) in connection.execute("SELECT key FROM entries")]
+            connection.executemany("UPDATE entries SET value = ? WHERE key = ?", [(_sealed(key, value), key) for key in keys])
+        connection.close()
+        assert run(repository.directory, "check") == before, value
+
+
+@pytest.mark.parametrize("kind", ["file", "read-only", "below a file"])
+def test_a_cache_directory_that_cannot_be_used(repository: Repository, tmp_path: Path, kind: str) -> None:
+    place = tmp_path / "cache-place"
+    if kind == "file":
+        place.write_text("")
+    elif kind == "below a file":
+        (tmp_path / "plain").write_text("")
+        place = tmp_path / "plain" / "below"
+    else:
+        place.mkdir()
+        place.chmod(0o500)
+    before = run(repository.directory, "check", "--no-cache")
+    assert run(repository.directory, "check", environment={"XDG_CACHE_HOME": str(place)}) == before
+
+
+def test_a_relative_cache_home_is_no_cache_home(repository: Repository) -> None:
+    """As the XDG base directory specification says; nothing is written into the checked repository."""
+    home = repository.directory.parent / "home"
+    home.mkdir()
+    run(repository.directory, "check", environment={"XDG_CACHE_HOME": "cache", "HOME": str(home)})
+    assert not (repository.directory / "cache").exists()
+    assert (home / ".cache" / "launchlint").is_dir()
+
+
+def test_no_cache_neither_reads_nor_writes(repository: Repository) -> None:
+    run(repository.directory, "check", "--no-cache")
+    assert not repository.cache.exists()
+
+
+def test_two_processes_at_once(repository: Repository) -> None:
+    expected = run(repository.directory, "check", "--no-cache")
+    for _ in range(3):
+        processes = [
+            subprocess.Popen(
+                [sys.executable, "-m", "launchlint", "check", "--jobs", "1"], cwd=repository.directory,
+                env=clean_environment(repository.cache.parent), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            )
+            for _ in range(4)
+        ]  # fmt: skip
+        for process in processes:
+            output, errors = process.communicate(timeout=120)
+            assert (process.returncode, output, errors) == expected
+        for file in repository.cache.glob("*"):
+            file.unlink()
+
+
+def test_text_that_stands_in_for_a_file_is_not_kept(repository: Repository) -> None:
+    """``as:`` judges other text under the name of a file: that file's own result must stay what it is."""
+    listed = [{"file": "arm/launch/part.launch", "as": f"arm/launch/entry{number:03}.launch"} for number in range(0, 30, 2)]
+    write(repository.directory, {"entries.json": json.dumps(listed * 2)})
+    before = run(repository.directory, "check", "--no-cache")
+    other = run(repository.directory, "check", "--entries", "entries.json")
+    assert run(repository.directory, "check") == before
+    assert run(repository.directory, "check", "--entries", "entries.json") == other
+    assert run(repository.directory, "check") == before
+
+
+def test_the_cache_does_not_grow_without_end(repository: Repository) -> None:
+    from launchlint.check.cache import MOST_DATABASES
+
+    for number in range(MOST_DATABASES + 6):
+        write(repository.directory, {f"file{number}": ""})
+        run(repository.directory, "check", "-q", "--jobs", "1", "--select", "LL103")
+    assert len(list(repository.cache.glob("*.sqlite"))) == MOST_DATABASES
