@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
@@ -9,6 +10,7 @@ from launchlint.check.entry import EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult, run_rule
 from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.options import Options
+from launchlint.check.ours import Ours
 from launchlint.finding import Finding, Key, Severity
 from launchlint.order import ordered
 from launchlint.rules.registry import RULES, find
@@ -36,12 +38,14 @@ def merge(
     *,
     workspace: bool = True,
     alone: bool = False,
+    asked: tuple[str, ...] = (),
 ) -> Outcome:
     """The findings of a whole run.
 
     A file that others include and that lacks args when started alone is not an entry file: what was found in it that way is left out.
     ``per_file`` says which rules are off where. ``workspace`` runs the rules that look at the whole run;
-    ``alone`` keeps every entry, whoever includes it.
+    ``alone`` keeps every entry, whoever includes it. ``asked`` are the paths people gave; what is wrong in files that are merely installed is
+    told at the include that leads there.
     """
     entries = list(results) if alone else _entries(results)
     findings: dict[Key, Finding] = {}
@@ -78,10 +82,11 @@ def merge(
                 finding = finding._replace(severity=Severity.WARNING, notes=(*finding.notes, NEVER_EVALUATED))
             collected.append(finding)
     if workspace:
-        view = RunView(tuple(result.summary for result in results), packages, options.root)
+        view = RunView(tuple(result.summary for result in results), packages, options.root, tuple(map(os.path.abspath, asked)))
         for rule in RULES:
             if rule.view == "run" and rule.id in options.rules:
                 collected.extend(found for found in run_rule(rule, view, ".") if isinstance(found, Finding))
+    collected = list(Ours(options, asked).brought_home(collected))
     crashes = [finding for finding in collected if finding.rule == INTERNAL_ERROR]
     others = _adjust((finding for finding in collected if finding.rule != INTERNAL_ERROR), options, per_file)
     kept, more = _suppress(others, files.values(), options, per_file)

@@ -84,7 +84,7 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
     )
     if entry.entries is not None:
         return entry_lines(results, options, checker.packages, per_file, shown)
-    outcome = merge(results, options, checker.packages, per_file)
+    outcome = merge(results, options, checker.packages, per_file, asked=entry.paths)
     if given.write_baseline is not None:
         return record(outcome, given.write_baseline, quiet=given.quiet)
     if known is not None:

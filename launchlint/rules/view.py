@@ -57,11 +57,19 @@ class EntrySummary(NamedTuple):
 
 
 class RunView(NamedTuple):
-    """The workspace view: all entry files of the run, and the directory (``root``) that shown paths are relative to."""
+    """The workspace view: all entry files of the run, and the directory (``root``) that shown paths are relative to.
+
+    ``asked`` are the files and directories that people asked for, absolute; empty for all.
+    """
 
     entries: tuple[EntrySummary, ...]
     packages: Packages
     root: str = ""
+    asked: tuple[str, ...] = ()
+
+    def is_asked(self, directory: str) -> bool:
+        """Whether ``directory`` lies in what was asked for, or holds a file or directory of it."""
+        return not self.asked or any((f"{directory}/").startswith(f"{path}/") or path.startswith(f"{directory}/") for path in self.asked)
 
 
 class SuppressionView(NamedTuple):

@@ -51,6 +51,8 @@ RULE = Rule("LL704", "broken-manifest", Severity.WARNING)
 def check(view: RunView) -> Iterator[Finding]:
     """Yield one finding for each package whose manifest cannot be used (rospkg.manifest.parse_manifest_file)."""
     for package in view.packages.broken():
+        if not view.is_asked(package.directory):
+            continue
         line = re.search(r"\bline (\d{1,7})\b", package.broken)
         reason = re.sub(r", line \d+(?:, column \d+)?", "", package.broken)
         yield RULE.at(

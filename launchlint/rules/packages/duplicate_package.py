@@ -80,7 +80,7 @@ def check(view: RunView) -> Iterator[Finding]:
             if copy.manifest is None or not copy.manifest.is_ament:
                 together.setdefault(_source_space(copy), []).append(copy)
         for built in together.values():
-            if len(built) > 1:
+            if len(built) > 1 and any(view.is_asked(copy.directory) for copy in built):
                 yield _finding(name, built, view.root)
 
 
