@@ -8,6 +8,7 @@ name; ``ignore`` alone covers every rule. ``<!-- launchlint: ignore-file[LL206] 
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
@@ -86,10 +87,13 @@ def apply(findings: Iterable[Finding], suppressions: Sequence[Suppression], reso
     for suppression in suppressions:
         if not suppression.problem:
             by_path.setdefault(suppression.location.path, []).append(suppression)
+    covering = {path: _Covering(listed) for path, listed in by_path.items()}
     kept: list[Finding] = []
     used: Used = set()
     for finding in findings:
-        hits = [hit for suppression in by_path.get(finding.location.path, ()) for hit in _hits(suppression, finding, resolve)]
+        location = finding.location
+        reaching = covering[location.path].at(location.start) if location.path in covering else ()
+        hits = [hit for suppression in reaching for hit in _hits(suppression, finding, resolve)]
         used.update(hits)
         if not hits:
             kept.append(finding)
@@ -104,6 +108,38 @@ def unused(suppressions: Sequence[Suppression], used: Used) -> list[tuple[Suppre
         if not suppression.problem and (idle or (not suppression.names and (suppression, "") not in used)):
             result.append((suppression, idle))
     return result
+
+
+class _Covering:
+    """The suppressions of one file by place. Elements stand inside each other or apart, and so do the spans that are covered."""
+
+    __slots__ = ("_around", "_ends", "_everywhere", "_listed", "_starts")
+
+    def __init__(self, suppressions: Sequence[Suppression]) -> None:
+        self._everywhere = [each for each in suppressions if each.covers is None]
+        spans = sorted(
+            ((each.covers.start, -each.covers.end, number) for number, each in enumerate(suppressions) if each.covers is not None),
+        )
+        self._listed = [suppressions[number] for _, _, number in spans]
+        self._starts = [start for start, _, _ in spans]
+        self._ends = [-end for _, end, _ in spans]
+        self._around: list[int] = []
+        open_spans: list[int] = []
+        for number, start in enumerate(self._starts):
+            while open_spans and self._ends[open_spans[-1]] <= start:
+                open_spans.pop()
+            self._around.append(open_spans[-1] if open_spans else -1)
+            open_spans.append(number)
+
+    def at(self, place: int) -> list[Suppression]:
+        """Those that cover the offset ``place``."""
+        found = list(self._everywhere)
+        number = bisect_right(self._starts, place) - 1
+        while number >= 0:
+            if place < self._ends[number]:
+                found.append(self._listed[number])
+            number = self._around[number]
+        return found
 
 
 def _hits(suppression: Suppression, finding: Finding, resolve: Resolve) -> list[tuple[Suppression, str]]:

@@ -49,9 +49,7 @@ def configurations(session: Session, file: str, given: tuple[tuple[str, str], ..
         while waiting:
             base = waiting.pop(0)
             before = base.launch.given[len(given) :]
-            for branch in base.launch.branches:
-                if branch.taken is None or not branch.steered_by:
-                    continue
+            for branch in _open_branches(base):
                 wanted = _side(branch, not branch.taken)
                 if wanted in seen:
                     continue
@@ -74,6 +72,16 @@ def configurations(session: Session, file: str, given: tuple[tuple[str, str], ..
                     found.append(evaluation)
                     if wanted in seen:
                         break
+
+
+def _open_branches(base: Evaluation) -> Iterator[Branch]:
+    """The conditions that an arg can turn; one of unknown value (a required arg that nobody gave) as not taken and as taken."""
+    for branch in base.launch.branches:
+        if branch.steered_by and branch.taken is not None:
+            yield branch
+        elif branch.steered_by:
+            yield branch._replace(taken=False)
+            yield branch._replace(taken=True)
 
 
 def _side(branch: Branch, taken: bool) -> Side:

@@ -8,6 +8,19 @@ from collections.abc import Iterable
 from launchlint.model import Launch
 from launchlint.problem import Problem
 
+_BOOLEANS = ("true", "false", "1", "0")
+
+
+def has_odd_boolean(launch: Launch) -> bool:
+    """Whether a boolean was only tried for an arg of the entry file whose default is another text: nobody gives it that one."""
+    steered: frozenset[str] = frozenset().union(*(branch.steered_by for branch in launch.branches))
+    odd = {name for name, value in launch.given if name in steered and value.strip().lower() in _BOOLEANS}
+    return any(
+        argument.name in odd and isinstance(argument.default, str) and argument.default.strip().lower() not in _BOOLEANS
+        for argument in launch.declared
+        if argument.origin.step is None and not argument.passed
+    )
+
 
 def is_made_up(path: str, problem: Problem, launch: Launch) -> bool:
     """Whether ``path``, which ``problem`` is about, holds a value that was only tried for an arg.

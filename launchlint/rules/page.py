@@ -21,7 +21,9 @@ class Example(NamedTuple):
 
 
 class Page(NamedTuple):
-    """``summary`` is the first sentence; ``markdown`` the whole page; ``text`` the same for a terminal; ``examples`` its blocks in order."""
+    """``summary`` is the first sentence; ``markdown`` the whole page; ``text`` the same for a terminal; ``examples`` its
+    blocks in order.
+    """
 
     summary: str
     markdown: str

@@ -1,12 +1,13 @@
 """What a rule is, and how it says something.
 
-A rule module has a docstring (the published page: *What it does*, *Why it matters*, *Example*, *Use instead*), a constant ``RULE`` and one function:
+A rule module has a docstring (the published page: *What it does*, *Why it matters*, *Example*, *Use instead*), a constant ``RULE`` and one
+function:
 
 * ``tell(problem, view)`` where the registry names the problem kinds it speaks about, or
 * ``check(view)`` where it looks at a whole view.
 
-Both yield :class:`~launchlint.finding.Finding`, made with :meth:`Rule.at`. A ``check`` function may also yield :class:`Fine`: "this place is in
-order here". A finding of the same rule at a place that is in order in any configuration of any entry file is dropped.
+Both yield :class:`~launchlint.finding.Finding`, made with :meth:`Rule.at`. A ``check`` function may also yield :class:`Fine`: "this place
+is in order here". A finding of the same rule at a place that is in order in any configuration of any entry file is dropped.
 """
 
 from __future__ import annotations
@@ -41,7 +42,8 @@ class Rule(NamedTuple):
     """The declaration of a rule.
 
     ``roslaunch`` says who tells people today: roslaunch ``refuses`` the file, roslaunch-check ``reports`` it, or ``nobody``.
-    ``fixable`` says whether ``--fix`` can repair it: ``safe``, ``unsafe`` or ``never``. ``default`` is false for rules that are off until selected.
+    ``fixable`` says whether ``--fix`` can repair it: ``safe``, ``unsafe`` or ``never``. ``default`` is false for rules that are off until
+    selected.
     """
 
     id: str

@@ -23,7 +23,10 @@ class FileView(NamedTuple):
 
 
 class LaunchView(NamedTuple):
-    """The launch view: what one entry file starts in one configuration. ``declared_entry``: the configuration file says how it is started."""
+    """The launch view: what one entry file starts in one configuration.
+
+    ``declared_entry``: the configuration file says how it is started.
+    """
 
     launch: Launch
     packages: Packages
@@ -43,7 +46,8 @@ class EntrySummary(NamedTuple):
     """What is left of an evaluated entry file when all have been evaluated; paths as shown.
 
     ``needs_caller``: it does not load alone, because args are missing that an including file or the command line would give;
-    ``undeclared_args``: it reads args that it does not even declare. ``packages``: names of the packages it runs nodes of or loads files of.
+    ``undeclared_args``: it reads args that it does not even declare. ``packages``: names of the packages it runs nodes of or loads
+    files of.
     """
 
     path: str
@@ -75,8 +79,8 @@ class RunView(NamedTuple):
 class SuppressionView(NamedTuple):
     """All suppressions of the run.
 
-    ``used`` holds each suppression with each name in it that suppressed something; ``resolve`` gives the ID for an ID or name; ``on`` are the IDs of
-    the rules that ran; ``names`` the names of all rules.
+    ``used`` holds each suppression with each name in it that suppressed something; ``resolve`` gives the ID for an ID or name; ``on``
+    are the IDs of the rules that ran; ``names`` the names of all rules.
     """
 
     suppressions: tuple[Suppression, ...]

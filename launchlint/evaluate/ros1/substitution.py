@@ -136,6 +136,7 @@ def _replace(evaluation: FileEvaluation, text: str, where: Where, context: Conte
         if (command == "find") is not finds:
             continue
         span = where(start, end)
+        evaluation.spend_characters(len(resolved), span)  # each one goes over the whole text
         try:
             if command == "find":
                 resolved = _find(evaluation, resolved, inner, arguments, (start, end), span, context)

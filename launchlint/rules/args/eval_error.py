@@ -36,13 +36,15 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
+from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
 from launchlint.spelling import closest
 
 RULE = Rule("LL208", "eval-error", Severity.ERROR, roslaunch="refuses")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
+def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Say why; facts: ``reason``, for an error also ``expression`` and ``known`` (args with a value)."""
     if problem.kind == "eval-never-equal":
         yield _never_equal(problem)
@@ -57,6 +59,8 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         )
         return
     expression: str = problem.facts["expression"]
+    if "TypeError" in reason and has_odd_boolean(view.launch):
+        return
     yield RULE.at(
         problem.origin,
         f"$(eval …) fails: {reason}",

@@ -2,8 +2,8 @@
 
 What it does: it compares the `machine` of every node and test with the machines of the whole launch. A machine may be defined
 after the node that uses it, and in any included file. Where the launch defines no machine at all it is a warning, and in a file
-whose name ends with `.xml` an info: it may be made to be included. Where the launch is not known as a whole, because a file of it is not here or a condition cannot be worked out, the
-machine may be defined there, and nothing is told.
+whose name ends with `.xml` an info: it may be made to be included. Where the launch is not known as a whole, because a file of it is
+not here or a condition cannot be worked out, the machine may be defined there, and nothing is told.
 
 ## Why it matters
 
