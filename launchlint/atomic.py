@@ -43,9 +43,7 @@ def _checked(path: str, what: str) -> tuple[str, int | None]:
     if mode is not None and stat.S_ISDIR(mode):
         raise UsageError(f"cannot write {what} to {path!r}: it is a directory; give the name of a file")
     if (mode is None or stat.S_ISREG(mode)) and not os.path.isdir(os.path.dirname(target)):
-        raise UsageError(
-            f"cannot write {what} to {path!r}: the directory {os.path.dirname(path) or '.'!r} does not exist; create it first"
-        )
+        raise UsageError(f"cannot write {what} to {path!r}: the directory {os.path.dirname(path) or '.'!r} does not exist; create it first")
     return target, mode
 
 

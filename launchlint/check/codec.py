@@ -77,7 +77,6 @@ def entry_to_json(result: EntryResult) -> list[Any]:
             summary.roots,
             summary.needs_caller,
             summary.undeclared_args,
-            summary.packages,
         ],
         result.needs_caller,
         result.configurations,
@@ -87,7 +86,7 @@ def entry_to_json(result: EntryResult) -> list[Any]:
 def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResult]) -> EntryResult:
     """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
     path, verdict, error, findings, fine, visited, names, summary, needs_caller, configurations = value
-    entry, refused, included, calls, roots, needs, undeclared, packages = summary
+    entry, refused, included, calls, roots, needs, undeclared = summary
     return EntryResult(
         request,
         path,
@@ -105,7 +104,6 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
             tuple((name, Location(*location)) for name, location in roots),
             needs,
             undeclared,
-            tuple(packages),
         ),
         needs_caller,
         configurations,

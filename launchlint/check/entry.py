@@ -165,13 +165,6 @@ class EntryChecker:
         severity = min(finding.severity, Severity.WARNING) if assumed else finding.severity
         return finding._replace(severity=severity, entry=evaluation.launch.entry.path, arguments=evaluation.launch.given, entries=1)
 
-    def _packages_of(self, evaluation: Evaluation) -> tuple[str, ...]:
-        """Names of the packages that an entry file runs nodes of or loads files of."""
-        launch = evaluation.launch
-        names = {node.package for node in (*launch.nodes, *launch.tests) if "pkg" not in node.unknown}
-        homes = (self.packages.package_of(document.source.file) for document in evaluation.documents.values())
-        return tuple(sorted(names | {home.name for home in homes if home is not None}))
-
     def _result(
         self,
         request: EntryRequest,
@@ -196,8 +189,7 @@ class EntryChecker:
         needs_caller = bool(reasons & ALONE_KINDS) and not request.declared
         lacks = needs_caller and bool(reasons & (ALONE_KINDS - {"required-arg-unset"}))
         calls = tuple(_broken_calls(launch.problems))
-        packages = self._packages_of(first)
-        summary = EntrySummary(path, refused is not None, included, calls, roots, needs_caller, lacks, packages)
+        summary = EntrySummary(path, refused is not None, included, calls, roots, needs_caller, lacks)
         return EntryResult(
             request,
             path,

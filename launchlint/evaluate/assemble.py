@@ -180,9 +180,7 @@ class _Assembly:
         self.includes.append(include)
         respelled = {remap.source for remap in call.remaps}
         step = IncludeStep(call.include.origin.place, inherited.step)
-        passed = {
-            name: frozenset().union(*(steer.get(read, frozenset()) for read in reads)) for name, reads in call.argument_reads.items()
-        }
+        passed = {name: frozenset().union(*(steer.get(read, frozenset()) for read in reads)) for name, reads in call.argument_reads.items()}
         inner = _Inherited(
             step,
             place.scope(call.scope),
@@ -336,5 +334,3 @@ def _is_open(block: Block, reads: frozenset[str]) -> bool:
             return True
         waiting.extend(block.argument_reads[name])
     return False
-
-

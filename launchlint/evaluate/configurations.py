@@ -118,7 +118,10 @@ def _all_candidates(branch: Branch, base: Evaluation) -> Iterator[Pairs]:
     names = sorted(branch.steered_by.union(*(each.steered_by for each in around)))
     if not 2 <= len(names) <= MOST_TOGETHER:
         return
-    values: dict[str, dict[str | None, None]] = {name: {None: None, **dict.fromkeys(elsewhere.get(name, ()))} for name in names}
+    values: dict[str, dict[str | None, None]] = {
+        name: {None: None, **dict.fromkeys(value for value in elsewhere.get(name, ()) if _is_plausible(defaults.get(name), value))}
+        for name in names
+    }
     for each in (branch, *around):
         for name, value in _turning(each, defaults):
             if _is_plausible(defaults.get(name), value):

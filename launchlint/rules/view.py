@@ -46,8 +46,7 @@ class EntrySummary(NamedTuple):
     """What is left of an evaluated entry file when all have been evaluated; paths as shown.
 
     ``needs_caller``: it does not load alone, because args are missing that an including file or the command line would give;
-    ``undeclared_args``: it reads args that it does not even declare. ``packages``: names of the packages it runs nodes of or loads
-    files of.
+    ``undeclared_args``: it reads args that it does not even declare.
     """
 
     path: str
@@ -57,7 +56,6 @@ class EntrySummary(NamedTuple):
     roots: tuple[tuple[str, Location], ...]
     needs_caller: bool = False
     undeclared_args: bool = False
-    packages: tuple[str, ...] = ()
 
 
 class RunView(NamedTuple):

@@ -34,9 +34,7 @@ class Entering:
     def key(self) -> tuple[Any, ...]:
         """Equal for two entries that come to the same block."""
         arguments = tuple(
-            sorted(
-                (name, type(value).__name__, value if isinstance(value, str) else value.text) for name, value in self.arguments.items()
-            )
+            sorted((name, type(value).__name__, value if isinstance(value, str) else value.text) for name, value in self.arguments.items())
         )
         outside = tuple(sorted(self.from_environment))
         return (self.file, self.namespace, arguments, self.pass_all, self.private_above, self.default_machine, self.is_entry, outside)

@@ -175,7 +175,12 @@ def _check_arguments(
             fixed = ((block.refused_overrides[name], "its value is fixed here"),)
             file.problem("arg-override-refused", place.span, refused=True, related=fixed, name=name, by_include=True, file=path)
         elif name not in block.declared and not block.assumed_declarations:
-            facts: dict[str, Any] = {"name": name, "file": path, "known": tuple(sorted(block.open_arguments)), "target": document.source.file}
+            facts: dict[str, Any] = {
+                "name": name,
+                "file": path,
+                "known": tuple(sorted(block.open_arguments)),
+                "target": document.source.file,
+            }
             file.problem("include-undeclared-arg" if not pass_all else "pass-all-hides-typo", place.span, refused=not pass_all, **facts)
     for name, declaration in block.refused_overrides.items():
         if name not in explicit:  # passed by pass_all_args, and fixed in a group there: only at file level the fixed value wins

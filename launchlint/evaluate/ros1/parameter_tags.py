@@ -81,7 +81,9 @@ def _setting(file: FileEvaluation, name: str, value: Any, element: Element, tag:
 def _read(file: FileEvaluation, element: Element, context: Context) -> tuple[str, Any] | None:
     """Name (as written, stripped) and value of a ``<param>``; None where roslaunch refuses it."""
     type_ = (element.get("type") or "auto").lower().strip()
-    given, reads = file.traced(lambda: [(source, file.optional(element, source, context)) for source in SOURCES if source in element.attributes])
+    given, reads = file.traced(
+        lambda: [(source, file.optional(element, source, context)) for source in SOURCES if source in element.attributes]
+    )
     if len(given) != 1:
         file.record(conflicting_attributes(file.document, element, "param-sources", tuple(source for source, _ in given)))
     name_attribute = element.attributes.get("name")
@@ -208,9 +210,7 @@ def _in_text(element: Element, name: str | None) -> Any:
     return where
 
 
-def _yaml_text(
-    file: FileEvaluation, element: Element, name: str | None, reads: frozenset[str]
-) -> tuple[str, Source | None] | None:
+def _yaml_text(file: FileEvaluation, element: Element, name: str | None, reads: frozenset[str]) -> tuple[str, Source | None] | None:
     """The YAML text, and the file it is from (None: the element itself)."""
     if name is None:
         return element.text, None

@@ -70,11 +70,8 @@ _MOST_SHOWN = 6
 
 
 def check(view: RunView) -> Iterator[Finding]:
-    """Yield one finding for each name of a package in use that several bear (rospkg.rospack.list_by_path keeps the one it meets first)."""
-    used = {name for entry in view.entries for name in entry.packages}
+    """Yield one finding for each name that several packages bear (rospkg.rospack.list_by_path keeps the one it meets first)."""
     for name, copies in view.packages.duplicates().items():
-        if name not in used:
-            continue
         together: dict[str, list[Package]] = {}
         for copy in copies:
             if copy.manifest is None or not copy.manifest.is_ament:
