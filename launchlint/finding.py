@@ -84,11 +84,11 @@ Key = tuple[str, str, int, int, str]
 class Finding(NamedTuple):
     """One mistake, at one place.
 
-    ``rule``: the ID (``LL301``). ``name``: its kebab-case name. ``message``: what is wrong, one line, no full stop. ``label``: what the caret
-    points at. ``chain``: the include elements that lead from the entry file to the place, outermost first. ``notes``: further lines, such as what roslaunch says.
-    ``help``: what to do. ``entry`` and ``arguments``: the launch file and the ``name:=value`` pairs that show it. ``entries``: from how
-    many entry files it is reached. ``element``: the normalised element text that the fingerprint is made from. ``topic`` tells apart several
-    findings of one rule at one place (a missing arg's name, say); it is never shown.
+    ``rule``: the ID (``LL301``). ``name``: its kebab-case name. ``message``: what is wrong, one line, no full stop. ``label``: what the
+    caret points at. ``chain``: the include elements that lead from the entry file to the place, outermost first. ``notes``: further
+    lines, such as what roslaunch says. ``help``: what to do. ``entry`` and ``arguments``: the launch file and the ``name:=value`` pairs
+    that show it. ``entries``: from how many entry files it is reached. ``element``: the normalised element text that the fingerprint is
+    made from. ``topic`` tells apart several findings of one rule at one place (a missing arg's name, say); it is never shown.
     """
 
     rule: str

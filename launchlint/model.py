@@ -68,8 +68,8 @@ class Branch(NamedTuple):
     """A condition that was met in this configuration.
 
     ``taken``: whether the element was evaluated; None where the value is unknown. ``element`` is the place of the whole element, ``text``
-    the condition as written. ``steered_by`` are the args of the entry file on which it depends; ``open`` says whether anything outside the file
-    (an arg it can be given, an environment variable) can change it.
+    the condition as written. ``steered_by`` are the args of the entry file on which it depends; ``open`` says whether anything outside
+    the file (an arg it can be given, an environment variable) can change it.
     """
 
     origin: Origin
@@ -100,9 +100,9 @@ class EnvironmentSetting(NamedTuple):
 class Node(NamedTuple):
     """A node (or, with ``test_name``, a test) that would be started.
 
-    ``namespace`` begins and ends with ``/``; ``executable`` is the ``type`` attribute; ``remaps`` stand in the order roslaunch passes them;
-    ``respawn_delay`` and ``time_limit`` are seconds. ``attributes`` are the places of the attribute values as written. ``unknown`` names the
-    attributes whose value is not known; their fields hold the text as written.
+    ``namespace`` begins and ends with ``/``; ``executable`` is the ``type`` attribute; ``remaps`` stand in the order roslaunch passes
+    them; ``respawn_delay`` and ``time_limit`` are seconds. ``attributes`` are the places of the attribute values as written. ``unknown``
+    names the attributes whose value is not known; their fields hold the text as written.
     """
 
     name: str
@@ -196,9 +196,9 @@ class Include(NamedTuple):
 class ScopedSetting(NamedTuple):
     """A ``remap``, ``env`` or ``~param`` that stands outside a node and acts on what follows it in its scope.
 
-    ``reached`` is how many nodes and tests it acts on, until another of the same key in the same scope replaces it; ``before`` are the nodes
-    of the same scope that stand above it and so miss it. ``replaced`` is the earlier setting that it replaces in this way. ``scope_end`` is the
-    offset in its file at which its scope ends.
+    ``reached`` is how many nodes and tests it acts on, until another of the same key in the same scope replaces it; ``before`` are the
+    nodes of the same scope that stand above it and so miss it. ``replaced`` is the earlier setting that it replaces in this way.
+    ``scope_end`` is the offset in its file at which its scope ends.
     """
 
     kind: str
@@ -215,10 +215,10 @@ class ScopedSetting(NamedTuple):
 class Launch(NamedTuple):
     """What one entry file starts in one configuration.
 
-    ``arguments`` is the configuration: what would be given as ``name:=value``. ``refused`` is the first problem for which roslaunch
-    would refuse to load the file, else None. ``parameters`` holds the final setting of each name, ``parameter_settings`` all of them in order.
-    ``executables`` are the rosparam dump and delete steps as ``(command, parameter, file)``. ``files`` are the names of the loaded launch files in order. ``complete`` is false where an include could not be followed, so that there may
-    be more nodes than are known.
+    ``arguments`` is the configuration: what would be given as ``name:=value``. ``refused`` is the first problem for which roslaunch would
+    refuse to load the file, else None. ``parameters`` holds the final setting of each name, ``parameter_settings`` all of them in order.
+    ``executables`` are the rosparam dump and delete steps as ``(command, parameter, file)``. ``files`` are the names of the loaded launch
+    files in order. ``complete`` is false where an include could not be followed, so that there may be more nodes than are known.
     """
 
     entry: Source

@@ -60,7 +60,7 @@ class Source:
         return Position(line, offset - starts[line - 1] + 1)
 
     def line(self, number: int, longest: int | None = None) -> str:
-        """Text of line ``number`` (from 1) without its line end, of a longer one the first ``longest`` characters; empty where there is none."""
+        """Text of line ``number`` (from 1) without its line end, at most ``longest`` characters of it; empty where there is none."""
         starts = self.line_starts
         if not 1 <= number <= len(starts):
             return ""

@@ -43,9 +43,9 @@ def merge(
     """The findings of a whole run.
 
     A file that others include and that lacks args when started alone is not an entry file: what was found in it that way is left out.
-    ``per_file`` says which rules are off where. ``workspace`` runs the rules that look at the whole run;
-    ``alone`` keeps every entry, whoever includes it. ``asked`` are the paths people gave; what is wrong in files that are merely installed is
-    told at the include that leads there.
+    ``per_file`` says which rules are off where. ``workspace`` runs the rules that look at the whole run; ``alone`` keeps every entry,
+    whoever includes it. ``asked`` are the paths people gave; what is wrong in files that are merely installed is told at the include that
+    leads there.
     """
     entries = list(results) if alone else _entries(results)
     findings: dict[Key, Finding] = {}

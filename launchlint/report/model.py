@@ -20,7 +20,7 @@ def as_object(launch: Launch, file: str, error: tuple[str, str] | None) -> dict[
         "error": None if error is None else {"rule": error[0], "message": error[1]},
         "args": dict(sorted(launch.arguments.items())),
         "nodes": [_node(node) for node in launch.nodes],
-        "tests": [{**_node(test), "test_name": test.test_name, "time_limit": test.time_limit, "retry": test.retry} for test in launch.tests],
+        "tests": [_test(test) for test in launch.tests],
         "params": {name: _parameter(launch.parameters[name].value) for name in sorted(launch.parameters)},
         "clear_params": [namespace for namespace, _ in launch.clear_params],
         "machines": {
@@ -74,6 +74,10 @@ def _node(node: Node) -> dict[str, Any]:
         "launch_prefix": node.launch_prefix,
         "file": node.file,
     }
+
+
+def _test(test: Node) -> dict[str, Any]:
+    return {**_node(test), "test_name": test.test_name, "time_limit": test.time_limit, "retry": test.retry}
 
 
 def _parameter(value: Any) -> dict[str, Any]:

@@ -17,11 +17,11 @@ from typing import Any
 
 import pytest
 
-from launchlint.check.entry import EntryChecker
+from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.merge import merge
 from launchlint.check.options import EntryRequest, Options
-from launchlint.finding import Severity
+from launchlint.finding import Finding, Severity
 from launchlint.report.model import as_object
 from launchlint.rules.registry import RULES
 
@@ -113,6 +113,10 @@ def test_verdict_and_model_are_roslaunchs(corpus: Path, oracle: Path, name: str)
     assert compared > 400
 
 
+def told_of(here: EntryChecker, result: EntryResult) -> tuple[Finding, ...]:
+    return merge([result], here.options, here.packages, NONE_IGNORED, workspace=False, alone=True).findings
+
+
 @pytest.mark.corpus
 def test_every_mistake_that_roslaunch_refuses_or_reports_is_told(corpus: Path, oracle: Path) -> None:
     """Mutants whose original already fails here are left out: it needs packages of repositories outside the corpus."""
@@ -133,10 +137,7 @@ def test_every_mistake_that_roslaunch_refuses_or_reports_is_told(corpus: Path, o
         if before.verdict == "error":
             continue
         after = here.check(EntryRequest(str(mutants / Path(mutant["file"]).relative_to("mutants")), original, given))
-        had, has = (
-            Counter((finding.rule, finding.severity) for finding in merge([each], here.options, here.packages, NONE_IGNORED, workspace=False, alone=True).findings)
-            for each in (before, after)
-        )  # fmt: skip
+        had, has = (Counter((finding.rule, finding.severity) for finding in told_of(here, each)) for each in (before, after))
         if any(severity >= Severity.WARNING for _, severity in has - had):
             told += 1
         else:

@@ -119,7 +119,7 @@ def _passed(
         if name in explicit and not pass_all:
             file.problem("arg-redeclared", place.span, refused=True, related=((explicit[name], "the first one"),), name=name)
         explicit[name] = place
-        chosen = value if value is not None else default if name not in passed else passed[name]
+        chosen = value if value is not None else passed.get(name, default)
         if chosen is None and name not in passed:
             file.record(missing_attribute(file.document, child, "value"))
             chosen = Unknown("", "the attribute value is missing")

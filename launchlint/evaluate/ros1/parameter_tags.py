@@ -280,12 +280,13 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
         file.record_at(at, "param-yaml-invalid", refused=True, related=related, reason=str(error), in_file=source is not None,
                        hint="colon" if error.kind == "colon" else "", file="" if source is None else source.path)  # fmt: skip
         return
+    loaded_from: dict[str, Any] = {"file": "" if source is None else source.path, "in_file": source is not None}
     is_dictionary = isinstance(loaded.data, dict) or loaded.data is None
     if (not below or full == "/") and not is_dictionary:
         hint = "colon" if loaded.scalar_colon else "scalar"
         at = place(*loaded.scalar_colon[0]) if loaded.scalar_colon else file.place(element.name_span)
-        file.record_at(at, "param-yaml-invalid", refused=True, file="" if source is None else source.path, in_file=source is not None,
-                       reason="a value that is no dictionary needs the param attribute to say which parameter it is for", hint=hint)  # fmt: skip
+        reason = "a value that is no dictionary needs the param attribute to say which parameter it is for"
+        file.record_at(at, "param-yaml-invalid", refused=True, reason=reason, hint=hint, **loaded_from)
         return
     for duplicate in loaded.duplicates:
         related = ((place(*duplicate.first), "the first one"),)
@@ -296,8 +297,8 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
         for key in path:
             target = join(target, key)
         if target == "/":
-            file.record_at(place(key_start, key_end), "param-yaml-invalid", refused=True, file="" if source is None else source.path,
-                           in_file=source is not None, reason="an empty key in the global namespace names no parameter", hint="")  # fmt: skip
+            reason = "an empty key in the global namespace names no parameter"
+            file.record_at(place(key_start, key_end), "param-yaml-invalid", refused=True, reason=reason, hint="", **loaded_from)
             continue
         if isinstance(value, UnknownValue):
             value = Unknown("", str(value))

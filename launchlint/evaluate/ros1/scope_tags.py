@@ -46,7 +46,7 @@ def remap(file: FileEvaluation, element: Element, context: Context) -> Remap | N
     """The rule of a ``<remap>``; None, with a problem, where roslaunch refuses it (roslaunch.loader.LoaderContext.add_remap)."""
     names: list[str] = []
     values: list[Value] = [file.required(element, attribute, context) for attribute in ("from", "to")]
-    for attribute, value in zip(("from", "to"), values):
+    for attribute, value in zip(("from", "to"), values, strict=True):
         if isinstance(value, Unknown):
             continue
         name = canonical(value)

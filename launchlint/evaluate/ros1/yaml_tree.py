@@ -34,8 +34,9 @@ _ANGLES = ((DEGREES, re.compile(r"^deg\([^\)]*\)$")), (RADIANS, re.compile(r"^ra
 class YamlError(Exception):
     """What roslaunch refuses: ``message`` in plain words, ``offset`` in the text, and a ``kind``.
 
-    Kinds: ``syntax``, ``colon`` (a ``key:value`` without the blank; to the end of its line), ``character`` (one that YAML does not allow), ``documents`` (more than one), ``anchor`` (unknown alias, anchor used
-    twice), ``tag`` (unknown), ``value`` (does not fit its tag), ``key`` (not a text, or not usable as a key), ``merge``.
+    Kinds: ``syntax``, ``colon`` (a ``key:value`` without the blank; to the end of its line), ``character`` (one that YAML does not
+    allow), ``documents`` (more than one), ``anchor`` (unknown alias, anchor used twice), ``tag`` (unknown), ``value`` (does not fit its
+    tag), ``key`` (not a text, or not usable as a key), ``merge``.
     """
 
     def __init__(self, message: str, offset: int, kind: str) -> None:
