@@ -253,7 +253,10 @@ ROS2 = '<launch>\n  <let name="robot" value="one"/>\n  <node pkg="demo" exec="ta
 
 def test_ros2_launch_files_are_left_out_with_one_notice(repository: Path) -> None:
     write(repository, {"demo/launch/two.launch.xml": ROS2})
-    notice = "launchlint: left out the ROS 2 launch file demo/launch/two.launch.xml: only ROS 1 is checked; name a file to check it all the same\n"
+    notice = (
+        "launchlint: left out the ROS 2 launch file demo/launch/two.launch.xml: only ROS 1 is checked; "
+        "name a file to check it all the same\n"
+    )
     assert concise(repository) == (1, BOTH, notice)
     assert run(repository, "check", "-q") == (1, "", "")
     write(repository, {"demo/launch/three.launch.xml": ROS2})
