@@ -24,6 +24,7 @@ _NAME = re.compile(r"[^\s,]+")
 _LOOKS_LIKE_AN_ID = re.compile(r"LL\d{3}\b", re.IGNORECASE)
 _NOT_TEXT = re.compile(r"\s*(?:<\?.*?\?>\s*)*", re.DOTALL)
 _MODEL = "launchlint: ignore[RULE] reason"
+_MOST_NAMES = 1_000
 _NO_ELEMENT = "no element follows it: it belongs right before the element it is about"
 
 
@@ -194,6 +195,8 @@ def _suppression(document: Document, comment: Comment, target: Element | None) -
             for name in _NAME.finditer(match["names"] or "")
         ]
         problem = _spelling(match, names, reason)
+        if len(names) > _MOST_NAMES:
+            names, problem = [], f"it names {len(names):,} rules, which is more than there are"
     return Suppression(
         Location.of(Place(source, span)),
         frozenset(name.text.lower() for name in names),

@@ -18,6 +18,7 @@ from launchlint.workspace.reading import read_bytes
 
 CATKIN_IGNORE = "CATKIN_IGNORE"
 NO_SUBDIRECTORIES = "rospack_nosubdirs"
+SYSTEM_SHARE = "/usr/share/"
 
 _MARKERS = frozenset((CATKIN_IGNORE, PACKAGE_FILE, MANIFEST_FILE, NO_SUBDIRECTORIES))
 # How often one directory is entered through different symbolic links before further ones are left alone: links among a few
@@ -52,6 +53,11 @@ def crawl(root: str) -> list[Crawled]:
         below: list[str] = []
         links: set[str] = set()
         try:
+            if directory.startswith(SYSTEM_SHARE):  # nothing deeper counts there, and its directories may hold thousands of files
+                markers.update(name for name in _MARKERS if os.path.isfile(directory + "/" + name))
+                if markers:
+                    _note_packages(directory, markers, found)
+                continue
             with os.scandir(directory) as scan:
                 for entry in scan:
                     name = entry.name
@@ -64,19 +70,22 @@ def crawl(root: str) -> list[Crawled]:
         except OSError:
             continue
         if markers:
-            if CATKIN_IGNORE in markers:
-                continue
-            if PACKAGE_FILE in markers:
-                found.append(examine(directory, PACKAGE_FILE))
-            if MANIFEST_FILE in markers and (PACKAGE_FILE not in markers or found[-1].metapackage):
-                found.append(examine(directory, MANIFEST_FILE))
-            continue
-        if directory.startswith("/usr/share/"):
+            _note_packages(directory, markers, found)
             continue
         below.sort(reverse=True)
         start = directory if directory.endswith("/") else directory + "/"
         pending += [start + name for name in below if name not in links or _may_enter(directory, start + name, entrances)]
     return found
+
+
+def _note_packages(directory: str, markers: set[str], found: list[Crawled]) -> None:
+    """Append what the manifests among ``markers`` of ``directory`` describe."""
+    if CATKIN_IGNORE in markers:
+        return
+    if PACKAGE_FILE in markers:
+        found.append(examine(directory, PACKAGE_FILE))
+    if MANIFEST_FILE in markers and (PACKAGE_FILE not in markers or found[-1].metapackage):
+        found.append(examine(directory, MANIFEST_FILE))
 
 
 def examine(directory: str, file: str) -> Crawled:

@@ -102,7 +102,10 @@ def resolve(evaluation: FileEvaluation, text: str, where: Where, context: Contex
         except _NotKnown:
             _replace(evaluation, text, where, context, finds=True)  # for what is wrong with it
             raise
-        return _replace(evaluation, first, _through(text, first, where), context, finds=True) if "$(" in first else first
+        if "$(" not in first:
+            return first
+        where, text = _through(text, first, where), first
+        return _replace(evaluation, text, where, context, finds=True)
     except BadSubstitution as bad:
         evaluation.problem("bad-substitution", where(bad.start, bad.end), refused=True, reason=bad.reason, text=text[bad.start : bad.end])
         return Unknown(text, bad.reason)

@@ -63,7 +63,9 @@ def _advice(reason: str, command: str, words: list[str]) -> str:
             return "make the inner one an <arg> of its own, or write the whole as $(eval …) with arg('…') and find('…')"
         return "write it without the parenthesis"
     if command in COMMANDS:
-        return f"write $({command} name)" if len(words) < 2 else f"{command} takes a single name: is there a ) missing before {words[2]}?"
+        if len(words) < 3:
+            return f"write $({command} name)"
+        return f"{command} takes a single name: is there a ) missing before {words[2]}?"
     glued = next((known for known in COMMANDS if command.startswith(known) and known != "dirname"), None)
     if glued is not None and len(words) == 1:
         return f"did you mean $({glued} {command.removeprefix(glued)})?"

@@ -80,7 +80,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
 def _is_own_name(problem: Problem) -> bool:
     """Whether the name comes from ``name``; a test without it takes its ``test-name``."""
     source, span = problem.place
-    return not source.text[: span.start].rstrip("\"'").rstrip().removesuffix("=").rstrip().endswith("test-name")
+    before = source.text[max(0, span.start - 200) : span.start]
+    return not before.rstrip("\"'").rstrip().removesuffix("=").rstrip().endswith("test-name")
 
 
 def _fault(name: str) -> str:

@@ -63,15 +63,17 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
         place = _place(node)
         others = {_place(each) for each in nodes} - {place}
         yield from (RULE.fine(other) for other in sorted(others, key=lambda each: each.span.start))
-        why = (judgement.why,) if judgement.why else ()
-        fails = "roslaunch loads the file and fails when it starts this node"
-        notes = (*why, f"{fails}; {len(others)} more in this file {'is' if len(others) == 1 else 'are'} of {name} too" if others else fails)
+        notes = [judgement.why] if judgement.why else []
+        if launch.refused is None:
+            notes.append("roslaunch loads the file and fails when it starts this node")
+        if others:
+            notes.append(f"{len(others)} more in this file {'is' if len(others) == 1 else 'are'} of {name} too")
         yield RULE.at(
             Origin(place, node.origin.step),
             f"there is no package {name}" if judgement.severity is Severity.ERROR else f"the package {name} is not known here",
             severity=min(judgement.severity, Severity.WARNING) if assumed else judgement.severity,
             label="not found",
-            notes=notes,
+            notes=tuple(notes),
             help=judgement.help,
         )
 

@@ -4,7 +4,8 @@ What it does: for every launch file it collects the packages of its nodes and te
 names are written out, and compares them with the run dependencies (`<exec_depend>`, `<depend>`, `<run_depend>`) in the
 `package.xml` above it. Test dependencies count for tests. What a declared package or metapackage itself declares counts too,
 as far as it can be seen here. Names that nobody knows are LL210 and LL303, and a file with placeholders such as
-`$(find [PACKAGE])` is a template that is never launched. Each package is told of once, at the `package.xml`.
+`$(find [PACKAGE])` is a template that is never launched. A dependency that stands in a comment of the `package.xml` was left out
+on purpose. Each package is told of once, at the `package.xml`.
 
 ## Why it matters
 
@@ -93,7 +94,7 @@ def check(view: FileView) -> Iterator[Finding]:
     is_test = _is_test(document)
     if is_test:
         declared |= home.test_dependencies
-    missing = [name for name in wanted if name not in declared]
+    missing = [name for name in wanted if name not in declared and not _is_commented_out(name, manifest)]
     if not missing:
         return
     declared = _with_what_they_declare(declared, packages, file)
@@ -123,6 +124,14 @@ def _line(name: str, format_: int, *, is_test: bool) -> str:
         return f'<depend package="{name}"/>'
     tag = "test_depend" if is_test else "run_depend" if format_ == 1 else "exec_depend"
     return f"<{tag}>{name}</{tag}>"
+
+
+def _is_commented_out(name: str, manifest: Manifest) -> bool:
+    """Whether the dependency stands in a comment of the manifest: somebody took it out and meant to."""
+    return any(
+        re.search(rf"depend>\s*{re.escape(name)}\s*<", comment) is not None
+        for comment in re.findall(r"<!--(.*?)-->", manifest.source.text, re.DOTALL)
+    )
 
 
 def _uses(document: Document) -> dict[str, tuple[Place, str]]:
