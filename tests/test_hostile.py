@@ -296,8 +296,8 @@ def test_great_numbers(repository: Path, text: str) -> None:
     check(repository, text)
 
 
-def test_a_great_number_of_nodes_in_every_format_and_in_the_model(repository: Path) -> None:
-    write(repository, {"x.launch": many(50_000, '<node name="n" pkg="demo" type="talk.py"/>')})
+def test_a_great_number_of_findings_in_every_format_and_in_the_model(repository: Path) -> None:
+    write(repository, {"x.launch": many(10_000, '<node name="n" pkg="demo" type="talk.py"/>')})
     for name in FORMATS:
         assert run(repository, "check", "--no-cache", "--format", f"{name}:out", "x.launch").status == 1
     assert run(repository, "model", "x.launch").status == 1

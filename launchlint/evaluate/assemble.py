@@ -113,7 +113,7 @@ class _Assembly:
             elif isinstance(effect, LocalBranch):
                 self._branch(effect, place, block, steer)
             elif isinstance(effect, Argument):
-                self.declared.append(effect._replace(origin=place.origin(effect.origin)))
+                self.declared.append(place.argument(effect))
             elif isinstance(effect, ScopedSetting):
                 conditions = inherited.conditions + effect.conditions
                 self.scoped.append(effect._replace(origin=place.origin(effect.origin), conditions=conditions))
@@ -251,7 +251,14 @@ class _Placing:
     def setting(self, setting: ParameterSetting) -> ParameterSetting:
         if self.step is None:
             return setting
-        return setting._replace(origin=self.origin(setting.origin), conditions=self.conditions + setting.conditions)
+        name, value, origin, tag, scope, conditions, node = setting  # written out, since there are so many of them
+        return ParameterSetting(name, value, self.origin(origin), tag, scope, self.conditions + conditions, node)
+
+    def argument(self, argument: Argument) -> Argument:
+        if self.step is None:
+            return argument
+        name, value, default, origin, passed, in_group = argument
+        return Argument(name, value, default, self.origin(origin), passed, in_group)
 
     def private(self, parameter: PrivateParameter) -> PrivateParameter:
         return parameter if self.step is None else parameter._replace(setting=self.setting(parameter.setting))

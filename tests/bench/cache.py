@@ -6,13 +6,12 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import tempfile
 from pathlib import Path
 from statistics import median
 
-from tests.bench.timing import launchlint, milliseconds, table, timed
+from tests.bench.timing import launchlint, milliseconds, plain_environment, table, timed
 
 
 def main() -> int:
@@ -27,7 +26,7 @@ def main() -> int:
     outputs = set()
     for _ in range(arguments.runs):
         with tempfile.TemporaryDirectory() as cache:
-            environment = {**os.environ, "XDG_CACHE_HOME": cache}
+            environment = {**plain_environment(), "XDG_CACHE_HOME": cache}
             for name, series in seconds.items():
                 run = timed(launchlint(*check, *(["--no-cache"] if name == "no cache" else [])), environment)
                 if run.status:

@@ -60,15 +60,21 @@ def roslaunch_check() -> list[str] | None:
     return [interpreter, script] if interpreter and script else None
 
 
+def plain_environment() -> dict[str, str]:
+    """The environment for launchlint: this one, but Python may keep its compiled modules, as it does wherever launchlint is installed."""
+    return {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+
+
 def ros_environment(packages: Path) -> dict[str, str]:
     """The environment for every command compared: packages are looked for in ``packages``."""
-    return {**os.environ, "ROS_PACKAGE_PATH": str(packages), "ROS_MASTER_URI": "http://localhost:11311"}
+    return {**plain_environment(), "ROS_PACKAGE_PATH": str(packages), "ROS_MASTER_URI": "http://localhost:11311"}
 
 
 def timed(command: Sequence[str], environment: Mapping[str, str] | None = None, stdin: bytes = b"") -> Timed:
     """Run ``command`` once, its standard error thrown away."""
+    variables = plain_environment() if environment is None else environment
     start = time.perf_counter()
-    run = subprocess.run(command, env=environment, input=stdin, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+    run = subprocess.run(command, env=variables, input=stdin, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
     return Timed(time.perf_counter() - start, run.returncode, run.stdout)
 
 

@@ -285,7 +285,7 @@ def _evaluate(evaluation: FileEvaluation, text: str, where: Where, context: Cont
         return Unknown(text, "its $(eval …) fails")
 
 
-_LOOKS_LIKE = re.compile(
+_LOOKS_LIKE = (
     r"\$\s+\((?:find|env|optenv|dirname|anon|arg|eval)\b(?:\s+[\w./\-]+)*\s*\)?"
     r"|\$\{(?:find|env|optenv|anon|arg) [\w./\- ]*\}?"
     r"|\$\((?:find|env|optenv|dirname|anon|arg|eval)\b(?:\s+[\w\-]+)?"
@@ -296,7 +296,7 @@ _LOOKS_LIKE = re.compile(
 
 def left_over(text: str) -> tuple[int, int] | None:
     """Start and end of what looks like a substitution in a text that has been resolved, but is none."""
-    match = _LOOKS_LIKE.search(text)
+    match = re.search(_LOOKS_LIKE, text)
     return None if match is None else match.span()
 
 

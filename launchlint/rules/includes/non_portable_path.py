@@ -57,9 +57,9 @@ from launchlint.workspace.looking import exists
 RULE = Rule("LL406", "non-portable-path", Severity.WARNING)
 
 _ATTRIBUTES = {"include": ("file",), "rosparam": ("file",), "param": ("textfile", "binfile")}
-_SYSTEM = re.compile(r"/(?:etc|dev|tmp|var|run|mnt|media|sys|proc|opt/(?!ros/))")
-_PERSONAL = re.compile(r"/home/[^/$]+/|/Users/[^/$]+/|/root/|/(?:[^/]*_ws|src)/|/opt/ros/|[A-Za-z]:[\\/]")
-_PACKAGE = re.compile(r"/(?:src|share)/(?:.*/)?(\w+)/((?:launch|config|params|param|cfg|urdf|maps|map)/.*)$")
+_SYSTEM = r"/(?:etc|dev|tmp|var|run|mnt|media|sys|proc|opt/(?!ros/))"
+_PERSONAL = r"/home/[^/$]+/|/Users/[^/$]+/|/root/|/(?:[^/]*_ws|src)/|/opt/ros/|[A-Za-z]:[\\/]"
+_PACKAGE = r"/(?:src|share)/(?:.*/)?(\w+)/((?:launch|config|params|param|cfg|urdf|maps|map)/.*)$"
 
 
 class _Fault(NamedTuple):
@@ -94,9 +94,9 @@ def _fault(value: str, tag: str, view: FileView) -> _Fault | None:
 
 
 def _absolute(value: str, tag: str) -> _Fault | None:
-    if _SYSTEM.match(value) or (tag != "include" and _PERSONAL.match(value) is None and "/src/" not in value):
+    if re.match(_SYSTEM, value) or (tag != "include" and re.match(_PERSONAL, value) is None and "/src/" not in value):
         return None
-    packaged = _PACKAGE.search(value)
+    packaged = re.search(_PACKAGE, value)
     instead = f"$(find {packaged[1]})/{packaged[2]}" if packaged else "$(find pkg)/… or $(dirname)/…"
     return _Fault(f"{value} is an absolute path", "it is there on this machine only", f"write {instead}")
 

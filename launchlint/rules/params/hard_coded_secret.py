@@ -50,13 +50,13 @@ _SECRET = re.compile(
     r"auth_?token|access_?token|api_?token|bearer_?token|token|private_?key|encryption_?key)$",
     re.IGNORECASE,
 )
-_PLACEHOLDER = re.compile(
-    r"<.*>|\{.*\}|%.*%|\[.*\]|(.)\1*|(?:your|my|the|some|enter|insert|put)[\W_].*|.*(?:change_?me|replace_?me|placeholder|example|dummy).*|"
-    r"(?:none|null|nil|n/?a|todo|tbd|true|false|yes|no|on|off|unset|default|secret|token|password|passwd|passphrase|\W*)",
-    re.IGNORECASE | re.DOTALL,
+_PLACEHOLDER = (
+    r"(?is)<.*>|\{.*\}|%.*%|\[.*\]|(.)\1*|(?:your|my|the|some|enter|insert|put)[\W_].*|"
+    r".*(?:change_?me|replace_?me|placeholder|example|dummy).*|"
+    r"(?:none|null|nil|n/?a|todo|tbd|true|false|yes|no|on|off|unset|default|secret|token|password|passwd|passphrase|\W*)"
 )
-_DEFAULT = re.compile(r"\b(?:default|factory|special)\b", re.IGNORECASE)
-_FILE = re.compile(r"[~.]*[/\\].*|[\w. /\\-]+\.[A-Za-z]{2,6}", re.DOTALL)
+_DEFAULT = r"(?i)\b(?:default|factory|special)\b"
+_FILE = r"(?s)[~.]*[/\\].*|[\w. /\\-]+\.[A-Za-z]{2,6}"
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -80,7 +80,7 @@ def _is_literal(attribute: Attribute | None) -> bool:
     if attribute is None:
         return False
     value = attribute.value.strip()
-    return "$" not in value and _PLACEHOLDER.fullmatch(value) is None and _FILE.fullmatch(value) is None
+    return "$" not in value and re.fullmatch(_PLACEHOLDER, value) is None and re.fullmatch(_FILE, value) is None
 
 
 def _finding(document: Document, element: Element, name: str, what: str) -> Finding:
@@ -107,7 +107,7 @@ def _is_known(document: Document, element: Element) -> bool:
     source = document.source
     line = source.position(element.span.end).line
     return any(
-        source.position(comment.span.start).line == line and _DEFAULT.search(comment.text) is not None for comment in document.comments
+        source.position(comment.span.start).line == line and re.search(_DEFAULT, comment.text) is not None for comment in document.comments
     )
 
 

@@ -46,20 +46,16 @@ from launchlint.spelling import distance
 
 RULE = Rule("LL512", "suspicious-param-value", Severity.WARNING)
 
-_TYPE = re.compile(r"""\btype\s*=\s*["']\s*(?!auto\s*["']|["'])""", re.IGNORECASE)
-_VALUE = re.compile(r"""\bvalue\s*=\s*(?:"([^"]*)"|'([^']*)')""")
-_COMMA = re.compile(r"[-+]?\d+,\d+")
-_EXPONENT = re.compile(r"[-+]?\d+[eE][-+]?\d+")
-_WORD = re.compile(r"[A-Za-z]{3,6}")
+_TYPE = r"""(?i)\btype\s*=\s*["']\s*(?!auto\s*["']|["'])"""
+_VALUE = r"""\bvalue\s*=\s*(?:"([^"]*)"|'([^']*)')"""
+_COMMA = r"[-+]?\d+,\d+"
+_EXPONENT = r"[-+]?\d+[eE][-+]?\d+"
+_WORD = r"[A-Za-z]{3,6}"
 _WORDS = frozenset(("tree", "trie", "tru", "rue", "falsi"))
 _SCALAR = r"\s*(?:[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|true|false)\s*"
-_LIST = re.compile(rf"\[{_SCALAR}(?:,{_SCALAR})*\]", re.IGNORECASE)
-_SEVERAL = re.compile(
-    r"s$|list|size|range|resolution|pair|point|pose|position|shape|dim|channel|ids?$|xy|index|indices|glob", re.IGNORECASE
-)
-_SWITCH = re.compile(
-    r"(?:^|_)(?:use|enable|enabled|disable|is|has|publish|subscribe|allow|show|with|auto|debug|verbose)(?:_|$)", re.IGNORECASE
-)
+_LIST = rf"(?i)\[{_SCALAR}(?:,{_SCALAR})*\]"
+_SEVERAL = r"(?i)s$|list|size|range|resolution|pair|point|pose|position|shape|dim|channel|ids?$|xy|index|indices|glob"
+_SWITCH = r"(?i)(?:^|_)(?:use|enable|enabled|disable|is|has|publish|subscribe|allow|show|with|auto|debug|verbose)(?:_|$)"
 _SWITCHES = {"yes": "true", "on": "true", "no": "false", "off": "false"}
 LONGEST = 200
 
@@ -74,8 +70,8 @@ def check(view: LaunchView) -> Iterator[Finding]:
         if said is None:
             continue
         place = setting.origin.place
-        written = _VALUE.search(place.text)
-        if written is None or _TYPE.search(place.text) is not None:
+        written = re.search(_VALUE, place.text)
+        if written is None or re.search(_TYPE, place.text) is not None:
             continue
         start, end = written.span(1 if written[1] is not None else 2)
         at = setting.origin._replace(place=Place(place.source, Span(place.span.start + start, place.span.start + end)))
@@ -85,28 +81,28 @@ def check(view: LaunchView) -> Iterator[Finding]:
 
 def _suspicion(name: str, value: str) -> tuple[str, str] | None:
     """Message and help; None where the value may well be meant as a text."""
-    if _COMMA.fullmatch(value) is not None:
-        if _SEVERAL.search(name) is not None:
+    if re.fullmatch(_COMMA, value) is not None:
+        if re.search(_SEVERAL, name) is not None:
             return None
         return (
             f"{value} is a text and no number: decimals have a point",
             f'write {value.replace(",", ".")}, or type="string" if the text is meant',
         )
-    if _EXPONENT.fullmatch(value) is not None:
+    if re.fullmatch(_EXPONENT, value) is not None:
         mantissa, exponent = re.split("[eE]", value)
         return (
             f"{value} is a text and no number: roslaunch takes only numbers with a point in them for floating point",
             f'write {mantissa}.0e{exponent}, or type="double"',
         )
-    if _LIST.fullmatch(value) is not None:
+    if re.fullmatch(_LIST, value) is not None:
         return (
             f"{value} is a text and no list",
             f'write <rosparam param="{name}">{value}</rosparam>, or type="yaml"; type="string" if the text is meant',
         )
     lower = value.lower()
-    if lower in _SWITCHES and _SWITCH.search(name) is not None:
+    if lower in _SWITCHES and re.search(_SWITCH, name) is not None:
         return f"{value} is a text and no boolean", f'write {_SWITCHES[lower]}, or type="string" if the text is meant'
-    if _WORD.fullmatch(value) is not None and lower not in _WORDS and lower not in _SWITCHES:
+    if re.fullmatch(_WORD, value) is not None and lower not in _WORDS and lower not in _SWITCHES:
         near = next((word for word in ("true", "false") if distance(lower, word, 1) == 1), None)
         if near is not None:
             return f"{value} is a text and no boolean", f"did you mean {near}?"
