@@ -36,11 +36,17 @@ def closest(name: str, names: Iterable[str]) -> str | None:
         return None
     limit = 1 if len(name) <= 4 else 2 if len(name) <= 8 else 3
     folded = _fold(name)
+    letters = frozenset(name)
     best: tuple[int, str] | None = None
     for candidate in names:
         if candidate == name or not candidate:
             continue
-        apart = 1 if _fold(candidate) == folded else distance(name, candidate, limit)
+        if _fold(candidate) == folded:
+            apart = 1
+        elif abs(len(candidate) - len(name)) > limit or len(letters.difference(candidate)) > limit:
+            continue  # one slip changes the length by one and takes away one letter at most
+        else:
+            apart = distance(name, candidate, limit)
         if apart <= limit and apart < len(candidate) and (best is None or (apart, candidate) < best):
             best = (apart, candidate)
     return None if best is None else best[1]

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.options import EntryRequest, Options
 
-POOL_PAYS = 150
+POOL_PAYS = 400
 """Entry files from which several processes are faster than one: starting them costs about as much as checking this many."""
 CACHE_PAYS = 20
 """Entry files from which the cache is used: looking at the workspaces costs about as much as checking this many."""
