@@ -128,7 +128,7 @@ class EntryChecker:
             return evaluation, None
         view = LaunchView(evaluation.launch, self.packages, request.declared)
         told = [finding.message for finding in tell(refused, view, self.options.rules)]
-        return evaluation, (rule_of(refused.kind), told[0] if told else refused.kind)
+        return evaluation, (rule_of(refused.kind), told[0] if told else _plainly(refused))
 
     def _session_for(self, request: EntryRequest) -> Session:
         """The shared session, or one of its own where other text stands in for a file."""
@@ -182,7 +182,7 @@ class EntryChecker:
         error = None
         if refused is not None:
             told = next((finding.message for finding in findings.values() if finding.location.start == refused.place.span.start
-                         and finding.location.path == refused.place.source.path), refused.kind)  # fmt: skip
+                         and finding.location.path == refused.place.source.path), _plainly(refused))  # fmt: skip
             error = (rule_of(refused.kind), told)
         reasons = {problem.kind for problem in launch.problems if problem.refused and problem.place.source.path == path}
         roots = tuple((known.path, known.root) for known in files.values() if known.root is not None)
@@ -210,6 +210,13 @@ def _keep_plainer(findings: dict[Key, Finding], found: Finding) -> None:
     known = findings.get(found.key)
     if known is None or (-int(found.severity), len(found.chain)) < (-int(known.severity), len(known.chain)):
         findings[found.key] = found
+
+
+def _plainly(refused: Problem) -> str:
+    """Why roslaunch refuses a file, where the rule for it keeps silent because it need not be a mistake of the file."""
+    if refused.kind == "package-not-found":
+        return f"the package {refused.facts['package']} is not on this machine"
+    return refused.kind.replace("-", " ")
 
 
 def _broken_calls(problems: tuple[Problem, ...]) -> Iterator[BrokenCall]:
