@@ -78,14 +78,13 @@ def entry_to_json(result: EntryResult) -> list[Any]:
             summary.needs_caller,
             summary.undeclared_args,
         ],
-        result.needs_caller,
         result.configurations,
     ]
 
 
 def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResult]) -> EntryResult:
     """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
-    path, verdict, error, findings, fine, visited, names, summary, needs_caller, configurations = value
+    path, verdict, error, findings, fine, visited, names, summary, configurations = value
     entry, refused, included, calls, roots, needs, undeclared = summary
     return EntryResult(
         request,
@@ -105,7 +104,6 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
             needs,
             undeclared,
         ),
-        needs_caller,
         configurations,
     )
 

@@ -28,9 +28,8 @@ ALONE_KINDS = frozenset({"required-arg-unset", "undeclared-arg", "used-before-de
 class EntryResult(NamedTuple):
     """What one entry file gives.
 
-    ``needs_caller``: it does not load alone, because args are missing that an including file would give. For the cache:
-    ``dependencies`` are the files it was made from with the digest of their content or the reason why there is none, ``variables`` the
-    environment variables it read, ``looks`` the paths at which rules looked around, with their state
+    For the cache: ``dependencies`` are the files it was made from with the digest of their content or the reason why there is none,
+    ``variables`` the environment variables it read, ``looks`` the paths at which rules looked around, with their state
     (:func:`launchlint.workspace.looking.state`).
     """
 
@@ -43,7 +42,6 @@ class EntryResult(NamedTuple):
     visited: tuple[tuple[str, tuple[int, ...]], ...]
     files: tuple[FileResult, ...]
     summary: EntrySummary
-    needs_caller: bool
     configurations: int
     dependencies: tuple[tuple[str, str], ...] = ()
     variables: tuple[tuple[str, str | None], ...] = ()
@@ -116,7 +114,7 @@ class EntryChecker:
         path = self.session.shown(request.at)
         finding = internal_error("the evaluation", path, error)
         summary = EntrySummary(path, True, (), (), ())
-        return EntryResult(request, path, "error", (finding.rule, finding.message), (finding,), (), (), (), summary, False, 0)
+        return EntryResult(request, path, "error", (finding.rule, finding.message), (finding,), (), (), (), summary, 0)
 
     def model(self, request: EntryRequest) -> tuple[Evaluation, tuple[str, str] | None]:
         """What one entry file starts as given, and why roslaunch refuses it: rule ID and message of the first reason, if it does."""
@@ -200,7 +198,6 @@ class EntryChecker:
             tuple((known, tuple(sorted(indices))) for known, indices in visited.items()),
             tuple(files.values()),
             summary,
-            needs_caller,
             count,
         )
 

@@ -104,7 +104,7 @@ def _entries(results: Sequence[EntryResult]) -> list[EntryResult]:
     for result in results:
         includes.setdefault(result.path, set()).update(result.summary.included)
     elsewhere = {path for result in results for path in result.summary.included if path != result.path}
-    dropped = {result.path for result in results if result.needs_caller and result.path in elsewhere}
+    dropped = {result.path for result in results if result.summary.needs_caller and result.path in elsewhere}
     led_to: set[str] = set()
     waiting = [path for path in includes if path not in dropped]
     candidates = iter(sorted(dropped))
@@ -119,7 +119,7 @@ def _entries(results: Sequence[EntryResult]) -> list[EntryResult]:
             break
         dropped.discard(in_circle)
         waiting.append(in_circle)
-    return [result for result in results if not (result.needs_caller and result.path in dropped)]
+    return [result for result in results if not (result.summary.needs_caller and result.path in dropped)]
 
 
 def _better(finding: Finding, known: Finding) -> bool:

@@ -121,7 +121,6 @@ RULES: tuple[Entry, ...] = (
 REDIRECTS: Mapping[str, str] = {}
 """Retired IDs and names → the ID that took over. Empty so far."""
 
-BY_ID: Mapping[str, Entry] = {entry.id: entry for entry in RULES}
 _BY_WORD: Mapping[str, Entry] = {**{entry.id.lower(): entry for entry in RULES}, **{entry.name: entry for entry in RULES}}
 
 

@@ -81,6 +81,11 @@ class Attribute:
         return Span(self._value_start, self._value_end)
 
     @property
+    def value_or_name_span(self) -> Span:
+        """The value inside the quotes; the name where nothing is written between them."""
+        return self.value_span if self.raw else self.name_span
+
+    @property
     def shown_span(self) -> Span:
         """The value as a caret should point at it: inside the quotes, or the quotes themselves where there is nothing between them."""
         if self._value_start == self._value_end:

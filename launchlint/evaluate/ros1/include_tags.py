@@ -133,7 +133,7 @@ def _passed(
 def _open(file: FileEvaluation, element: Element, name: str, *, from_environment: bool) -> Document | None:
     document = file.session.document(name)
     attribute = element.attributes["file"]
-    span = attribute.value_span if attribute.raw else attribute.name_span
+    span = attribute.value_or_name_span
     if isinstance(document, Read):
         file.problem("include-not-found", span, refused=True, file=name, written=attribute.value, reason=document.reason,
                      environment=from_environment)  # fmt: skip

@@ -62,8 +62,6 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
     context = Context(entering.namespace, None)
     context.arguments = dict(entering.arguments)
     context.lenient = entering.pass_all
-    if entering.pass_all:
-        context.declared = {}
     block = file.block
     place, before = len(progress.stack), progress.looked_at
     outer = session.touched, session.variables

@@ -202,4 +202,4 @@ def _name_span(element: Element) -> Span:
     attribute = element.attributes.get("name") or element.attributes.get("test-name")
     if attribute is None:
         return element.name_span
-    return attribute.value_span if attribute.raw else attribute.name_span
+    return attribute.value_or_name_span

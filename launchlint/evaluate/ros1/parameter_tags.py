@@ -70,7 +70,7 @@ def _notice_name(file: FileEvaluation, element: Element, name: str) -> None:
     legal = all(part.replace("_", "a").isalnum() and part.isascii() for part in name.strip("~/").split("/") if part)
     bare = name.lstrip("~/")
     if not legal or not bare or not (bare[0].isalpha() or bare[0] == "_"):
-        span = written.value_span if written.raw else written.name_span
+        span = written.value_or_name_span
         file.problem("invalid-param-name", span, name=name)
 
 
@@ -146,7 +146,7 @@ def _convert(file: FileEvaluation, attribute: Attribute, text: str, type_: str, 
         written = element.attributes.get("type")
         known = type_ in PARAMETER_TYPES
         at = attribute if known or written is None else written
-        file.problem("param-value-type", at.value_span if at.raw else at.name_span, refused=True, value=text[:200], type=type_,
+        file.problem("param-value-type", at.value_or_name_span, refused=True, value=text[:200], type=type_,
                      known=known, reason=str(error))  # fmt: skip
         return Unknown(text, "the value does not fit its type")
     except UnknownValue as unknown:
@@ -215,7 +215,7 @@ def _yaml_text(file: FileEvaluation, element: Element, name: str | None, reads: 
     if name is None:
         return element.text, None
     attribute = element.attributes["file"]
-    span = attribute.value_span if attribute.raw else attribute.name_span
+    span = attribute.value_or_name_span
     content = file.session.read(name)
     if content.data is None:
         _missing(file, element, "file", name, content.reason, reads)

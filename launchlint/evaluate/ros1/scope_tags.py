@@ -51,7 +51,7 @@ def remap(file: FileEvaluation, element: Element, context: Context) -> Remap | N
             continue
         name = canonical(value)
         written = element.attributes[attribute]
-        span = written.value_span if written.raw else written.name_span
+        span = written.value_or_name_span
         if not name:
             file.problem("invalid-remap-name", span, refused=True, attribute=attribute, value=value, reason="empty")
         elif not is_legal(name):
