@@ -70,8 +70,9 @@ def _in_pool(requests: Sequence[EntryRequest], checker: EntryChecker, workers: i
     try:
         with ProcessPoolExecutor(workers, initializer=_start, initargs=start) as pool:
             try:
-                for batch in pool.map(_work, _batches(requests)):
-                    results.extend(batch)
+                # Not pool.map: interrupted, it cancels its futures, and the pool's own thread then falls over them with a traceback.
+                for future in [pool.submit(_work, batch) for batch in _batches(requests)]:
+                    results.extend(future.result())
                     if progress is not None:
                         progress(len(results))
             except KeyboardInterrupt:

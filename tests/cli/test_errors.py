@@ -173,7 +173,9 @@ def test_ctrl_c(repository: Path, jobs: str) -> None:
     process = subprocess.Popen(
         [sys.executable, "-m", "launchlint", "check", "--no-cache", "--jobs", jobs], cwd=repository,
         env=clean_environment(repository / ".cache"), stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )  # fmt: skip
+    # A shell's background job ignores SIGINT, and so would its children: hence the preexec_fn.
     time.sleep(2.5)
     assert process.poll() is None, "it is not meant to be done by now"
     began = time.monotonic()
