@@ -21,5 +21,9 @@ class ConfigurationError(LaunchlintError):
     """A configuration, baseline or entries file is not what it should be; the message gives file, line and column."""
 
 
+class LibraryError(LaunchlintError):
+    """A library cannot be read or is not what it should be; each line of the message gives file, line and column."""
+
+
 class OutputClosed(Exception):
     """Whoever read standard output has gone, as ``head`` does; nobody is left to tell."""

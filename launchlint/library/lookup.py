@@ -1,0 +1,120 @@
+"""All libraries of a run as one: what is known of an executable or a nodelet class.
+
+What a person wrote comes before what was seen in a run, that before what was read from source (:mod:`.merge`); of equals the user's
+libraries, the last one first, come before the one that launchlint ships. Only what is asked for is read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from launchlint.library.file import LibraryFile, open_library
+from launchlint.library.program import Program, program
+from launchlint.library.shipped import Bundled
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+LONGEST_LIKE = 5
+"""Steps from one program to another that it is said to be like."""
+
+
+class Library:
+    """What the nodes of a run are known to do."""
+
+    def __init__(self, files: Sequence[LibraryFile] = (), *, bundled: bool = True) -> None:
+        self._files = tuple(files)
+        self._bundled = Bundled() if bundled else None
+        self._programs: dict[tuple[str, str, str], Program | None] = {}
+
+    @property
+    def digests(self) -> tuple[str, ...]:
+        """The SHA-256 of each of the user's libraries."""
+        return tuple(file.digest for file in self._files)
+
+    def executable(self, package: str, name: str) -> Program | None:
+        """What is known of an executable; None where nothing is."""
+        return self._program(package, "executables", name)
+
+    def nodelet(self, name: str) -> Program | None:
+        """What is known of a nodelet class; None where nothing is."""
+        for package in self._packages_of_class(name):
+            found = self._program(package, "nodelets", name)
+            if found is not None:
+                return found
+        return None
+
+    def executables(self, package: str) -> tuple[str, ...]:
+        """The executables of a package that are known, sorted: for did-you-mean."""
+        return self._listed(package, "executables")
+
+    def nodelets(self, package: str) -> tuple[str, ...]:
+        """The nodelet classes of a package that are known, sorted: for did-you-mean."""
+        return self._listed(package, "nodelets")
+
+    def has_all_nodelets(self, package: str) -> bool:
+        """Whether some library says that it lists every nodelet class of the package."""
+        return any("nodelets" in known.get("complete", ()) for known in self._sources(package))
+
+    def _program(self, package: str, table: str, name: str) -> Program | None:
+        key = (package, table, name)
+        if key not in self._programs:
+            data = self._data(package, table, name, LONGEST_LIKE)
+            self._programs[key] = None if data is None else program(package, name, data)
+        return self._programs[key]
+
+    def _data(self, package: str, table: str, name: str, steps: int) -> Mapping[str, Any] | None:
+        known = [data for each in self._sources(package) if (data := each.get(table, {}).get(name)) is not None]
+        found = _joined([_usable(data) for data in known])
+        if found is None or "like" not in found:
+            return found
+        if not steps:
+            return None
+        other, slash, inner = found["like"].partition("/")
+        if table == "nodelets":
+            packages = self._packages_of_class(found["like"])
+            return next((data for each in packages if (data := self._data(each, table, found["like"], steps - 1)) is not None), None)
+        return self._data(other if slash else package, table, inner if slash else found["like"], steps - 1)
+
+    def _sources(self, package: str) -> Iterable[Mapping[str, Any]]:
+        """What each library says of a package, the most trusted first."""
+        for file in reversed(self._files):
+            known = file.package(package)
+            if known is not None:
+                yield known
+        if self._bundled is not None:
+            known = self._bundled.package(package)
+            if known is not None:
+                yield known
+
+    def _packages_of_class(self, name: str) -> list[str]:
+        found = [package for file in reversed(self._files) if (package := file.package_of_class(name)) is not None]
+        bundled = None if self._bundled is None else self._bundled.package_of_class(name)
+        return list(dict.fromkeys([*found, *([] if bundled is None else [bundled])]))
+
+    def _listed(self, package: str, table: str) -> tuple[str, ...]:
+        return tuple(sorted({name for each in self._sources(package) for name in each.get(table, ())}))
+
+
+def _usable(data: Mapping[str, Any]) -> Mapping[str, Any] | None:
+    """A program that says something of its interface; one that could not be run says nothing."""
+    return None if data.get("status") == "failed" or not ("variants" in data or "like" in data) else data
+
+
+def _joined(known: Sequence[Mapping[str, Any] | None]) -> Mapping[str, Any] | None:
+    usable = [data for data in known if data is not None]
+    if len(usable) < 2:
+        return usable[0] if usable else None
+    from launchlint.library.merge import merge_programs
+
+    return merge_programs(usable)
+
+
+def open_libraries(paths: Iterable[str], cache_directory: str | None = None) -> Library:
+    """The libraries at ``paths``, over the one that launchlint ships.
+
+    Raises:
+        LibraryError: one of them cannot be read or is not a library.
+    """
+    return Library([open_library(path, cache_directory) for path in paths])

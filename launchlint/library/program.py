@@ -1,0 +1,93 @@
+"""A program's interface as the graph needs it: typed, templates parsed. Made from validated JSON when a node asks for it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from launchlint.library.condition import holds
+from launchlint.library.format import CATEGORIES
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from launchlint.library.template import Situation
+
+
+class Declaration(NamedTuple):
+    """One name that a program declares; the fields are the keys of the format. ``category`` is one of CATEGORIES."""
+
+    category: str
+    name: str
+    type: str = ""
+    md5: str = ""
+    role: str = ""
+    when: str = "start"
+    latched: bool = False
+    transport: str = ""
+    condition: Any = None
+    each: Any = None
+    default: Any = None
+    evidence: tuple[Mapping[str, str], ...] = ()
+
+
+class Variant(NamedTuple):
+    """One way a program can be started. ``match`` is the condition for it (None: always); ``open`` the categories that may hold more."""
+
+    name: str
+    match: Any
+    declarations: tuple[Declaration, ...]
+    open: Mapping[str, str]
+
+
+class Program(NamedTuple):
+    """An executable or a nodelet class. ``client`` is roscpp, rospy, nodelet, none or other; ``options`` how its command line is read."""
+
+    package: str
+    name: str
+    client: str
+    options: Mapping[str, int] | None
+    variants: tuple[Variant, ...]
+
+    def variant(self, situation: Situation) -> tuple[Variant, ...]:
+        """The variants that a node in this situation may be in: one, or more where what decides cannot be known."""
+        possible = []
+        for variant in self.variants:
+            matched = True if variant.match is None else holds(variant.match, situation)
+            if matched is not False:
+                possible.append(variant)
+            if matched:
+                break
+        return tuple(possible)
+
+
+def program(package: str, name: str, data: Mapping[str, Any]) -> Program:
+    """The program that validated JSON describes."""
+    given = data.get("variants", {})
+    variants = [_variant(key, given[key]) for key in sorted(given) if key != "default" and "match" in given[key]]
+    if "default" in given:
+        variants.append(_variant("default", {**given["default"], "match": None}))
+    return Program(package, name, data.get("class", "other"), data.get("options"), tuple(variants))
+
+
+def _variant(name: str, data: Mapping[str, Any]) -> Variant:
+    declarations = [_declaration(category, entry) for category in CATEGORIES for entry in data.get(category, ())]
+    return Variant(name, data.get("match"), tuple(declarations), data.get("open", {}))
+
+
+def _declaration(category: str, entry: Mapping[str, Any]) -> Declaration:
+    return Declaration(
+        category,
+        entry["name"],
+        entry.get("type", ""),
+        entry.get("md5", ""),
+        entry.get("role", ""),
+        entry.get("when", "start"),
+        entry.get("latched", False),
+        entry.get("transport", ""),
+        entry.get("condition"),
+        entry.get("each"),
+        entry.get("default"),
+        tuple(entry.get("evidence", ())),
+    )

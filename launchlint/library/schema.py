@@ -1,0 +1,66 @@
+"""The library format as a JSON Schema, made from the same tables as the validator."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from launchlint.library.format import LIBRARY, Entries, Flag, Items, Keys, Number, Rule, Shape, Text
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+def json_schema() -> Mapping[str, Any]:
+    """The format as a JSON Schema (2020-12), for editors and other programs."""
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "launchlint library, version 1",
+        **_schema(LIBRARY),
+        "$defs": {"condition": _CONDITION_SCHEMA, "each": _EACH_SCHEMA},
+    }
+
+
+def _schema(shape: Shape) -> dict[str, Any]:
+    if isinstance(shape, Keys):
+        properties = {key: _schema(inner) for key, inner in shape.keys.items()}
+        required = {"required": list(shape.required)} if shape.required else {}
+        return {"type": "object", "properties": properties, **required, "additionalProperties": False}
+    if isinstance(shape, Entries):
+        return {"type": "object", "propertyNames": {"minLength": 1, "maxLength": 1000}, "additionalProperties": _schema(shape.each)}
+    if isinstance(shape, Items):
+        return {"type": "array", "items": _schema(shape.each)}
+    if isinstance(shape, Text):
+        limits = {"enum": list(shape.one_of)} if shape.one_of else {"maxLength": shape.longest}
+        return {"type": "string", **limits}
+    if isinstance(shape, Number):
+        return {"type": "integer", "minimum": shape.least}
+    if isinstance(shape, Flag):
+        return {"type": "boolean"}
+    return {"$ref": f"#/$defs/{shape.grammar}"} if isinstance(shape, Rule) else {}
+
+
+_STRING: Mapping[str, Any] = {"type": "string", "minLength": 1, "maxLength": 1000}
+_ARGUMENT: Mapping[str, Any] = {"type": "integer", "not": {"const": 0}}
+_CONDITION: Mapping[str, Any] = {"$ref": "#/$defs/condition"}
+_COMPARISON: Mapping[str, Any] = {"is": {}, "in": {"type": "array"}, "set": {"type": "boolean"}, "default": {}}
+
+
+def _one(key: str, inner: Mapping[str, Any], more: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    return {"type": "object", "properties": {key: inner, **(more or {})}, "required": [key], "additionalProperties": False}
+
+
+_CONDITION_SCHEMA: Mapping[str, Any] = {
+    "oneOf": [
+        _one("param", _STRING, _COMPARISON),
+        _one("arg", _ARGUMENT, _COMPARISON),
+        _one("option", _STRING, _COMPARISON),
+        _one("remap", _STRING),
+        _one("text", _STRING),
+        _one("not", _CONDITION),
+        _one("all", {"type": "array", "items": _CONDITION, "minItems": 1}),
+        _one("any", {"type": "array", "items": _CONDITION, "minItems": 1}),
+    ]
+}
+_WORDS: Mapping[str, Any] = {"default": {"type": "array", "items": {"type": "string"}}}
+_EACH_SCHEMA: Mapping[str, Any] = {"oneOf": [_one("args", _ARGUMENT), _one("param", _STRING, _WORDS), _one("words", _STRING, _WORDS)]}

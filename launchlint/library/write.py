@@ -1,0 +1,67 @@
+"""A library as text: keys in the order of the format, names sorted, one interface entry on a line, so that it reads and diffs well."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+
+from launchlint.library.format import INTERFACES, LIBRARY, Entries, Items, Keys, Shape
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+def canonical(document: Mapping[str, Any]) -> str:
+    """The text of a (validated) library: the same text for the same library, with a newline at its end."""
+    return "".join(_lines(LIBRARY, document, 0)) + "\n"
+
+
+def _lines(shape: Shape, value: Any, depth: int) -> Iterator[str]:
+    if isinstance(shape, Keys) and _is_broad(shape):
+        items = [(key, shape.keys[key], value[key]) for key in shape.keys if key in value]
+    elif isinstance(shape, Entries) and isinstance(shape.each, Keys):
+        items = [(key, shape.each, value[key]) for key in sorted(value)]
+    elif isinstance(shape, Items) and isinstance(shape.each, Keys):
+        yield from _bracketed("[", "]", [_compact(shape.each, item) for item in _ordered(shape.each, value)], depth)
+        return
+    else:
+        yield _compact(shape, value)
+        return
+    parts = [f"{json.dumps(key, ensure_ascii=False)}: {''.join(_lines(inner, item, depth + 1))}" for key, inner, item in items]
+    yield from _bracketed("{", "}", parts, depth)
+
+
+def _is_broad(shape: Keys) -> bool:
+    """Whether each of its keys gets a line of its own: those that hold something larger than a word."""
+    return any(isinstance(inner, (Items, Entries)) for inner in shape.keys.values()) and shape not in INTERFACES.values()
+
+
+def _bracketed(opening: str, closing: str, parts: list[str], depth: int) -> Iterator[str]:
+    if not parts:
+        yield opening + closing
+        return
+    yield f"{opening}\n"
+    blanks = " " * (depth + 1)
+    yield ",\n".join(blanks + part for part in parts)
+    yield f"\n{' ' * depth}{closing}"
+
+
+def _ordered(shape: Keys, items: list[Any]) -> list[Any]:
+    if shape in INTERFACES.values():
+        return sorted(items, key=lambda item: (item["name"], item.get("role", ""), json.dumps(item, sort_keys=True)))
+    return sorted(items, key=lambda item: json.dumps(item, sort_keys=True))
+
+
+def _compact(shape: Shape, value: Any) -> str:
+    return json.dumps(_in_order(shape, value), ensure_ascii=False)
+
+
+def _in_order(shape: Shape, value: Any) -> Any:
+    if isinstance(shape, Keys):
+        return {key: _in_order(shape.keys[key], value[key]) for key in shape.keys if key in value}
+    if isinstance(shape, Items):
+        return [_in_order(shape.each, item) for item in value]
+    if isinstance(shape, Entries):
+        return {key: _in_order(shape.each, value[key]) for key in sorted(value)}
+    return value
