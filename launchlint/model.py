@@ -102,7 +102,8 @@ class Node(NamedTuple):
 
     ``namespace`` begins and ends with ``/``; ``executable`` is the ``type`` attribute; ``remaps`` stand in the order roslaunch passes
     them; ``respawn_delay`` and ``time_limit`` are seconds. ``attributes`` are the places of the attribute values as written. ``unknown``
-    names the attributes whose value is not known; their fields hold the text as written.
+    names the attributes whose value is not known; their fields hold the text as written. With ``remap`` among them, more remaps act on
+    the node, of unknown names.
     """
 
     name: str
@@ -218,7 +219,8 @@ class Launch(NamedTuple):
     ``arguments`` is the configuration: what would be given as ``name:=value``. ``refused`` is the first problem for which roslaunch would
     refuse to load the file, else None. ``parameters`` holds the final setting of each name, ``parameter_settings`` all of them in order.
     ``executables`` are the rosparam dump and delete steps as ``(command, parameter, file)``. ``files`` are the names of the loaded launch
-    files in order. ``complete`` is false where an include could not be followed, so that there may be more nodes than are known.
+    files in order. ``complete`` is false where an include could not be followed, so that there may be more nodes than are known. In the
+    namespaces ``more_parameters`` there may be more parameters than are known.
     """
 
     entry: Source
@@ -239,3 +241,4 @@ class Launch(NamedTuple):
     branches: tuple[Branch, ...]
     files: tuple[str, ...]
     complete: bool
+    more_parameters: tuple[str, ...] = ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 from typing import NamedTuple
 
 from launchlint.check.file import FileResult, check_file, internal_error, run_rule, tell
@@ -19,6 +20,10 @@ from launchlint.rules.view import BrokenCall, EntrySummary, FileView, LaunchView
 from launchlint.syntax.tree import Document
 from launchlint.workspace.looking import note, noted, state
 from launchlint.workspace.packages import Packages
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.library.lookup import Library
 
 CALL_KINDS = ("include-undeclared-arg", "include-missing-arg")
 ALONE_KINDS = frozenset({"required-arg-unset", "undeclared-arg", "used-before-declaration"})
@@ -61,7 +66,15 @@ class EntryChecker:
         self.session = Session(self.packages, options.variables, options.root, overlay)
         self.rules: tuple[Entry, ...] = tuple(rule for rule in RULES if rule.id in options.rules)
         self.launch_rules = tuple(rule for rule in self.rules if rule.view == "launch")
+        self.graph_rules = tuple(rule for rule in self.rules if rule.view == "graph")
         self._files: dict[str, FileResult] = {}
+
+    @cached_property
+    def library(self) -> Library:
+        """What is known of nodes. Raises LibraryError where a library file cannot be used."""
+        from launchlint.library.lookup import open_libraries
+
+        return open_libraries(self.options.library, self.options.library_cache)
 
     def check(self, request: EntryRequest) -> EntryResult:
         """All findings of one entry file. Never raises: a crash becomes a finding."""
@@ -156,6 +169,17 @@ class EntryChecker:
                 yield self._at_home(finding, evaluation, assumed=problem.assumed)
         for rule in self.launch_rules:
             for found in run_rule(rule, view, launch.entry.path):
+                yield found if isinstance(found, Fine) else self._at_home(found, evaluation, assumed=False)
+        if self.graph_rules and (launch.nodes or launch.tests):
+            yield from self._graph_findings(evaluation, request)
+
+    def _graph_findings(self, evaluation: Evaluation, request: EntryRequest) -> Iterator[Finding | Fine]:
+        from launchlint.graph.connect import connect
+        from launchlint.rules.view import GraphView
+
+        view = GraphView(connect(evaluation.launch, self.library), self.library, self.packages, request.declared)
+        for rule in self.graph_rules:
+            for found in run_rule(rule, view, evaluation.launch.entry.path):
                 yield found if isinstance(found, Fine) else self._at_home(found, evaluation, assumed=False)
 
     def _at_home(self, finding: Finding, evaluation: Evaluation, *, assumed: bool) -> Finding:

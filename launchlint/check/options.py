@@ -26,7 +26,8 @@ class Options(NamedTuple):
     """All that changes findings, apart from the files themselves.
 
     ``rules`` are the IDs that are on; ``severities`` replace a rule's own; ``complete`` says whether every package is here (None: find
-    out); ``variables`` is the environment launch files see.
+    out); ``variables`` is the environment launch files see; ``library`` are library files over the one that is shipped, and
+    ``library_cache`` a directory for their indices.
     """
 
     rules: frozenset[str]
@@ -37,3 +38,5 @@ class Options(NamedTuple):
     severities: Mapping[str, Severity] = {}
     complete: bool | None = None
     default_only: bool = False
+    library: tuple[str, ...] = ()
+    library_cache: str | None = None

@@ -36,6 +36,8 @@ class _TooMany(Exception):
 def digest(options: Options, packages: Packages) -> str | None:
     """Equal for equal surroundings, in hexadecimal; None where there are too many files to tell."""
     found = hashlib.sha256(_settings(options).encode("utf-8", "surrogateescape"))
+    for library in options.library:
+        found.update(_content(library).encode())
     for own in _own_code():
         found.update(own)
     try:

@@ -47,7 +47,8 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
     threshold = parse_severity(given.fail_on, "--fail-on")
     _only_jsonl_with_entries(entry, given)
     check_outputs(given.formats, given.write_baseline)
-    options = entry.options(select=given.select, ignore=given.ignore, severity=given.severity)
+    directory = None if given.no_cache else default_directory()
+    options = entry.options(select=given.select, ignore=given.ignore, severity=given.severity, cache=directory)
     per_file = per_file_ignores(entry.configuration, options.root)
     known = None
     if given.baseline is not None and (given.write_baseline is None or os.path.exists(given.baseline)):
@@ -56,8 +57,9 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
         known = load(given.baseline)
     requests, overlay = entry.requests()
     checker = EntryChecker(options, overlay)
+    if options.library:
+        _ = checker.library  # an unusable one is told before any work is done
     requests, notices = leave_ros2_out(entry, requests, checker.session)
-    directory = None if given.no_cache else default_directory()
     bar = None
     if not given.quiet and len(requests) > 1 and sys.stderr.isatty():
         from launchlint.cli.progress import ProgressBar

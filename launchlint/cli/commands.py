@@ -14,6 +14,7 @@ COMMANDS = {
     "model": ("launchlint.cli.model", "Print what roslaunch would start."),
     "rules": ("launchlint.cli.rules", "List all rules."),
     "explain": ("launchlint.cli.explain", "Explain a rule."),
+    "library": ("launchlint.cli.library", "Look at, join, compare and check libraries of node interfaces."),
     "schema": ("launchlint.cli.schema", "Print a dialect as RelaxNG, for editors."),
 }
 

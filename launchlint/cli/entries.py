@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class EntryOptions:
-    """What ``PATHS``, ``--stdin-filename``, ``--arg``, ``--entries``, ``--workspace`` and ``--config`` say.
+    """What ``PATHS``, ``--stdin-filename``, ``--arg``, ``--entries``, ``--workspace``, ``--library`` and ``--config`` say.
 
     Raises UsageError where they clash.
     """
@@ -33,6 +33,7 @@ class EntryOptions:
         workspace: tuple[str, ...] = (),
         config: str | None = None,
         stdin_filename: str | None = None,
+        library: tuple[str, ...] = (),
     ) -> None:
         if "-" in paths and len(paths) > 1:
             raise UsageError("- stands for standard input and cannot be mixed with other paths; check them in two calls")
@@ -45,6 +46,7 @@ class EntryOptions:
         self.arguments = tuple(parse_argument(text) for text in args)
         self.entries = entries
         self.workspace = workspace
+        self.library = library
         self.configuration = read_configuration(config, (self.standard_input,) if self.standard_input else self.paths)
 
     @property
@@ -87,9 +89,15 @@ class EntryOptions:
         ]
 
     def options(
-        self, *, everything: bool = False, select: Iterable[str] = (), ignore: Iterable[str] = (), severity: Iterable[str] = ()
+        self,
+        *,
+        everything: bool = False,
+        select: Iterable[str] = (),
+        ignore: Iterable[str] = (),
+        severity: Iterable[str] = (),
+        cache: str | None = None,
     ) -> Options:
-        """All that changes findings. ``everything``: all rules, with their own severities."""
+        """All that changes findings. ``everything``: all rules, with their own severities; ``cache``: where indices are kept."""
         from launchlint.cli.selection import selected_rules, severities
 
         configuration = self.configuration
@@ -112,6 +120,8 @@ class EntryOptions:
             root=os.getcwd(),
             severities={} if everything else severities(tuple(severity), configuration),
             complete=None if configuration.packages is None else configuration.packages == "complete",
+            library=tuple(os.path.abspath(file) for file in (*configuration.library, *self.library)),
+            library_cache=cache,
         )
 
 

@@ -22,9 +22,10 @@ def entry_options(function: F) -> F:
         workspace: tuple[str, ...],
         config: str | None,
         stdin_filename: str | None,
+        library: tuple[str, ...],
         **others: Any,
     ) -> Any:
-        return function(entry=EntryOptions(paths, args, entries, workspace, config, stdin_filename), **others)
+        return function(entry=EntryOptions(paths, args, entries, workspace, config, stdin_filename, library), **others)
 
     call.__doc__ = function.__doc__
     call.__name__ = function.__name__
@@ -32,6 +33,7 @@ def entry_options(function: F) -> F:
         call.__click_params__ = function.__click_params__  # type: ignore[attr-defined]  # click keeps the options given so far there
     for decorate in (
         click.option("--config", metavar="FILE", help="Configuration file; default: the nearest .launchlint.yaml."),
+        click.option("--library", multiple=True, metavar="FILE", help="What nodes do, over what launchlint knows itself; repeatable."),
         click.option(
             "--workspace", multiple=True, metavar="DIR", help="Where packages are; repeatable, the first that has a package wins."
         ),

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, NodeEffect, PrivateParameter
+from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, MoreParameters, NodeEffect, PrivateParameter
 from launchlint.evaluate.names import canonical
 from launchlint.model import (
     Argument,
@@ -68,6 +68,7 @@ class _Assembly:
         self.nodes: list[Node] = []
         self.tests: list[Node] = []
         self.settings: list[ParameterSetting] = []
+        self.more_parameters: list[str] = []
         self.clear_params: list[tuple[str, Origin]] = []
         self.machines: dict[str, Machine] = {}
         self.unknown_machines: set[str] = set()
@@ -122,6 +123,8 @@ class _Assembly:
             elif isinstance(effect, Include):
                 self.complete = False
                 self.includes.append(place.include(effect))
+            elif isinstance(effect, MoreParameters):
+                self.more_parameters.append(effect.namespace)
             elif isinstance(effect, Clear):
                 self.clear_params.append((effect.namespace, place.origin(effect.origin)))
             else:
@@ -130,12 +133,16 @@ class _Assembly:
     def _node(self, effect: NodeEffect, place: _Placing, inherited: _Inherited) -> None:
         node = effect.node
         respelled = {remap.source for remap in node.remaps}
+        remaps = tuple(remap for remap in inherited.remaps if remap.source not in respelled) + tuple(
+            remap._replace(origin=place.origin(remap.origin)) for remap in node.remaps
+        )
+        unknown = node.unknown if all(remap.source for remap in remaps) else node.unknown | {"remap"}
         node = node._replace(
             origin=place.origin(node.origin),
             scope=place.scope(node.scope),
             conditions=inherited.conditions + node.conditions,
-            remaps=tuple(remap for remap in inherited.remaps if remap.source not in respelled)
-            + tuple(remap._replace(origin=place.origin(remap.origin)) for remap in node.remaps),
+            remaps=tuple(remap for remap in remaps if remap.source),
+            unknown=unknown,
             environment=inherited.environment
             + tuple(setting._replace(origin=place.origin(setting.origin)) for setting in node.environment),
         )
@@ -293,6 +300,7 @@ def assemble(
         tests=tuple(assembly.tests),
         parameters=parameters,
         parameter_settings=tuple(assembly.settings),
+        more_parameters=tuple(assembly.more_parameters),
         clear_params=tuple(assembly.clear_params),
         machines=assembly.machines,
         executables=tuple(assembly.executables),

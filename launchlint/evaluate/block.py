@@ -83,6 +83,12 @@ class RunStep(NamedTuple):
     file: str
 
 
+class MoreParameters(NamedTuple):
+    """Parameters of unknown names or values are set in ``namespace``: a YAML file that is not here, an unset environment variable."""
+
+    namespace: str
+
+
 class LocalBranch(NamedTuple):
     """A condition as the file sees it; ``reads`` are the args of this file it depends on."""
 
@@ -95,7 +101,8 @@ class LocalBranch(NamedTuple):
 
 
 Effect: TypeAlias = (
-    "NodeEffect | ParameterSetting | Machine | Problem | Call | Include | Clear | RunStep | LocalBranch | ScopedSetting | Argument"
+    "NodeEffect | ParameterSetting | MoreParameters | Machine | Problem | Call | Include | Clear | RunStep | LocalBranch | ScopedSetting"
+    " | Argument"
 )
 
 

@@ -33,7 +33,7 @@ def holds(condition: Any, situation: Situation) -> bool | None:
     if "remap" in condition:
         return situation.is_remapped(condition["remap"])
     value = _asked(condition, situation)
-    if value is UNKNOWN:
+    if isinstance(value, Undetermined):
         return None
     if "set" in condition:
         return bool((value is not None) == condition["set"])

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Mapping
+from itertools import zip_longest
 from typing import NamedTuple
 
 from launchlint.library.format import CATEGORIES
@@ -17,12 +19,23 @@ _MISSING = object()
 
 
 class Change(NamedTuple):
-    """One change. ``kind`` is ``added``, ``removed`` or ``changed``; ``program`` is ``package/executable``; ``what`` the thing in words.
+    """One change.
 
-    ``before`` and ``after`` are JSON values, of what changed only; None where there is none.
+    Args:
+        kind: ``added``, ``removed`` or ``changed``.
+        package: the package.
+        table: ``executables`` or ``nodelets``.
+        program: the executable or nodelet class.
+        variant: the variant; empty where the program itself is what changed.
+        what: what it is in words: ``executable``, ``variant``, ``publisher``, ``action server`` …
+        name: its name.
+        before: of an entry that went all there is to it, of something that changed the keys that did; else None.
+        after: likewise.
     """
 
     kind: str
+    package: str
+    table: str
     program: str
     variant: str
     what: str
@@ -41,38 +54,66 @@ def _changes(old: Mapping[str, Any], new: Mapping[str, Any]) -> Iterator[Change]
         for table, what in (("executables", "executable"), ("nodelets", "nodelet")):
             before, after = (each.get(package, {}).get(table, {}) for each in (old, new))
             for name in sorted({*before, *after}):
-                program = f"{package}/{name}" if what == "executable" else name
-                yield from _programs(program, what, before.get(name), after.get(name))
+                yield from _programs(_Place(package, table, name), what, before.get(name), after.get(name))
 
 
-def _programs(program: str, what: str, old: Any, new: Any) -> Iterator[Change]:
+class _Place(NamedTuple):
+    """Where changes are."""
+
+    package: str
+    table: str
+    program: str
+    variant: str = ""
+
+
+def _programs(place: _Place, what: str, old: Any, new: Any) -> Iterator[Change]:
     if old is None or new is None:
-        yield Change("added" if old is None else "removed", program, "", what, program, None, None)
-        return
-    yield from _keys(program, "", what, program, old, new, {"class", "status", "like", "options"})
+        yield Change("added" if old is None else "removed", *place, what, place.program, None, None)
+        old, new = old or {}, new or {}
+    else:
+        yield from _keys(place, what, place.program, old, new, {"class", "status", "like", "options"})
     before, after = old.get("variants", {}), new.get("variants", {})
     for variant in sorted({*before, *after}):
-        if variant not in before or variant not in after:
-            yield Change("added" if variant not in before else "removed", program, variant, "variant", variant, None, None)
-            continue
-        yield from _keys(program, variant, "variant", variant, before[variant], after[variant], {"match", "open"})
+        inner = place._replace(variant=variant)
+        one, other = before.get(variant), after.get(variant)
+        if one is not None and other is not None:
+            yield from _keys(inner, "variant", variant, one, other, {"match", "open"})
+        elif variant != "default":
+            yield Change("added" if one is None else "removed", *inner, "variant", variant, None, None)
         for category in CATEGORIES:
-            yield from _entries(program, variant, category, before[variant].get(category, ()), after[variant].get(category, ()))
+            yield from _entries(inner, _SINGULAR[category], (one or {}).get(category, ()), (other or {}).get(category, ()))
 
 
-def _entries(program: str, variant: str, category: str, old: Any, new: Any) -> Iterator[Change]:
-    before, after = ({(entry["name"], entry.get("role", "")): entry for entry in entries} for entries in (old, new))
-    for key in sorted({*before, *after}):
-        what = f"{_SINGULAR[category]} {key[1]}".rstrip()
-        if key not in before or key not in after:
-            kind, entry = ("added", after[key]) if key not in before else ("removed", before[key])
-            yield Change(kind, program, variant, what, key[0], None, entry.get("type"))
-        else:
-            yield from _keys(program, variant, what, key[0], before[key], after[key], {*before[key], *after[key]} - {"evidence"})
+def _entries(place: _Place, what: str, old: Any, new: Any) -> Iterator[Change]:
+    before, after = _by_name(old), _by_name(new)
+    for name, role in sorted({*before, *after}):
+        said = f"{what} {role}".rstrip()
+        left, right = before.get((name, role), {}), after.get((name, role), {})
+        gone = [left[text] for text in left if text not in right]
+        come = [right[text] for text in right if text not in left]
+        for one, other in zip_longest(gone, come):
+            if one is not None and other is not None:
+                yield from _keys(place, said, name, one, other, {*one, *other})
+            else:
+                yield Change("added" if one is None else "removed", *place, said, name, one, other)
 
 
-def _keys(program: str, variant: str, what: str, name: str, old: Any, new: Any, keys: set[str]) -> Iterator[Change]:
-    differing = [key for key in sorted(keys) if old.get(key, _MISSING) != new.get(key, _MISSING)]
+def _by_name(entries: Any) -> dict[tuple[str, str], dict[str, Any]]:
+    """The entries without their evidence, under their text; several of one name hold under different conditions."""
+    found: dict[tuple[str, str], dict[str, Any]] = {}
+    for entry in entries:
+        plain = {key: value for key, value in entry.items() if key != "evidence"}
+        found.setdefault((entry["name"], entry.get("role", "")), {})[_text(plain)] = plain
+    return found
+
+
+def _keys(place: _Place, what: str, name: str, old: Any, new: Any, keys: set[str]) -> Iterator[Change]:
+    differing = [key for key in sorted(keys) if _text(old.get(key, _MISSING)) != _text(new.get(key, _MISSING))]
     if differing:
         before, after = ({key: each[key] for key in differing if key in each} for each in (old, new))
-        yield Change("changed", program, variant, what, name, before, after)
+        yield Change("changed", *place, what, name, before, after)
+
+
+def _text(value: Any) -> str:
+    """A JSON value as text: for Python 1 and true are equal."""
+    return "" if value is _MISSING else json.dumps(value, sort_keys=True)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from launchlint import __version__
 from launchlint.errors import LibraryError, UsageError
@@ -112,32 +112,59 @@ def parse(data: bytes, path: str) -> Any:
 
 
 def examine(data: bytes, path: str) -> tuple[Any, list[str]]:
-    """The JSON of a library and all that is wrong with it, each line beginning with ``path:line:column``."""
-    from launchlint.library.position import position
+    """The JSON of a library and all that breaks the format in it, each line beginning with ``path:line:column``."""
     from launchlint.library.validate import faults
+
+    try:
+        text, document = decode(data, path)
+    except LibraryError as error:
+        return None, [str(error)]
+    found = faults(document)
+    if not found:
+        return document, []
+    from launchlint.library.position import located
+
+    return document, located(text, path, found)
+
+
+def decode(data: bytes, path: str, mapping: Callable[[list[tuple[str, Any]]], Any] | None = None) -> tuple[str, Any]:
+    """The text of a library and its JSON, not validated. ``mapping`` makes a mapping of its pairs.
+
+    Raises:
+        LibraryError: it is no JSON, or holds what no other program could read; the message begins with ``path:line:column``.
+    """
+    from launchlint.library.position import line_and_column, lone_surrogate, unreadable_number
+
+    def wrong(text: str, at: int, said: str) -> LibraryError:
+        line, column = line_and_column(text, at)
+        return LibraryError(f"{path}:{line}:{column}: the library is not {said}")
 
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        before = data[: error.start].decode("utf-8-sig")
-        column = len(before) - (before.rfind("\n") + 1) + 1
-        return None, [f"{path}:{before.count(chr(10)) + 1}:{column}: the library is not UTF-8"]
+        raise wrong(before := data[: error.start].decode("utf-8-sig"), len(before), "UTF-8") from None
     try:
-        document = json.loads(text, parse_constant=_no_constant)
+        document = json.loads(text, parse_constant=_refuse, parse_float=_finite, object_pairs_hook=mapping)
     except json.JSONDecodeError as error:
-        return None, [f"{path}:{error.lineno}:{error.colno}: the library is not JSON: {error.msg[:1].lower()}{error.msg[1:]}"]
-    except (ValueError, RecursionError) as error:
-        said = "it is nested too deep" if isinstance(error, RecursionError) else str(error)
-        return None, [f"{path}:1:1: the library is not JSON: {said}"]
-    problems = []
-    for fault in faults(document):
-        line, column = position(text, fault.path)
-        problems.append(f"{path}:{line}:{column}: {fault.message}")
-    return document, problems
+        raise wrong(text, error.pos, f"JSON: {error.msg[:1].lower()}{error.msg[1:]}") from None
+    except RecursionError:
+        raise wrong(text, 0, "JSON that can be read: it is nested too deep") from None
+    except ValueError:
+        at, word = unreadable_number(text) or (0, "")
+        raise wrong(text, at, f"JSON: {word if len(word) <= 20 else word[:17] + '…'} is no number that can be held") from None
+    lone = lone_surrogate(text)
+    if lone is not None:
+        raise wrong(text, lone, f"JSON that can be read: {text[lone : lone + 6]} is half of a character")
+    return text, document
 
 
-def _no_constant(name: str) -> Any:
-    raise ValueError(f"{name} is no JSON value")
+def _refuse(word: str) -> float:
+    raise ValueError(word)
+
+
+def _finite(word: str) -> float:
+    value = float(word)
+    return value if value - value == 0 else _refuse(word)
 
 
 class _Loaded:

@@ -98,8 +98,9 @@ class Library:
 
 
 def _usable(data: Mapping[str, Any]) -> Mapping[str, Any] | None:
-    """A program that says something of its interface; one that could not be run says nothing."""
-    return None if data.get("status") == "failed" or not ("variants" in data or "like" in data) else data
+    """A program that says something of its interface; one that could not be run says nothing, one that is no node that it has none."""
+    says = "variants" in data or "like" in data or data.get("class") == "none"
+    return None if data.get("status") == "failed" or not says else data
 
 
 def _joined(known: Sequence[Mapping[str, Any] | None]) -> Mapping[str, Any] | None:

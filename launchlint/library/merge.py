@@ -1,8 +1,9 @@
 """Joining what several sources say of the same program, with all evidence kept.
 
-What a person wrote (``manual``) wins over what was seen (``dynamic``), that over what was read from source (``static``); of equals the one
-given first. Two entries are the same interface where their names are equal with every template at its default: a manual
-``{param:~topic|scan}`` is what a probe saw as ``scan``.
+What a person wrote (``manual``, and what has no evidence at all) wins over what was seen (``dynamic``), that over what was read from source
+(``static``); of equals the one given first. Two entries are the same interface where their names are equal with every template at its
+default: a manual ``{param:~topic|scan}`` is what a probe saw as ``scan``. Join all sources in one call: a join of joins knows no more which
+field came from where.
 """
 
 from __future__ import annotations
@@ -10,13 +11,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from launchlint.library.format import CATEGORIES, FORMAT, VERSION
-from launchlint.library.template import default_text
+from launchlint.library.template import default_text, is_template
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-_TRUST = {"manual": 3, "dynamic": 2, "static": 1}
+_MANUAL = 3
+_TRUST = {"manual": _MANUAL, "dynamic": 2, "static": 1}
+MOST_ALIKE = 100
+"""Entries of one name that are compared with another source's."""
+_WHETHER = ("condition", "each", "when")
+"""Keys that say whether there is such a name at all: their absence says something, too."""
 
 
 class Clash(Exception):
@@ -37,8 +43,9 @@ def merge_libraries(documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     for document in documents:
         for name, message in document.get("messages", {}).items():
             known = messages.setdefault(name, message)
-            if known.get("md5", "") != message.get("md5", "") and known.get("md5") and message.get("md5"):
+            if "md5" in known and "md5" in message and known["md5"] != message["md5"]:
                 raise Clash(f"they were made with different versions of the message {name} (MD5 {known['md5']} and {message['md5']})")
+            messages[name] = {**message, **known}
     if messages:
         merged["messages"] = messages
     names = sorted({name for document in documents for name in document["packages"]})
@@ -56,7 +63,7 @@ def _agreed(documents: Sequence[Mapping[str, Any]], keys: Iterable[str]) -> dict
 
 def _packages(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     merged = _first(known, ("version", "source", "build", "launch"))
-    complete = sorted({table for each in known for table in each.get("complete", ())})
+    complete = list(dict.fromkeys(table for each in known for table in each.get("complete", ())))
     if complete:
         merged["complete"] = complete
     for table in ("executables", "nodelets"):
@@ -72,26 +79,29 @@ def merge_programs(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     One that could not be run adds its problems only; a reference to another program (``like``) holds where nothing else is known.
     """
     usable = [each for each in known if each.get("status") != "failed" and "variants" in each]
+    problems = _without_repeats(problem for each in known for problem in each.get("problems", ()))
     if not usable:
-        return dict(next((each for each in known if "like" in each), known[0]))
-    ranked = sorted(usable, key=lambda each: -max((_trust_of_variant(variant) for variant in each["variants"].values()), default=0))
-    merged = _first(ranked, ("class", "hash", "options"))
-    problems = [problem for each in known for problem in each.get("problems", ())]
-    if problems:
-        merged["problems"] = _without_repeats(problems)
-    names = sorted({name for each in usable for name in each["variants"]})
-    merged["variants"] = {
-        name: _variants([each["variants"][name] for each in ranked if name in each["variants"]]) for name in names
-    }  # fmt: skip
-    return merged
+        merged = dict(next((each for key in ("like", "class") for each in known if _says(each, key)), known[0]))
+    else:
+        ranked = sorted(usable, key=lambda each: -max((_trust_of_variant(variant) for variant in each["variants"].values()), default=0))
+        merged = _first(ranked, ("class", "status", "hash", "options"))
+        names = sorted({name for each in usable for name in each["variants"]})
+        merged["variants"] = {name: _variants([each["variants"][name] for each in ranked if name in each["variants"]]) for name in names}
+    return {**merged, "problems": problems} if problems else merged
+
+
+def _says(known: Mapping[str, Any], key: str) -> bool:
+    """Whether something without variants is ``like`` another program, or is known to be no node."""
+    return key in known if key == "like" else known.get(key) == "none"
 
 
 def _trust_of_variant(variant: Mapping[str, Any]) -> int:
-    return max((_trust(entry) for category in CATEGORIES for entry in variant.get(category, ())), default=0)
+    """That of its best entry; one without entries is a person's word."""
+    return max((_trust(entry) for category in CATEGORIES for entry in variant.get(category, ())), default=_MANUAL)
 
 
 def _trust(entry: Mapping[str, Any]) -> int:
-    return max((_TRUST[evidence["by"]] for evidence in entry.get("evidence", ())), default=0)
+    return max((_TRUST[evidence["by"]] for evidence in entry.get("evidence", ())), default=_MANUAL)
 
 
 def _variants(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -99,9 +109,8 @@ def _variants(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         return dict(known[0])
     merged = _first(known, ("match", "args", "params", "env", "remap", "run"))
     for category in CATEGORIES:
-        entries = _entries([entry for each in known for entry in each.get(category, ())])
-        if entries:
-            merged[category] = entries
+        if any(category in each for each in known):
+            merged[category] = _entries([each.get(category, ()) for each in known])
     best = max(_trust_of_variant(each) for each in known)
     opened: dict[str, Any] = {}
     for each in known:
@@ -112,22 +121,44 @@ def _variants(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     return merged
 
 
-def _entries(entries: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
-    groups: dict[tuple[str, str], list[Mapping[str, Any]]] = {}
-    for entry in entries:
-        groups.setdefault((default_text(entry["name"]), entry.get("role", "")), []).append(entry)
-    merged = []
-    for group in groups.values():
-        ranked = sorted(group, key=lambda entry: -_trust(entry))
-        entry = _first(ranked, sorted({key for each in ranked for key in each} - {"evidence", "md5"}))
-        md5 = next((each["md5"] for each in ranked if "md5" in each and each.get("type", entry.get("type")) == entry.get("type")), None)
-        if md5 is not None:
-            entry["md5"] = md5
-        evidence = _without_repeats([one for each in ranked for one in each.get("evidence", ())])
-        if evidence:
-            entry["evidence"] = evidence
-        merged.append(entry)
-    return merged
+def _entries(lists: Sequence[Sequence[Mapping[str, Any]]]) -> list[dict[str, Any]]:
+    """One list of several. Entries of the same list stay apart: they may share a name under different conditions."""
+    groups: dict[tuple[str, str], list[list[Mapping[str, Any]]]] = {}
+    for entries in sorted(lists, key=lambda entries: -max(map(_trust, entries), default=0)):
+        taken: set[int] = set()
+        for entry in entries:
+            known = groups.setdefault((default_text(entry["name"]), entry.get("role", "")), [])
+            free = [group for group in known[:MOST_ALIKE] if id(group) not in taken]
+            group = max(free, key=lambda group: _alike(group[0], entry), default=None)
+            if group is None:
+                group = []
+                known.append(group)
+            group.append(entry)
+            taken.add(id(group))
+    return [_entry(group) for known in groups.values() for group in known]
+
+
+def _alike(one: Mapping[str, Any], other: Mapping[str, Any]) -> int:
+    """How likely two entries of one name are the same: above all by their conditions, then by their types."""
+    return 2 * all(one.get(key) == other.get(key) for key in ("condition", "each")) + (one.get("type") == other.get("type"))
+
+
+def _entry(group: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """One entry of those that say the same of one name."""
+    ranked = sorted(group, key=lambda entry: -_trust(entry))
+    best = ranked[0]
+    entry = _first(ranked, sorted({key for each in ranked for key in each} - {"evidence", "md5"}))
+    if _trust(best) == _MANUAL:
+        entry = {key: value for key, value in entry.items() if key not in _WHETHER or key in best}
+    else:
+        entry["name"] = next((each["name"] for each in ranked if is_template(each["name"])), best["name"])
+    md5 = next((each["md5"] for each in ranked if "md5" in each and each.get("type", entry.get("type")) == entry.get("type")), None)
+    if md5 is not None:
+        entry["md5"] = md5
+    evidence = _without_repeats(one for each in ranked for one in each.get("evidence", ()))
+    if evidence or any("evidence" in each for each in ranked):
+        entry["evidence"] = evidence
+    return entry
 
 
 def _first(known: Sequence[Mapping[str, Any]], keys: Iterable[str]) -> dict[str, Any]:

@@ -66,8 +66,8 @@ def program(package: str, name: str, data: Mapping[str, Any]) -> Program:
     """The program that validated JSON describes."""
     given = data.get("variants", {})
     variants = [_variant(key, given[key]) for key in sorted(given) if key != "default" and "match" in given[key]]
-    if "default" in given:
-        variants.append(_variant("default", {**given["default"], "match": None}))
+    if "default" in given or data.get("class") == "none":
+        variants.append(_variant("default", {**given.get("default", {}), "match": None}))
     return Program(package, name, data.get("class", "other"), data.get("options"), tuple(variants))
 
 

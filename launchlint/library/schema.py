@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from launchlint.library.format import LIBRARY, Entries, Flag, Items, Keys, Number, Rule, Shape, Text
+from launchlint.library.format import LIBRARY, VERSION, Entries, Flag, Items, Keys, Number, Rule, Shape, Text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -12,11 +12,16 @@ if TYPE_CHECKING:
 
 
 def json_schema() -> Mapping[str, Any]:
-    """The format as a JSON Schema (2020-12), for editors and other programs."""
+    """The format as a JSON Schema (2020-12), for editors and other programs.
+
+    It knows shapes, not grammars: what a name, a type or a template looks like, and how deep things are nested, only the validator knows.
+    """
+    schema = _schema(LIBRARY)
+    schema["properties"]["version"] = {"const": VERSION}
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "launchlint library, version 1",
-        **_schema(LIBRARY),
+        **schema,
         "$defs": {"condition": _CONDITION_SCHEMA, "each": _EACH_SCHEMA},
     }
 
@@ -41,7 +46,7 @@ def _schema(shape: Shape) -> dict[str, Any]:
 
 
 _STRING: Mapping[str, Any] = {"type": "string", "minLength": 1, "maxLength": 1000}
-_ARGUMENT: Mapping[str, Any] = {"type": "integer", "not": {"const": 0}}
+_ARGUMENT: Mapping[str, Any] = {"type": "integer", "minimum": -9999, "maximum": 9999, "not": {"const": 0}}
 _CONDITION: Mapping[str, Any] = {"$ref": "#/$defs/condition"}
 _COMPARISON: Mapping[str, Any] = {"is": {}, "in": {"type": "array"}, "set": {"type": "boolean"}, "default": {}}
 

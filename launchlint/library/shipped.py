@@ -30,13 +30,13 @@ class Bundled:
         return self._packages[name]
 
     def _read(self, name: str) -> Mapping[str, Any] | None:
-        if not name.replace("_", "a").replace("-", "a").isalnum() or not name.isascii():
+        if not name.replace("_", "a").replace("-", "a").isalnum() or not name.isascii() or f"{name}.json" == INDEX:
             return None  # also: no path of a hostile launch file's making
         try:
             with open(os.path.join(self._directory, f"{name}.json"), "rb") as file:
                 found: Mapping[str, Any] = json.load(file)["packages"][name]
                 return found
-        except FileNotFoundError:
+        except OSError:  # there is none, or the name is longer than a file's may be
             return None
 
     def package_of_class(self, nodelet: str) -> str | None:

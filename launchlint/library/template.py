@@ -1,11 +1,12 @@
 """Names that take parts from the instance of a node: ``{arg:2|{arg:1}_relay}`` (see ``docs/library-format.md``).
 
 A template is parsed once into a tuple of parts, plain strings and :class:`Slot`. Filling it in gives the text, None where a part has no
-value (the entry does not exist), or :data:`UNKNOWN` where a part cannot be known statically.
+value (the entry does not exist), or an :class:`Undetermined` where a part cannot be known statically.
 """
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 from typing import Final, NamedTuple
 
@@ -40,16 +41,19 @@ if TYPE_CHECKING:
 
 
 class Undetermined:
-    """The type of :data:`UNKNOWN`."""
+    """A value that exists but cannot be known without running the system; ``pattern`` is what is known of its text, ``*`` for the rest."""
 
-    __slots__ = ()
+    __slots__ = ("pattern",)
+
+    def __init__(self, pattern: str) -> None:
+        self.pattern = pattern
 
     def __repr__(self) -> str:
-        return "UNKNOWN"
+        return f"Undetermined({self.pattern!r})"
 
 
-UNKNOWN: Final = Undetermined()
-"""A value that exists but cannot be known without running the system."""
+UNKNOWN: Final = Undetermined("*")
+"""A value of which nothing is known."""
 
 
 class TemplateError(ValueError):
@@ -67,9 +71,10 @@ class Slot(NamedTuple):
 
 Template = tuple[str | Slot, ...]
 
-SLOTS = {"arg": True, "option": True, "param": True, "remap": True, "parent": True, "each": False, "node": False}
+SLOTS = {"arg": True, "option": True, "param": True, "remap": True, "parent": True, "each": False, "node": False, "any": False}
 """The kinds of slots, and whether they must have a key."""
 _NAMES = ("remap", "parent")
+_ARGUMENT = re.compile(r"-?[1-9][0-9]{0,3}")
 
 
 @lru_cache(maxsize=4096)
@@ -122,17 +127,19 @@ def _slot(text: str, start: int, depth: int) -> tuple[Slot, int]:
         inner, end = _parts(text, start + len(kind) + 1, depth)
         if not inner or text[end : end + 1] != "}":
             raise TemplateError(f"its {{{kind}}} {'is not closed' if inner else 'needs a name'}")
+        if any(isinstance(part, str) and "|" in part for part in inner):
+            raise TemplateError(f"{{{kind}}} always has a value: it takes no default")
         return Slot(kind, text[start + len(kind) + 1 : end], None, inner), end + 1
     if kind not in SLOTS:
         raise TemplateError(f"{{{kind}}} is no template; there are {', '.join(SLOTS)}")
-    if bool(key) < SLOTS[kind] or (kind == "node" and colon):
+    if bool(key) < SLOTS[kind] or (colon and kind in ("node", "any")):
         raise TemplateError(f"{{{kind}}} needs a {':' if SLOTS[kind] else '}'} after its name")
-    if kind == "arg" and (not key.lstrip("-").isdecimal() or int(key) == 0):
+    if kind == "arg" and not _ARGUMENT.fullmatch(key):
         raise TemplateError(f"{{arg:{key}}} must be the number of an argument, counted from 1 or from -1")
     default: Template | None = None
     if text[end : end + 1] == "|":
-        if kind == "node":
-            raise TemplateError("{node} always has a value: it takes no default")
+        if kind in ("node", "any"):
+            raise TemplateError(f"{{{kind}}} always has a value: it takes no default")
         default, end = _parts(text, end + 1, depth)
     if text[end : end + 1] != "}":
         raise TemplateError(f"its {{{kind}}} is not closed")
@@ -147,7 +154,7 @@ def is_template(name: str) -> bool:
 def fill(parts: Template, situation: Situation, each: Any = None) -> str | Undetermined | None:
     """The text of a template in a situation; ``each`` is the thing its entry is at.
 
-    Returns None where a part has no value and no default; UNKNOWN where one cannot be known.
+    Returns None where a part has no value and no default; an :class:`Undetermined` where one cannot be known.
     """
     filled: list[str] = []
     unknown = False
@@ -159,11 +166,13 @@ def fill(parts: Template, situation: Situation, each: Any = None) -> str | Undet
                 value = fill(part.default, situation, each)
         if value is None:
             return None
-        if value is UNKNOWN or not isinstance(value, (str, int, float)):
-            unknown = True
-        else:
+        if isinstance(value, (str, int, float)):
             filled.append(value if isinstance(value, str) else spelled(value))
-    return UNKNOWN if unknown else "".join(filled)
+        else:
+            unknown = True
+            filled.append(value.pattern if isinstance(value, Undetermined) else "*")
+    text = "".join(filled)
+    return Undetermined(text) if unknown else text
 
 
 def spelled(value: float | bool) -> str:
@@ -182,6 +191,8 @@ def _value(slot: Slot, situation: Situation, each: Any) -> Any:
         return member(each, slot.key)
     if slot.kind == "node":
         return situation.node
+    if slot.kind == "any":
+        return UNKNOWN
     name = fill(slot.inner, situation, each)
     if not isinstance(name, str):
         return name
@@ -191,14 +202,14 @@ def _value(slot: Slot, situation: Situation, each: Any) -> Any:
 
 def member(each: Any, key: str) -> Any:
     """``{each}`` or ``{each:key}``: a :class:`Thing`, its name or a member of its value."""
-    if each is UNKNOWN or each is None:
+    if each is None or isinstance(each, Undetermined):
         return each
     if not key:
         return each.name
     value = each.value
     for step in key.split("/"):
-        if value is UNKNOWN:
-            return UNKNOWN
+        if isinstance(value, Undetermined):
+            return value
         value = value.get(step) if isinstance(value, dict) else None
     return value
 

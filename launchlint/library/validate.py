@@ -8,7 +8,21 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.library.condition import QUESTIONS
-from launchlint.library.format import DEEPEST_CONDITION, LIBRARY, Entries, Flag, Items, Keys, Number, Plain, Rule, Shape, Text
+from launchlint.library.format import (
+    DEEPEST_CONDITION,
+    LIBRARY,
+    LONGEST_NAME,
+    VERSION,
+    Entries,
+    Flag,
+    Items,
+    Keys,
+    Number,
+    Plain,
+    Rule,
+    Shape,
+    Text,
+)
 from launchlint.library.template import TemplateError, is_template, parse
 from launchlint.spelling import did_you_mean
 
@@ -63,7 +77,7 @@ def _walk(shape: Shape, value: Any, path: Path) -> Iterator[Fault]:
             yield Fault(path, f"this must be a mapping from each {shape.named} to what it is, and is {_said(value)}")
         else:
             for key, item in value.items():
-                if not key or len(key) > 1_000:
+                if not key or len(key) > LONGEST_NAME:
                     yield Fault((*path, key), f"the name of the {shape.named} is {'empty' if not key else 'too long'}")
                 yield from _walk(shape.each, item, (*path, key))
     else:
@@ -90,7 +104,7 @@ def _leaf(shape: Shape, value: Any, path: Path) -> Iterator[Fault]:
     if isinstance(shape, Number):
         if isinstance(value, bool) or not isinstance(value, int) or value < shape.least:
             yield Fault(path, f"this must be a whole number, at least {shape.least}, and is {_said(value)}")
-        elif path == ("version",) and value != 1:
+        elif path == ("version",) and value != VERSION:
             yield Fault(path, f"this launchlint reads version 1 of the format, and this is version {value}: use a newer launchlint")
     elif isinstance(shape, Flag):
         if not isinstance(value, bool):
@@ -163,7 +177,7 @@ def _condition(value: Any, path: Path, depth: int) -> Iterator[Fault]:
                 yield from _condition(each, (*path, kind, index), depth + 1)
     elif kind == "arg":
         yield from _position((*path, kind), inner)
-    elif not isinstance(inner, str) or not inner or len(inner) > 1_000:
+    elif not isinstance(inner, str) or not inner or len(inner) > LONGEST_NAME:
         yield Fault((*path, kind), "this must be a string")
     allowed = {kind, *(_COMPARISONS if kind in ("param", "arg", "option") else ())}
     for key in value:
@@ -186,7 +200,7 @@ def _each(value: Any, path: Path) -> Iterator[Fault]:
     kind = asked[0]
     if kind == "args":
         yield from _position((*path, kind), value[kind])
-    elif not isinstance(value[kind], str) or not value[kind]:
+    elif not isinstance(value[kind], str) or not value[kind] or len(value[kind]) > LONGEST_NAME:
         yield Fault((*path, kind), "this must be the name of a param")
     for key in value:
         if key not in (kind, *(() if kind == "args" else ("default",))):
@@ -197,8 +211,8 @@ def _each(value: Any, path: Path) -> Iterator[Fault]:
 
 
 def _position(path: Path, value: Any) -> Iterator[Fault]:
-    if isinstance(value, bool) or not isinstance(value, int) or value == 0 or abs(value) > 10_000:
-        yield Fault(path, "this must be the number of an argument, counted from 1")
+    if isinstance(value, bool) or not isinstance(value, int) or value == 0 or abs(value) > 9_999:
+        yield Fault(path, "this must be the number of an argument, counted from 1 or from -1")
 
 
 def _depth(value: Any) -> int:

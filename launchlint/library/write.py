@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping
 
-from launchlint.library.format import INTERFACES, LIBRARY, Entries, Items, Keys, Shape
+from launchlint.library.format import INTERFACES, LIBRARY, Entries, Items, Keys, Rule, Shape
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -64,4 +64,18 @@ def _in_order(shape: Shape, value: Any) -> Any:
         return [_in_order(shape.each, item) for item in value]
     if isinstance(shape, Entries):
         return {key: _in_order(shape.each, value[key]) for key in sorted(value)}
-    return value
+    return _sorted(value, _GRAMMAR if isinstance(shape, Rule) else ())
+
+
+_GRAMMAR = ("not", "all", "any", "text", "args", "words", "param", "arg", "option", "remap", "is", "in", "set", "default")
+"""The keys of conditions and of ``each``, in the order in which they are read."""
+
+
+def _sorted(value: Any, first: tuple[str, ...]) -> Any:
+    """A plain JSON value with the keys of its mappings sorted, those of ``first`` first."""
+    if isinstance(value, dict):
+        return {
+            key: _sorted(value[key], first)
+            for key in sorted(value, key=lambda key: (first.index(key) if key in first else len(first), key))
+        }
+    return [_sorted(item, first) for item in value] if isinstance(value, list) else value

@@ -12,6 +12,8 @@ from launchlint.workspace.packages import Packages
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.graph.connections import ConnectionGraph
+    from launchlint.library.lookup import Library
     from launchlint.suppression import Suppression
 
 
@@ -31,6 +33,20 @@ class LaunchView(NamedTuple):
     launch: Launch
     packages: Packages
     declared_entry: bool
+
+
+class GraphView(NamedTuple):
+    """The graph view: who talks to whom in what one entry file starts in one configuration; else as :class:`LaunchView`."""
+
+    graph: ConnectionGraph
+    library: Library
+    packages: Packages
+    declared_entry: bool
+
+    @property
+    def launch(self) -> Launch:
+        """What is started."""
+        return self.graph.launch
 
 
 class BrokenCall(NamedTuple):

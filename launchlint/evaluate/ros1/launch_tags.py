@@ -180,6 +180,8 @@ def scoped_remap(file: FileEvaluation, element: Element, context: Context) -> No
     rule = remap(file, element, context)
     if rule is not None:
         replaced = context.add_remap(rule)
+        if not rule.source:
+            return
         file.open_setting(context, "remap", rule.source, rule, rule.origin, None if replaced is None else replaced.origin.place)
 
 

@@ -170,7 +170,7 @@ def _children(
             rule = remap(file, child, context)
             if rule is not None:
                 replaced = own.add_remap(rule)
-                if replaced is not None:
+                if replaced is not None and rule.source:
                     related = ((replaced.origin.place, "the first one"),)
                     always = conditions[rule.source].issuperset(file.conditions)
                     file.problem("remap-replaced", rule.origin.place.span, related=related, key=rule.source, old=replaced.target,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from launchlint.evaluate.block import PrivateParameter, RunStep, Value
+from launchlint.evaluate.block import MoreParameters, PrivateParameter, RunStep, Value
 from launchlint.evaluate.names import canonical, join
 from launchlint.evaluate.ros1.file import FileEvaluation
 from launchlint.evaluate.ros1.missing_file import missing_file
@@ -92,6 +92,7 @@ def _read(file: FileEvaluation, element: Element, context: Context) -> tuple[str
         return None
     name = file.value(name_attribute, context, name_attribute.value.strip())
     if isinstance(name, Unknown) or len(given) != 1:
+        file.effect(MoreParameters(context.namespace))
         return None
     source, written = given[0]
     assert written is not None
@@ -160,6 +161,7 @@ def rosparam(file: FileEvaluation, element: Element, context: Context, namespace
     param_name = file.optional(element, "param", context)
     substitute = file.flag(element, "subst_value", context)
     if isinstance(command, Unknown) or isinstance(ns, Unknown) or isinstance(param_name, Unknown):
+        file.effect(MoreParameters(namespace))
         return
     command = command or "load"
     below = join(ns or "", param_name or "")
@@ -175,16 +177,16 @@ def rosparam(file: FileEvaluation, element: Element, context: Context, namespace
             file.record(missing_attribute(file.document, element, "file", refused=False))
         file.effect(RunStep(command, full, "" if name is None or isinstance(name, Unknown) else name))
         return
-    if isinstance(name, Unknown):
-        return
-    text = _yaml_text(file, element, name, reads)
-    if text is None:
+    text = None if isinstance(name, Unknown) else _yaml_text(file, element, name, reads)
+    if text is None or isinstance(name, Unknown):
+        file.effect(MoreParameters(full))
         return
     if name is None and not substitute and "$(" in text[0]:
         _notice_unsubstituted(file, element, text[0])
     if substitute:
         resolved = resolve(file, text[0], _in_text(element, name), context)
         if isinstance(resolved, Unknown):
+            file.effect(MoreParameters(full))
             return
         text = (resolved, None if resolved != text[0] else text[1])
     _load(file, element, text, below, full, in_node=in_node)

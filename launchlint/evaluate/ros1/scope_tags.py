@@ -43,7 +43,11 @@ def clear_without_namespace(file: FileEvaluation, element: Element) -> None:
 
 
 def remap(file: FileEvaluation, element: Element, context: Context) -> Remap | None:
-    """The rule of a ``<remap>``; None, with a problem, where roslaunch refuses it (roslaunch.loader.LoaderContext.add_remap)."""
+    """The rule of a ``<remap>``; None, with a problem, where roslaunch refuses it (roslaunch.loader.LoaderContext.add_remap).
+
+    Where a name in it is unknown, so is the whole rule: then its ``source`` is empty.
+    """
+    origin = Origin(file.place(element.start_span))
     names: list[str] = []
     values: list[Value] = [file.required(element, attribute, context) for attribute in ("from", "to")]
     for attribute, value in zip(("from", "to"), values, strict=True):
@@ -58,7 +62,9 @@ def remap(file: FileEvaluation, element: Element, context: Context) -> Remap | N
             file.problem("invalid-remap-name", span, refused=True, attribute=attribute, value=value, reason="illegal")
         else:
             names.append(name)
-    return Remap(names[0], names[1], Origin(file.place(element.start_span))) if len(names) == 2 else None
+    if any(isinstance(value, Unknown) for value in values):
+        return Remap("", "", origin)
+    return Remap(names[0], names[1], origin) if len(names) == 2 else None
 
 
 def env(file: FileEvaluation, element: Element, context: Context) -> EnvironmentSetting | None:

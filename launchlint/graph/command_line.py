@@ -1,0 +1,99 @@
+"""What a process gets on its command line: arguments, remappings and private params (``args`` of a node and its remaps)."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from launchlint.graph.names import Rule
+from launchlint.model import Node
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class CommandLine(NamedTuple):
+    """``words`` are the arguments without what is meant for ROS; ``known`` is false where a value in ``args`` is not known."""
+
+    words: tuple[str, ...]
+    rules: tuple[Rule, ...]
+    params: Mapping[str, Any]
+    known: bool
+
+
+def command_line(node: Node) -> CommandLine:
+    """The command line of ``node``: first what ``args`` says, then its remaps (roslaunch.node_args.create_local_process_args).
+
+    A word with ``:=`` is no argument: ``a:=b`` is a remapping, ``_p:=5`` sets the private param ``~p`` (ros::init, ros::param::init,
+    rosgraph.names.load_mappings).
+    """
+    if "args" in node.unknown:
+        return CommandLine((), _from_launch(node), {}, False)
+    try:
+        given = shlex.split(node.arguments)
+    except ValueError:
+        return CommandLine((), _from_launch(node), {}, False)
+    words: list[str] = []
+    rules: list[Rule] = []
+    params: dict[str, Any] = {}
+    for word in given:
+        source, sign, target = word.partition(":=")
+        if not sign:
+            words.append(word)
+        elif source.startswith("__"):
+            continue
+        elif source.startswith("_"):
+            params[source[1:]] = plain_value(target)
+        elif source and target:
+            rules.append(Rule(source.strip(), target.strip()))
+    return CommandLine(tuple(words), (*rules, *_from_launch(node)), params, True)
+
+
+def _from_launch(node: Node) -> tuple[Rule, ...]:
+    return tuple(Rule(remap.source, remap.target, remap) for remap in node.remaps)
+
+
+def plain_value(text: str) -> Any:
+    """A param given as text: a whole number, a number, a truth value, or text (ros::param::init, roslaunch's own guess)."""
+    if text in ("true", "True", "TRUE", "false", "False", "FALSE"):
+        return text.lower() == "true"
+    whole = text.lstrip("+-")
+    if whole.isdecimal():
+        return int(text) if len(text) - len(whole) <= 1 else text
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def split_options(words: tuple[str, ...], options: Mapping[str, int] | None) -> tuple[tuple[str, ...], Mapping[str, Any]]:
+    """The positional words, and the options with their values (True for one without, its first value, else a list).
+
+    Without ``options`` every word is positional. With them an option that is not listed takes no value; ``--x=v`` gives a value,
+    ``--`` ends the options, and what looks like a negative number is no option.
+    """
+    if options is None:
+        return words, {}
+    positional: list[str] = []
+    found: dict[str, Any] = {}
+    at = 0
+    while at < len(words):
+        word = words[at]
+        at += 1
+        name, sign, value = word.partition("=")
+        if word == "--":
+            positional.extend(words[at:])
+            break
+        if word in options:
+            values = words[at : at + options[word]]
+            at += options[word]
+            found[word] = True if not options[word] else values[0] if len(values) == 1 else list(values)
+        elif sign and name in options:
+            found[name] = value
+        elif word.startswith("-") and len(word) > 1 and not word[1].isdecimal() and word[1] != ".":
+            found[word] = True
+        else:
+            positional.append(word)
+    return tuple(positional), found

@@ -1,0 +1,181 @@
+"""Joining a launch with a library: the paper's Make Connections.
+
+Each node becomes an :class:`~launchlint.graph.connections.Instance`; what all of them say under one name meets in a channel. Linear in
+nodes, endpoints and connections: publishers and subscribers of a topic are listed, never paired.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from launchlint.graph.command_line import CommandLine, command_line
+from launchlint.graph.connections import OFFERS, Channel, ConnectionGraph, Doubt, Endpoint, Instance, Missing, Reading
+from launchlint.graph.instantiate import Interface, instantiate
+from launchlint.graph.names import Namer, Rule, absolute
+from launchlint.graph.parameters import Parameters
+from launchlint.graph.situation import Start
+from launchlint.library.format import CATEGORIES
+from launchlint.library.lookup import Library
+from launchlint.library.program import Program
+from launchlint.model import Launch, Node
+
+MOST_DOUBTS = 50
+"""Names that are not known but of which something is; with more of them any name may be one: looking at each would take too long."""
+NODELET = ("nodelet", "nodelet")
+"""The executable that runs, loads and manages nodelets."""
+
+
+class _Process(NamedTuple):
+    """What a node is as a process. ``mode`` is the first argument of the nodelet executable: manager, load, standalone, unload."""
+
+    node: Node
+    name: str
+    line: CommandLine
+    program: Program | None
+    namer: Namer
+    mode: str
+
+
+def connect(launch: Launch, library: Library) -> ConnectionGraph:
+    """The connection graph of ``launch``, tests included."""
+    parameters = Parameters(launch.parameters, launch.more_parameters)
+    processes = [_process(node, library) for node in (*launch.nodes, *launch.tests)]
+    managers = {process.name: process for process in processes if process.mode == "manager"}
+    instances = tuple(_instance(process, managers, parameters, library) for process in processes)
+    channels: dict[tuple[str, str], Channel] = {}
+    readers: dict[str, list[Reading]] = {}
+    for instance in instances:
+        for endpoint in instance.endpoints:
+            key = (endpoint.kind, endpoint.name)
+            channel = channels.get(key)
+            if channel is None:
+                channel = channels[key] = Channel(*key, [], [])
+            (channel.offers if endpoint.role in OFFERS else channel.uses).append(endpoint)
+        for reading in instance.readings:
+            readers.setdefault(reading.name, []).append(reading)
+    missing = {category: _missing(launch, instances, category) for category in CATEGORIES}
+    ordered = {key: channels[key] for key in sorted(channels)}
+    return ConnectionGraph(launch, instances, ordered, parameters, {name: tuple(readers[name]) for name in sorted(readers)}, missing)
+
+
+def _missing(launch: Launch, instances: tuple[Instance, ...], category: str) -> Missing:
+    """What of a category may be there although the graph does not show it."""
+    doubts: list[tuple[Doubt, str]] = []
+    reason = "" if launch.complete else "an include could not be followed"
+    for instance in instances:
+        if reason:
+            break
+        if instance.is_unknown:
+            reason = f"it is not known what {instance.name} does: {instance.reason}"
+        elif category in instance.open:
+            reason = f"{instance.name} may have more {category}: {instance.open[category]}"
+        doubts.extend((doubt, instance.name) for doubt in instance.doubts if doubt.category == category)
+        if len(doubts) > MOST_DOUBTS:
+            reason = f"many nodes, {instance.name} among them, have {category} whose names cannot be known"
+    return Missing(reason, tuple(doubts))
+
+
+def _process(node: Node, library: Library) -> _Process:
+    line = command_line(node)
+    program = None if node.unknown & {"pkg", "type"} else library.executable(node.package, node.executable)
+    client = program.client if program is not None else "rospy" if node.executable.endswith(".py") else ""
+    namer = Namer(node.namespace, node.full_name, line.rules, client)
+    mode = line.words[0] if (node.package, node.executable) == NODELET and line.words else ""
+    return _Process(node, node.full_name, line, program, namer, mode)
+
+
+def _instance(process: _Process, managers: dict[str, _Process], parameters: Parameters, library: Library) -> Instance:
+    node, name = process.node, process.name
+    certain = not any(condition.assumed for condition in node.conditions)
+    unknown = _unknown_start(node)
+    parts: list[Interface] = []
+    looked_up: dict[str, str] = {}
+    reason = unknown
+    kind, host, program, namer, client = "node", name, f"{node.package}/{node.executable}", process.namer, ""
+    if process.program is not None and not unknown:
+        client = process.program.client
+        start = Start(namer, process.line, parameters, process.program.options)
+        parts.append(instantiate(process.program, start, namer, name, certain=certain))
+        looked_up.update(start.looked_up)
+    elif not unknown:
+        reason = f"no library knows {program}"
+    if (node.package, node.executable) == NODELET and not unknown:
+        if process.mode == "manager":
+            kind = "manager"
+        elif process.mode in ("load", "standalone") and len(process.line.words) > (2 if process.mode == "load" else 1):
+            kind, program = "nodelet", process.line.words[1]
+            manager = process
+            if process.mode == "load":
+                host = _manager_name(process)
+                manager = managers.get(host) or process
+                host = host if host in managers else ""
+                namer = _nodelet_namer(process, manager)
+            known = library.nodelet(program)
+            if known is None:
+                reason = f"no library knows the nodelet class {program}"
+            else:
+                skip = 3 if process.mode == "load" else 2
+                start = Start(namer, process.line, parameters, known.options, skip)
+                parts.append(instantiate(known, start, namer, host, certain=certain))
+                looked_up.update(start.looked_up)
+        elif process.mode != "unload":
+            reason = "its args do not say what it loads"
+    knowledge = "unknown" if reason else "template" if any(part.has_template for part in parts) and kind != "manager" else "known"
+    opened: dict[str, str] = {}
+    doubts = tuple(dict.fromkeys(doubt for part in parts for doubt in part.doubts))
+    for part in parts:
+        opened.update(part.open)
+    endpoints = _unique(endpoint for part in parts for endpoint in part.endpoints)
+    readings = tuple(reading for part in parts for reading in part.readings)
+    return Instance(
+        node=node,
+        name=name,
+        program=program,
+        kind=kind,
+        knowledge=knowledge,
+        reason=reason,
+        host=host,
+        open=opened,
+        doubts=doubts,
+        endpoints=endpoints,
+        readings=readings,
+        looked_up=looked_up,
+        namer=namer,
+        certain=certain,
+        client=client,
+    )
+
+
+def _unknown_start(node: Node) -> str:
+    """Why it cannot be known how the node is started, for people."""
+    for attribute, what in (("pkg", "package"), ("type", "executable"), ("name", "name"), ("ns", "namespace"), ("remap", "remapping")):
+        if attribute in node.unknown:
+            return f"its {what} depends on something that is not here"
+    if not node.name:
+        return "it has no name"
+    return ""
+
+
+def _manager_name(process: _Process) -> str:
+    """The full name of the manager that ``nodelet load class manager`` means: its service is called, so that name is remapped, not it."""
+    service = process.namer.resolve(f"{process.line.words[2]}/load_nodelet").name
+    return service.removesuffix("/load_nodelet")
+
+
+def _nodelet_namer(process: _Process, manager: _Process) -> Namer:
+    """The names of a nodelet: its loader sends its own resolved remappings, those of the manager act beneath (nodelet::Loader)."""
+    rules = [Rule(applied.source, applied.target, applied.rule.remap) for applied in process.namer.remappings.values()]
+    beneath = None if manager is process else manager.namer
+    return Namer(absolute(process.node.namespace, "/", process.name), process.name, rules, "roscpp", beneath)
+
+
+def _unique(endpoints: Iterable[Endpoint]) -> tuple[Endpoint, ...]:
+    """Each role and name once: what is certain before what is not."""
+    found: dict[tuple[str, str, str], Endpoint] = {}
+    for endpoint in endpoints:
+        key = (endpoint.role, endpoint.name, endpoint.process)
+        known = found.get(key)
+        if known is None or (endpoint.certain, bool(endpoint.type)) > (known.certain, bool(known.type)):
+            found[key] = endpoint
+    return tuple(found[key] for key in sorted(found))

@@ -1,0 +1,227 @@
+"""The connection graph of one launch, in plain values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from launchlint.graph.names import Applied, Namer
+from launchlint.graph.parameters import Parameters
+from launchlint.library.program import Declaration
+from launchlint.model import Launch, Node
+
+OFFERS = frozenset({"publisher", "server", "action server"})
+"""The roles that give; the others take."""
+KINDS = {
+    "publisher": "topic",
+    "subscriber": "topic",
+    "server": "service",
+    "client": "service",
+    "action server": "action",
+    "action client": "action",
+}
+"""The kind of channel of each role."""
+CATEGORY = {
+    "publisher": "publishers",
+    "subscriber": "subscribers",
+    "server": "services",
+    "client": "clients",
+    "action server": "actions",
+    "action client": "actions",
+}
+"""The category of the library in which a role is declared."""
+
+HUBS = frozenset({"/tf", "/tf_static", "/clock", "/diagnostics", "/diagnostics_agg", "/rosout", "/rosout_agg", "/statistics"})
+"""Topics that everybody uses: of no interest in a drawing, and shared on purpose."""
+HUB_SIZE = 64
+"""A topic with this many connections (publishers times subscribers) counts as a hub, too."""
+PLUMBING = ("bond/", "dynamic_reconfigure/", "nodelet/")
+"""Packages whose types belong to the machinery of nodes, not to what they do."""
+
+
+class Endpoint(NamedTuple):
+    """One name that a node uses, in one role (a key of KINDS).
+
+    Args:
+        node: full name of the instance.
+        role: publisher, subscriber, server, client, action server or action client.
+        name: the name on the graph.
+        declared: the name as the node's code says it, templates filled in.
+        unremapped: the name on the graph if nothing were remapped.
+        applied: the remappings that acted, in order.
+        type: of message, service or action; empty where it is not known, ``*`` for any.
+        certain: whether it is there whenever the node runs; else it may or may not be.
+        process: full name under which the ROS master sees it: that of the manager for a nodelet.
+        declaration: what the library says.
+        action: the action that a topic belongs to, as a full name; else empty.
+    """
+
+    node: str
+    role: str
+    name: str
+    declared: str
+    unremapped: str
+    applied: tuple[Applied, ...]
+    type: str
+    certain: bool
+    process: str
+    declaration: Declaration
+    action: str = ""
+
+    @property
+    def kind(self) -> str:
+        """``topic``, ``service`` or ``action``."""
+        return KINDS[self.role]
+
+    @property
+    def is_plumbing(self) -> bool:
+        """Whether it belongs to the machinery of nodes (bonds, dynamic_reconfigure, nodelet services)."""
+        return self.type.startswith(PLUMBING)
+
+
+class Reading(NamedTuple):
+    """A param that a node reads; the fields are those of :class:`Endpoint`."""
+
+    node: str
+    name: str
+    declared: str
+    unremapped: str
+    applied: tuple[Applied, ...]
+    certain: bool
+    declaration: Declaration
+
+
+class Doubt(NamedTuple):
+    """A name of some ``category`` that exists but is not known. ``pattern`` is what is known: ``*`` stands for anything.
+
+    ``declared`` is how the library writes it.
+    """
+
+    category: str
+    pattern: str
+    declared: str
+
+    def may_be(self, name: str) -> bool:
+        """Whether it may be the name ``name`` on the graph."""
+        first, *others = self.pattern.split("*")
+        if not others:
+            return name == first
+        *middle, last = others
+        if not name.startswith(first) or not name.endswith(last) or len(name) < len(first) + len(last):
+            return False
+        at, end = len(first), len(name) - len(last)
+        for part in middle:
+            at = name.find(part, at, end)
+            if at < 0:
+                return False
+            at += len(part)
+        return True
+
+
+class Instance(NamedTuple):
+    """A node of the launch with what is known of it.
+
+    Args:
+        node: the node as the launch file starts it.
+        name: its full name.
+        program: ``package/executable``, or the class of a nodelet.
+        kind: ``node``, ``nodelet`` (loaded into a manager), ``manager`` (of nodelets).
+        knowledge: ``known``, ``template`` (known, some names made from args or params), ``unknown``.
+        reason: why it is unknown, for people; else empty.
+        host: full name of the process it runs in: its own, that of its manager, or empty where that is not known.
+        open: category of the library → why there may be more of it than is listed.
+        doubts: names that it has but that are not known.
+        endpoints: what it says and hears, sorted by role and name.
+        readings: the params it reads.
+        looked_up: further names its code resolves → how the code says them.
+        namer: resolves its names.
+        certain: whether it runs in this configuration for certain.
+        client: its client library: roscpp, rospy, nodelet, none, other; empty where it is unknown.
+    """
+
+    node: Node
+    name: str
+    program: str
+    kind: str
+    knowledge: str
+    reason: str
+    host: str
+    open: Mapping[str, str]
+    doubts: tuple[Doubt, ...]
+    endpoints: tuple[Endpoint, ...]
+    readings: tuple[Reading, ...]
+    looked_up: Mapping[str, str]
+    namer: Namer
+    certain: bool = True
+    client: str = ""
+
+    @property
+    def is_unknown(self) -> bool:
+        """Whether nothing is known of what it does."""
+        return self.knowledge == "unknown"
+
+    def may_have_more(self, category: str) -> bool:
+        """Whether it may have more of a category of the library than its endpoints show."""
+        return self.knowledge == "unknown" or category in self.open or any(doubt.category == category for doubt in self.doubts)
+
+
+class Channel(NamedTuple):
+    """A topic, service or action: ``offers`` are its publishers or servers, ``uses`` its subscribers or clients."""
+
+    kind: str
+    name: str
+    offers: list[Endpoint]
+    uses: list[Endpoint]
+
+    @property
+    def is_hub(self) -> bool:
+        """Whether everybody uses it."""
+        return self.name in HUBS or len(self.offers) * len(self.uses) >= HUB_SIZE
+
+    @property
+    def is_plumbing(self) -> bool:
+        """Whether it belongs to the machinery of nodes."""
+        return all(endpoint.is_plumbing for endpoint in (*self.offers, *self.uses))
+
+
+class Missing(NamedTuple):
+    """What may be there although the graph does not show it. ``reason`` (for people) speaks of any name; ``doubts`` of some names only."""
+
+    reason: str
+    doubts: tuple[tuple[Doubt, str], ...]
+
+
+class ConnectionGraph(NamedTuple):
+    """What the nodes of one launch say to each other.
+
+    ``channels`` is by kind and name, ``readers`` by the full name of the param; ``missing`` by the category of the library.
+    """
+
+    launch: Launch
+    instances: tuple[Instance, ...]
+    channels: Mapping[tuple[str, str], Channel]
+    parameters: Parameters
+    readers: Mapping[str, tuple[Reading, ...]]
+    missing: Mapping[str, Missing]
+
+    def instance(self, name: str) -> Instance | None:
+        """The node of that full name."""
+        return next((instance for instance in self.instances if instance.name == name), None)
+
+    def may_offer(self, kind: str, name: str) -> str:
+        """Why there may be a publisher (kind ``topic``) or server of ``name`` that is not in the graph, in words; empty: none."""
+        return self._missing({"topic": ("publishers", "actions"), "service": ("services",), "action": ("actions",)}[kind], name)
+
+    def may_use(self, kind: str, name: str) -> str:
+        """Why there may be a subscriber (kind ``topic``) or client of ``name`` that is not in the graph, in words; empty: none."""
+        return self._missing({"topic": ("subscribers", "actions"), "service": ("clients",), "action": ("actions",)}[kind], name)
+
+    def _missing(self, categories: tuple[str, ...], name: str) -> str:
+        for category in categories:
+            missing = self.missing[category]
+            if missing.reason:
+                return missing.reason
+            for doubt, node in missing.doubts:
+                if doubt.may_be(name):
+                    return f"{node} has {doubt.category} whose names cannot be known ({doubt.declared})"
+        return ""

@@ -1,0 +1,150 @@
+"""From what a library declares to the names that one node has on the graph."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from launchlint.graph.connections import CATEGORY, Doubt, Endpoint, Reading
+from launchlint.graph.names import Namer, Resolved, absolute, clean
+from launchlint.graph.situation import Start
+from launchlint.library.condition import holds, things
+from launchlint.library.program import Declaration, Program
+from launchlint.library.template import UNKNOWN, Undetermined, fill, is_template, parse
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+_ROLES = {"publishers": "publisher", "subscribers": "subscriber", "services": "server", "clients": "client"}
+_ACTION_TOPICS = (
+    ("goal", False, "Goal"),
+    ("cancel", False, "actionlib_msgs/GoalID"),
+    ("status", True, "actionlib_msgs/GoalStatusArray"),
+    ("feedback", True, "Feedback"),
+    ("result", True, "Result"),
+)
+"""The topics of an action (actionlib): name, whether the server publishes it, and its type or what is appended to that of the action."""
+_IMAGE_TOPICS = (
+    ("compressed", "sensor_msgs/CompressedImage"),
+    ("compressedDepth", "sensor_msgs/CompressedImage"),
+    ("theora", "theora_image_transport/Packet"),
+)
+"""What the usual plugins of image_transport publish beside an image, where they are installed."""
+
+
+class Interface(NamedTuple):
+    """The names of one program in one situation."""
+
+    endpoints: list[Endpoint]
+    readings: list[Reading]
+    open: dict[str, str]
+    doubts: list[Doubt]
+    has_template: bool
+
+
+def instantiate(program: Program, start: Start, namer: Namer, process: str, *, certain: bool) -> Interface:
+    """What ``program`` says and hears when it is started so.
+
+    Where it cannot be known which variant it is in, everything in any of them may be there.
+    """
+    interface = Interface([], [], {}, [], any(is_template(each.name) for variant in program.variants for each in variant.declarations))
+    variants = program.variant(start)
+    for variant in variants:
+        for category, reason in variant.open.items():
+            interface.open.setdefault(category, reason)
+        for declaration in variant.declarations:
+            known = holds(declaration.condition, start) if declaration.condition is not None else True
+            if known is False:
+                continue
+            sure = certain and known is True and len(variants) == 1
+            for name, type_ in _names(declaration, start):
+                if isinstance(name, Undetermined):
+                    interface.doubts.append(_doubt(declaration, name.pattern, namer))
+                elif not _is_usable(name):
+                    interface.doubts.append(Doubt(declaration.category, "*", declaration.name))
+                else:
+                    _add(interface, declaration, name, type_, namer, start, process, sure)
+    if not variants:
+        for category in (*CATEGORY.values(), "params"):
+            interface.open[category] = "it is started in a way that the library does not know"
+    return interface
+
+
+def _doubt(declaration: Declaration, pattern: str, namer: Namer) -> Doubt:
+    """What is known of a name that is not: nothing where a remapping could act on it."""
+    known = "*" if pattern.startswith("*") and not pattern.startswith("*/") else absolute(pattern, namer.namespace, namer.node)
+    doubt = Doubt(declaration.category, known, declaration.name)
+    return doubt._replace(pattern="*") if any(doubt.may_be(source) for source in namer.remappings) else doubt
+
+
+def _is_usable(name: str) -> bool:
+    """Whether a filled-in template is a name at all: what is not is as good as unknown."""
+    return name.replace("/", "a").replace("_", "a").replace("~", "a", 1).isalnum() and name.isascii()
+
+
+def _names(declaration: Declaration, start: Start) -> Iterator[tuple[str | Undetermined, str]]:
+    """The names (and types) of a declaration; nothing where a part of it has no value."""
+    if declaration.each is None:
+        items: list[Any] = [None]
+    else:
+        found = things(declaration.each, start)
+        items = [UNKNOWN] if isinstance(found, Undetermined) else list(found)
+    for item in items:
+        name = fill(parse(declaration.name), start, item) if is_template(declaration.name) else declaration.name
+        if name is None or name == "":
+            continue
+        type_ = fill(parse(declaration.type), start, item) if is_template(declaration.type) else declaration.type
+        yield name, type_ if isinstance(type_, str) else ""
+
+
+def _add(
+    interface: Interface, declaration: Declaration, name: str, type_: str, namer: Namer, start: Start, process: str, certain: bool
+) -> None:
+    resolved = namer.resolve(name)
+
+    def endpoint(role: str, at: Resolved, its_type: str, *, sure: bool = True, action: str = "") -> None:
+        interface.endpoints.append(
+            Endpoint(namer.node, role, at.name, name, at.unremapped, at.applied, its_type, certain and sure, process, declaration, action)
+        )
+
+    if declaration.category == "params":
+        interface.readings.append(Reading(namer.node, resolved.name, name, resolved.unremapped, resolved.applied, certain, declaration))
+    elif declaration.category == "actions":
+        start.looked_up[resolved.unremapped] = name
+        serves = declaration.role == "server"
+        endpoint(f"action {declaration.role}", resolved, type_)
+        for topic, server_publishes, its_type in _ACTION_TOPICS:
+            full = its_type if "/" in its_type else f"{type_}{its_type}" if type_ else ""
+            role = "publisher" if server_publishes == serves else "subscriber"
+            endpoint(role, namer.beneath(resolved, topic), full, action=resolved.name)
+    elif declaration.transport == "image":
+        start.looked_up[resolved.unremapped] = name
+        _image(declaration, resolved, type_, namer, start, endpoint)
+    else:
+        endpoint(_ROLES[declaration.category], resolved, type_)
+
+
+def _image(declaration: Declaration, base: Resolved, type_: str, namer: Namer, start: Start, endpoint: Any) -> None:
+    """The topics of image_transport: the code resolves the base topic and makes the others from that."""
+    if declaration.category == "publishers":
+        endpoint("publisher", _again(namer, base), type_)
+        for suffix, its_type in _IMAGE_TOPICS:
+            endpoint("publisher", namer.beneath(base, suffix), its_type, sure=False)
+        return
+    transport = start.param("~image_transport")
+    if transport is None or transport == "raw":
+        endpoint("subscriber", _again(namer, base), type_)
+    elif isinstance(transport, str) and transport:
+        its_type = dict(_IMAGE_TOPICS).get(transport, "")
+        endpoint("subscriber", namer.beneath(base, clean(transport)), its_type)
+    else:
+        endpoint("subscriber", _again(namer, base), type_, sure=False)
+        for suffix, its_type in _IMAGE_TOPICS:
+            endpoint("subscriber", namer.beneath(base, suffix), its_type, sure=False)
+
+
+def _again(namer: Namer, base: Resolved) -> Resolved:
+    """A resolved name that is given to a second resolution: remappings may act twice."""
+    inner = namer.resolve(base.name)
+    return base if not inner.applied else Resolved(inner.name, base.unremapped, (*base.applied, *inner.applied))

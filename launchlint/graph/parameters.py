@@ -1,0 +1,84 @@
+"""The parameter server as the launch file fills it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from launchlint.library.template import UNKNOWN
+from launchlint.model import Binary, Command, ParameterSetting, Unknown
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class Parameters:
+    """The params that a launch file sets, by their full names; in the namespaces ``more`` there may be others."""
+
+    def __init__(self, settings: Mapping[str, ParameterSetting], more: Sequence[str] = ()) -> None:
+        self._settings = settings
+        self._more = tuple({namespace.rstrip("/") for namespace in more})
+        self._below: dict[str, list[str]] | None = None
+
+    def value(self, name: str) -> Any:
+        """The value of a param; a mapping of what is below it where only that is set; None where nothing is; UNKNOWN."""
+        setting = self._settings.get(name)
+        if setting is not None:
+            return _plain(setting.value)
+        below = self._names_below(name)
+        if below:
+            return self._tree(name, below)
+        if self._more and any(name.startswith(f"{namespace}/") or namespace.startswith(f"{name}/") for namespace in self._more):
+            return UNKNOWN
+        return self._inside(name)
+
+    def setting(self, name: str) -> ParameterSetting | None:
+        """How the param itself is set."""
+        return self._settings.get(name)
+
+    def is_set(self, name: str) -> bool:
+        """Whether the param, or something below it, is certainly set."""
+        return name in self._settings or bool(self._names_below(name))
+
+    def below(self, name: str) -> Sequence[str]:
+        """The full names of what is set below ``name``, in the order of setting."""
+        return self._names_below(name)
+
+    def _tree(self, name: str, below: Sequence[str]) -> dict[str, Any]:
+        tree: dict[str, Any] = {}
+        for full in below:
+            *steps, last = full[len(name) + 1 :].split("/")
+            inner: Any = tree
+            for step in steps:
+                inner = inner.setdefault(step, {}) if isinstance(inner, dict) else None
+            if isinstance(inner, dict):
+                inner[last] = _plain(self._settings[full].value)
+        return tree
+
+    def _inside(self, name: str) -> Any:
+        """A member of a mapping that is set as a whole."""
+        outer, _, key = name.rpartition("/")
+        while outer:
+            setting = self._settings.get(outer)
+            if setting is not None:
+                value = setting.value
+                for step in key.split("/"):
+                    value = value.get(step) if isinstance(value, Mapping) else None
+                return value
+            outer, _, inner = outer.rpartition("/")
+            key = f"{inner}/{key}"
+        return None
+
+    def _names_below(self, name: str) -> list[str]:
+        if self._below is None:
+            self._below = {}
+            for full in self._settings:
+                outer = full.rpartition("/")[0]
+                while outer:
+                    self._below.setdefault(outer, []).append(full)
+                    outer = outer.rpartition("/")[0]
+        return self._below.get(name, [])
+
+
+def _plain(value: Any) -> Any:
+    return UNKNOWN if isinstance(value, (Unknown, Command, Binary)) else value
