@@ -84,7 +84,7 @@ class EntryChecker:
             return self._crashed(request, error)
 
     def _check(self, request: EntryRequest) -> EntryResult:
-        session = self._session_for(request)
+        session = self.session_for(request)
         session.begin_entry()
         noted()
         findings: dict[Key, Finding] = {}
@@ -131,7 +131,7 @@ class EntryChecker:
 
     def model(self, request: EntryRequest) -> tuple[Evaluation, tuple[str, str] | None]:
         """What one entry file starts as given, and why roslaunch refuses it: rule ID and message of the first reason, if it does."""
-        session = self._session_for(request)
+        session = self.session_for(request)
         session.begin_entry()
         evaluation = evaluate(session, request.at, request.arguments)
         refused = evaluation.launch.refused
@@ -141,7 +141,7 @@ class EntryChecker:
         told = [finding.message for finding in tell(refused, view, self.options.rules)]
         return evaluation, (rule_of(refused.kind), told[0] if told else _plainly(refused))
 
-    def _session_for(self, request: EntryRequest) -> Session:
+    def session_for(self, request: EntryRequest) -> Session:
         """The shared session, or one of its own where other text stands in for a file."""
         if request.file == request.at:
             return self.session

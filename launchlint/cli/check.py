@@ -27,6 +27,7 @@ from launchlint.cli.options import entry_options
 @click.option("--exit-zero", is_flag=True, help="Exit with status 0 whatever is found.")
 @click.option("--baseline", metavar="FILE", help="Leave out the findings recorded in FILE.")
 @click.option("--write-baseline", metavar="FILE", help="Record the present findings in FILE and end.")
+@click.option("--base", metavar="REV", help="Tell, too, what has lost a connection since this git revision.")
 @click.option("--statistics", is_flag=True, help="Add a table of how often each rule found something.")
 @click.option("--jobs", type=click.IntRange(min=0), default=0, help="Processes to use; default: as many as pay.")
 @click.option("--no-cache", is_flag=True, help="Neither read nor write the result cache.")
@@ -43,6 +44,7 @@ def command(
     exit_zero: bool,
     baseline: str | None,
     write_baseline: str | None,
+    base: str | None,
     statistics: bool,
     jobs: int,
     no_cache: bool,
@@ -57,6 +59,7 @@ def command(
     1 findings, 2 wrong usage.
     """
     given = CheckOptions(
-        select, ignore, severity, formats, fail_on, exit_zero, baseline, write_baseline, statistics, jobs, no_cache, color, quiet, verbose
-    )
+        select, ignore, severity, formats, fail_on, exit_zero, baseline, write_baseline, base, statistics, jobs, no_cache, color, quiet,
+        verbose,
+    )  # fmt: skip
     return run_check(entry, given)

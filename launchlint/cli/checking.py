@@ -27,6 +27,7 @@ class CheckOptions(NamedTuple):
     exit_zero: bool = False
     baseline: str | None = None
     write_baseline: str | None = None
+    base: str | None = None
     statistics: bool = False
     jobs: int = 0
     no_cache: bool = False
@@ -67,6 +68,10 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
         bar = ProgressBar(len(requests))
     try:
         results = check_entries(requests, checker, jobs=given.jobs, cache_directory=directory, progress=None if bar is None else bar.show)
+        if given.base is not None:
+            from launchlint.check.base import with_losses
+
+            results = with_losses(results, checker, given.base)
     finally:
         if bar is not None:
             bar.clear()

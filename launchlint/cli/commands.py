@@ -12,6 +12,7 @@ from launchlint.errors import OutputClosed
 COMMANDS = {
     "check": ("launchlint.cli.check", "Find the mistakes in launch files."),
     "model": ("launchlint.cli.model", "Print what roslaunch would start."),
+    "graph": ("launchlint.cli.graph", "Show who talks to whom, and what changed."),
     "rules": ("launchlint.cli.rules", "List all rules."),
     "explain": ("launchlint.cli.explain", "Explain a rule."),
     "library": ("launchlint.cli.library", "Look at, join, compare and check libraries of node interfaces."),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from launchlint.check.options import Arguments, EntryRequest, Options
 from launchlint.errors import UsageError
@@ -78,6 +78,24 @@ class EntryOptions:
                     both = merge_arguments(merge_arguments(arguments, profile), self.arguments)
                     requests[EntryRequest(file, file, both, given is not None)] = None
         return list(requests), {}
+
+    def requests_below(self, place: Callable[[str], str], back: Callable[[str], str]) -> dict[str, EntryRequest]:
+        """As :meth:`requests`, of another copy of the files, one for each file; by the path as people see it.
+
+        ``place`` says where a path is in that copy, ``back`` the reverse. Paths that are not there are left out.
+        """
+        from launchlint.workspace.discovery import discover
+
+        configuration = self.configuration
+        declared = {os.path.abspath(entry.file): tuple(entry.arguments.items()) for entry in reversed(configuration.entries or ())}
+        paths = [place(path) for path in self.paths if os.path.exists(place(path))]
+        directory = None if configuration.directory is None else place(configuration.directory)
+        found: dict[str, EntryRequest] = {}
+        for file in discover(paths, configuration.exclude, directory):
+            shown = back(file)
+            given = declared.get(os.path.abspath(shown))
+            found[shown] = EntryRequest(file, file, merge_arguments(given or (), self.arguments), given is not None)
+        return found
 
     def _listed(self) -> list[EntryRequest]:
         from launchlint.workspace.entries import load_entries

@@ -60,7 +60,7 @@ def instantiate(program: Program, start: Start, namer: Namer, process: str, *, c
             sure = certain and known is True and len(variants) == 1
             for name, type_ in _names(declaration, start):
                 if isinstance(name, Undetermined):
-                    interface.doubts.append(_doubt(declaration, name.pattern, namer))
+                    interface.doubts.extend(_doubts(declaration, name.pattern, namer))
                 elif not _is_usable(name):
                     interface.doubts.append(Doubt(declaration.category, "*", declaration.name))
                 else:
@@ -71,11 +71,15 @@ def instantiate(program: Program, start: Start, namer: Namer, process: str, *, c
     return interface
 
 
-def _doubt(declaration: Declaration, pattern: str, namer: Namer) -> Doubt:
-    """What is known of a name that is not: nothing where a remapping could act on it."""
+def _doubts(declaration: Declaration, pattern: str, namer: Namer) -> Iterator[Doubt]:
+    """What is known of a name that is not: its pattern, what remappings may make of it, and what follows from it (images, actions)."""
     known = "*" if pattern.startswith("*") and not pattern.startswith("*/") else absolute(pattern, namer.namespace, namer.node)
     doubt = Doubt(declaration.category, known, declaration.name)
-    return doubt._replace(pattern="*") if any(doubt.may_be(source) for source in namer.remappings) else doubt
+    targets = (applied.target for applied in namer.remappings.values() if doubt.may_be(applied.source))
+    for each in (known, *targets):
+        yield doubt._replace(pattern=each)
+        if declaration.category == "actions" or declaration.transport == "image":
+            yield doubt._replace(pattern=f"{each}/*")
 
 
 def _is_usable(name: str) -> bool:

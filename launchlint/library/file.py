@@ -5,16 +5,19 @@ The index is kept under the digest of the file's content, so it can never be out
 
 from __future__ import annotations
 
+import gc
 import hashlib
 import json
 import os
 from collections.abc import Callable, Mapping
+from zlib import crc32
 
 from launchlint import __version__
 from launchlint.errors import LibraryError, UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from mmap import mmap
     from typing import Any, Protocol
 
     class Packages(Protocol):
@@ -38,7 +41,10 @@ INDEX_PAYS = 256 * 1024
 MOST_INDICES = 16
 """Indices that are kept, the latest made."""
 
-_INDEX_VERSION = 1
+_DIGITS = 64
+"""Of a SHA-256."""
+_BLOCK = 1024 * 1024
+_INDEX_VERSION = 2
 
 
 class LibraryFile:
@@ -73,7 +79,7 @@ def open_library(path: str, cache_directory: str | None = None) -> LibraryFile:
     index = None
     if cache_directory is not None and len(data) >= INDEX_PAYS:
         index = os.path.join(cache_directory, f"library-{_INDEX_VERSION}-{__version__}-{digest[:32]}.index")
-        known = _Indexed.open(index)
+        known = _Indexed.open(index, lambda: _Loaded(parse(read(path), path)["packages"]))
         if known is not None:
             return LibraryFile(path, digest, known)
     document = parse(data, path)
@@ -90,7 +96,9 @@ def read(path: str) -> bytes:
     """
     try:
         with open(path, "rb") as file:
-            data = file.read(LARGEST + 1)
+            data = file.read(min(os.fstat(file.fileno()).st_size, LARGEST) + 1)
+            while len(data) <= LARGEST and (more := file.read(_BLOCK)):  # a pipe has no size
+                data += more
     except OSError as error:
         raise LibraryError(f"{path}: the library cannot be read: {error.strerror or error}") from None
     if len(data) > LARGEST:
@@ -143,6 +151,8 @@ def decode(data: bytes, path: str, mapping: Callable[[list[tuple[str, Any]]], An
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise wrong(before := data[: error.start].decode("utf-8-sig"), len(before), "UTF-8") from None
+    collecting = gc.isenabled()
+    gc.disable()  # JSON has no circles, and looking for them takes twice the time of reading it
     try:
         document = json.loads(text, parse_constant=_refuse, parse_float=_finite, object_pairs_hook=mapping)
     except json.JSONDecodeError as error:
@@ -152,6 +162,9 @@ def decode(data: bytes, path: str, mapping: Callable[[list[tuple[str, Any]]], An
     except ValueError:
         at, word = unreadable_number(text) or (0, "")
         raise wrong(text, at, f"JSON: {word if len(word) <= 20 else word[:17] + '…'} is no number that can be held") from None
+    finally:
+        if collecting:
+            gc.enable()
     lone = lone_surrogate(text)
     if lone is not None:
         raise wrong(text, lone, f"JSON that can be read: {text[lone : lone + 6]} is half of a character")
@@ -196,37 +209,48 @@ def classes_of(packages: Mapping[str, Any]) -> dict[str, str]:
 
 
 class _Indexed:
-    """Packages that are read from an index: a first line that says where each is, then one line for each."""
+    """Packages that are read from an index when they are asked for.
 
-    def __init__(self, data: bytes, head: Any, start: int) -> None:
+    Its first line is the SHA-256 of the second, the second says where each package is, with a checksum; then there is a line for each.
+    Where a package is not what the checksum says, the library is read after all.
+    """
+
+    def __init__(self, data: mmap, head: Any, start: int, anew: Callable[[], Packages]) -> None:
         self._data = data
-        self._packages: dict[str, list[int]] = head["packages"]
+        self._places: dict[str, list[int]] = head["packages"]
         self._classes: dict[str, str] = head["classes"]
         self._start = start
+        self._anew = anew
         self._read: dict[str, Any] = {}
 
     @classmethod
-    def open(cls, path: str) -> _Indexed | None:
-        """The index at ``path``; None where there is none that can be used."""
+    def open(cls, path: str, anew: Callable[[], Packages]) -> _Indexed | None:
+        """The index at ``path``; None where there is none that can be used. ``anew`` reads the library itself."""
+        from mmap import ACCESS_READ, mmap
+
         try:
             with open(path, "rb") as file:
-                data = file.read(LARGEST + 1)
-            end = data.index(b"\n")
-            head = json.loads(data[:end])
-            if head["digest"] != hashlib.sha256(data[end + 1 :]).hexdigest():
+                data = mmap(file.fileno(), 0, access=ACCESS_READ)
+            end = data.find(b"\n", _DIGITS + 1)
+            line = data[_DIGITS + 1 : end]
+            if end < 0 or data[:_DIGITS] != hashlib.sha256(line).hexdigest().encode():
                 return None
-            return cls(data, head, end + 1)
-        except (OSError, ValueError, KeyError, TypeError, RecursionError):
+            return cls(data, json.loads(line), end + 1, anew)
+        except (OSError, ValueError):  # ValueError: it is empty
             return None
 
     def get(self, name: str) -> Any:
         if name not in self._read:
-            place = self._packages.get(name)
-            self._read[name] = None if place is None else json.loads(self._data[self._start + place[0] : self._start + place[1]])
+            place = self._places.get(name)
+            self._read[name] = None if place is None else self._package(name, *place)
         return self._read[name]
 
+    def _package(self, name: str, start: int, end: int, checksum: int) -> Any:
+        line = self._data[self._start + start : self._start + end]
+        return json.loads(line) if crc32(line) == checksum else self._anew().get(name)
+
     def names(self) -> tuple[str, ...]:
-        return tuple(self._packages)
+        return tuple(self._places)
 
     def classes(self) -> Mapping[str, str]:
         return self._classes
@@ -236,22 +260,21 @@ def _write_index(path: str, packages: Mapping[str, Any]) -> None:
     """Keep an index; where that cannot be done, the next run reads the library again."""
     from launchlint.atomic import write_text
 
-    places: dict[str, tuple[int, int]] = {}
-    lines: list[str] = []
+    places: dict[str, tuple[int, int, int]] = {}
+    lines = []
     at = 0
     for name in sorted(packages):
         line = json.dumps(packages[name], separators=(",", ":"))
-        places[name] = (at, at + len(line))
+        places[name] = (at, at + len(line), crc32(line.encode()))
         lines.append(line)
         at += len(line) + 1
-    body = "\n".join(lines)
-    head = {"digest": hashlib.sha256(body.encode()).hexdigest(), "packages": places, "classes": classes_of(packages)}
+    head = json.dumps({"packages": places, "classes": classes_of(packages)}, separators=(",", ":"))
     try:
         os.makedirs(os.path.dirname(path), mode=0o700, exist_ok=True)
         _forget_oldest(os.path.dirname(path))
-        write_text(path, f"{json.dumps(head, separators=(',', ':'))}\n{body}")
+        write_text(path, "\n".join([hashlib.sha256(head.encode()).hexdigest(), head, *lines]))
     except (OSError, UsageError):
-        pass
+        return
 
 
 def _forget_oldest(directory: str) -> None:

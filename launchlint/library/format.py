@@ -14,6 +14,9 @@ VERSION = 1
 CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 """The kinds of names a node has, in the order in which they are written."""
 
+KINDS = {"executables": "executable", "nodelets": "nodelet class"}
+"""The tables of programs in a package, with what one of each is called."""
+
 LONGEST_NAME = 1_000
 """Characters of a name, type or other single word."""
 LONGEST_TEXT = 100_000
@@ -75,36 +78,36 @@ Shape = Text | Number | Flag | Plain | Rule | Items | Entries | Keys
 
 EVIDENCE = Keys("evidence", {"by": Text(("manual", "dynamic", "static")), "at": Text(), "run": Text()}, ("by",))
 
-_NAMED: Mapping[str, Shape] = {
-    "name": Text(syntax="name"),
+_NAMED: Mapping[str, Shape] = {"name": Text(syntax="name")}
+_TYPED: Mapping[str, Shape] = {**_NAMED, "type": Text(syntax="type"), "md5": Text(syntax="md5")}
+_WHEN: Mapping[str, Shape] = {
+    "when": Text(("start", "subscriber", "message")),
     "condition": Rule("condition"),
     "each": Rule("each"),
     "evidence": Items(EVIDENCE),
 }
-_TYPED: Mapping[str, Shape] = {**_NAMED, "type": Text(syntax="type"), "md5": Text(syntax="md5")}
-_WHEN: Mapping[str, Shape] = {"when": Text(("start", "subscriber", "message"))}
-_TOPIC: Mapping[str, Shape] = {**_TYPED, **_WHEN, "queue": Number(), "transport": Text(("image",))}
+_QUEUE: Mapping[str, Shape] = {"queue": Number(), "transport": Text(("image",))}
 _VALUE_TYPES = ("*", "bool", "int", "double", "str", "list", "dict")
 
 INTERFACES: Mapping[str, Keys] = {
-    "publishers": Keys("a publisher", {**_TOPIC, "latched": Flag()}, ("name",)),
-    "subscribers": Keys("a subscriber", _TOPIC, ("name",)),
+    "publishers": Keys("a publisher", {**_TYPED, "latched": Flag(), **_QUEUE, **_WHEN}, ("name",)),
+    "subscribers": Keys("a subscriber", {**_TYPED, **_QUEUE, **_WHEN}, ("name",)),
     "services": Keys("a service", {**_TYPED, **_WHEN}, ("name",)),
     "clients": Keys("a service client", {**_TYPED, **_WHEN}, ("name",)),
-    "actions": Keys("an action", {**_TYPED, **_WHEN, "role": Text(("server", "client"))}, ("name", "role")),
+    "actions": Keys("an action", {**_TYPED, "role": Text(("server", "client")), **_WHEN}, ("name", "role")),
     "params": Keys(
         "a param",
-        {**_NAMED, **_WHEN, "type": Text(_VALUE_TYPES), "default": Plain(), "min": Plain(), "max": Plain()},
+        {**_NAMED, "type": Text(_VALUE_TYPES), "default": Plain(), "min": Plain(), "max": Plain(), **_WHEN},
         ("name",),
     ),
 }
+"""What an entry of each category holds; the order of the keys is that in which they are written."""
 
 VARIANT = Keys(
     "a variant",
     {
         "match": Rule("condition"),
         "args": Text(longest=LONGEST_TEXT),
-        "params": Entries(Plain(), "param"),
         "env": Entries(Text(), "variable"),
         "remap": Entries(Text(), "name"),
         "run": Plain(),

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from launchlint.errors import LibraryError
 from launchlint.library.consistency import inconsistencies
-from launchlint.library.file import decode
+from launchlint.library.file import decode, read
 from launchlint.library.position import located
 from launchlint.library.shipped import Bundled
 from launchlint.library.validate import MOST_PROBLEMS, Fault, Path, faults
@@ -14,6 +14,14 @@ from launchlint.library.validate import MOST_PROBLEMS, Fault, Path, faults
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+
+def inspect_file(path: str) -> tuple[Any, list[str]]:
+    """As :func:`inspect`; a file that cannot be read is what is wrong with it."""
+    try:
+        return inspect(read(path), path)
+    except LibraryError as error:
+        return None, [str(error)]
 
 
 def inspect(data: bytes, path: str) -> tuple[Any, list[str]]:

@@ -39,7 +39,7 @@ class Library:
 
     def nodelet(self, name: str) -> Program | None:
         """What is known of a nodelet class; None where nothing is."""
-        for package in self._packages_of_class(name):
+        for package in self.packages_of_class(name):
             found = self._program(package, "nodelets", name)
             if found is not None:
                 return found
@@ -57,6 +57,24 @@ class Library:
         """Whether some library says that it lists every nodelet class of the package."""
         return any("nodelets" in known.get("complete", ()) for known in self._sources(package))
 
+    def packages(self) -> tuple[str, ...]:
+        """The names of all packages, sorted."""
+        sources = (*self._files, *(() if self._bundled is None else (self._bundled,)))
+        return tuple(sorted({name for source in sources for name in source.names()}))
+
+    def packages_of_class(self, name: str) -> list[str]:
+        """The packages that have a nodelet class, those of the most trusted library first."""
+        found = [package for file in reversed(self._files) if (package := file.package_of_class(name)) is not None]
+        bundled = None if self._bundled is None else self._bundled.package_of_class(name)
+        return list(dict.fromkeys([*found, *([] if bundled is None else [bundled])]))
+
+    def described(self, package: str, table: str, name: str) -> tuple[Mapping[str, Any], Mapping[str, Any] | None]:
+        """All that is said of a program that is known, as JSON, and its interface: that of another one where it is ``like`` it."""
+        from launchlint.library.merge import merge_programs
+
+        known = [each[table][name] for each in self._sources(package) if name in each.get(table, ())]
+        return merge_programs(known), self._data(package, table, name, LONGEST_LIKE)
+
     def _program(self, package: str, table: str, name: str) -> Program | None:
         key = (package, table, name)
         if key not in self._programs:
@@ -73,7 +91,7 @@ class Library:
             return None
         other, slash, inner = found["like"].partition("/")
         if table == "nodelets":
-            packages = self._packages_of_class(found["like"])
+            packages = self.packages_of_class(found["like"])
             return next((data for each in packages if (data := self._data(each, table, found["like"], steps - 1)) is not None), None)
         return self._data(other if slash else package, table, inner if slash else found["like"], steps - 1)
 
@@ -87,11 +105,6 @@ class Library:
             known = self._bundled.package(package)
             if known is not None:
                 yield known
-
-    def _packages_of_class(self, name: str) -> list[str]:
-        found = [package for file in reversed(self._files) if (package := file.package_of_class(name)) is not None]
-        bundled = None if self._bundled is None else self._bundled.package_of_class(name)
-        return list(dict.fromkeys([*found, *([] if bundled is None else [bundled])]))
 
     def _listed(self, package: str, table: str) -> tuple[str, ...]:
         return tuple(sorted({name for each in self._sources(package) for name in each.get(table, ())}))
@@ -112,10 +125,10 @@ def _joined(known: Sequence[Mapping[str, Any] | None]) -> Mapping[str, Any] | No
     return merge_programs(usable)
 
 
-def open_libraries(paths: Iterable[str], cache_directory: str | None = None) -> Library:
-    """The libraries at ``paths``, over the one that launchlint ships.
+def open_libraries(paths: Iterable[str], cache_directory: str | None = None, *, bundled: bool = True) -> Library:
+    """The libraries at ``paths``, over the one that launchlint ships unless ``bundled`` is false.
 
     Raises:
         LibraryError: one of them cannot be read or is not a library.
     """
-    return Library([open_library(path, cache_directory) for path in paths])
+    return Library([open_library(path, cache_directory) for path in paths], bundled=bundled)

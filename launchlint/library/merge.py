@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from launchlint.errors import LibraryError
 from launchlint.library.format import CATEGORIES, FORMAT, VERSION
 from launchlint.library.template import default_text, is_template
 
@@ -27,6 +28,22 @@ _WHETHER = ("condition", "each", "when")
 
 class Clash(Exception):
     """Two libraries cannot both be true; ``str(error)`` says why."""
+
+
+def merge_files(paths: Sequence[str]) -> str:
+    """The text of one library made of several files, of equals the last one first.
+
+    Raises:
+        LibraryError: one of them cannot be read or is not a library, or they cannot both be true.
+    """
+    from launchlint.library.file import parse, read
+    from launchlint.library.write import canonical
+
+    documents = [parse(read(path), path) for path in reversed(paths)]
+    try:
+        return canonical(merge_libraries(documents))
+    except Clash as clash:
+        raise LibraryError(f"{', '.join(paths)}: these libraries cannot be joined: {clash}") from None
 
 
 def merge_libraries(documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -107,7 +124,7 @@ def _trust(entry: Mapping[str, Any]) -> int:
 def _variants(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     if len(known) == 1:
         return dict(known[0])
-    merged = _first(known, ("match", "args", "params", "env", "remap", "run"))
+    merged = _first(known, ("match", "args", "env", "remap", "run"))
     for category in CATEGORIES:
         if any(category in each for each in known):
             merged[category] = _entries([each.get(category, ()) for each in known])

@@ -93,6 +93,10 @@ def _keys(shape: Keys, value: Any, path: Path) -> Iterator[Fault]:
         if inner is None:
             hint = did_you_mean(key, shape.keys) or f"there are {', '.join(shape.keys)}"
             yield Fault((*path, key), f"{shape.name} has no key {json.dumps(key[:80], ensure_ascii=False)}: {hint}")
+        elif isinstance(inner, Text):  # most of a library is words: no generator for each of them
+            fault = _text(inner, item)
+            if fault:
+                yield Fault((*path, key), fault)
         else:
             yield from _walk(inner, item, (*path, key))
     for key in shape.required:

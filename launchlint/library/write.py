@@ -14,7 +14,14 @@ if TYPE_CHECKING:
 
 def canonical(document: Mapping[str, Any]) -> str:
     """The text of a (validated) library: the same text for the same library, with a newline at its end."""
-    return "".join(_lines(LIBRARY, document, 0)) + "\n"
+    return "\n".join(_readable(line) for line in "".join(_lines(LIBRARY, document, 0)).split("\n")) + "\n"
+
+
+def _readable(line: str) -> str:
+    """A line of JSON with every character that nobody can see as an escape: no terminal obeys it, no reviewer overlooks it."""
+    if line.isprintable():
+        return line
+    return "".join(character if character.isprintable() else json.dumps(character)[1:-1] for character in line)
 
 
 def _lines(shape: Shape, value: Any, depth: int) -> Iterator[str]:

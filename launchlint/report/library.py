@@ -1,11 +1,24 @@
-"""Libraries for people and programs: what a program does on the graph, what changed, what is wrong."""
+"""Libraries for people and programs: what is known, and what is wrong with a file. All that a library says is hostile text."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import json
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
+from launchlint.library.catalogue import Entry, Row
+from launchlint.library.format import CATEGORIES, KINDS
 from launchlint.report.escape import line_start, visible
+
+_VERBS = {
+    "publishers": "publishes",
+    "subscribers": "subscribes",
+    "services": "serves",
+    "clients": "calls",
+    "actions": "acts",
+    "params": "reads",
+}
+_WHEN = {"subscriber": "while somebody listens", "message": "after a first message or call"}
 
 
 def faults(lines: Iterable[str]) -> str:
@@ -16,12 +29,151 @@ def faults(lines: Iterable[str]) -> str:
 def summary(path: str, library: Mapping[str, Any]) -> str:
     """One line: a library that is in order, and how much it knows."""
     packages = library["packages"].values()
-    counts = [
-        _counted(len(packages), "package"),
-        _counted(sum(len(package.get("executables", ())) for package in packages), "executable"),
-        _counted(sum(len(package.get("nodelets", ())) for package in packages), "nodelet class", "nodelet classes"),
-    ]
-    return f"{visible(path)}: ok: {', '.join(counts)}\n"
+    executables, nodelets = (sum(len(package.get(table, ())) for package in packages) for table in KINDS)
+    return f"{line_start(path)}: ok: {_counted(len(packages), 'package')}, {_programs(executables, nodelets)}\n"
+
+
+def canonical_json(text: str) -> str:
+    """A library's canonical text for standard output: ``##[`` would be a command to GitHub's log, and stands in strings only."""
+    return text.replace("##[", "##\\u005b")
+
+
+def listing(rows: Sequence[Row]) -> str:
+    """All packages with how many programs of them are known."""
+    if not rows:
+        return "no package is known\n"
+    width = min(40, max(len(row.package) for row in rows))
+    total = _programs(sum(row.executables for row in rows), sum(row.nodelets for row in rows))
+    lines = [f"{visible(row.package):{width}}  {_programs(row.executables, row.nodelets)}\n" for row in rows]
+    return f"{''.join(lines)}\n{_counted(len(rows), 'package')}, {total}\n"
+
+
+def listing_json(rows: Sequence[Row]) -> str:
+    """The same as JSON."""
+    return json.dumps([row._asdict() for row in rows], indent=2) + "\n"
+
+
+def entries(found: Sequence[Entry], *, verbose: bool = False) -> str:
+    """What is known of some programs, with the evidence for it where ``verbose``."""
+    return "\n".join("".join(f"{line}\n" for line in _entry(entry, verbose)) for entry in found)
+
+
+def entries_json(found: Sequence[Entry]) -> str:
+    """The same as JSON, in the words of the library format."""
+    return json.dumps(
+        [
+            {"package": entry.package, "kind": KINDS[entry.table], "name": entry.name, "said": entry.said, "interface": entry.interface}
+            for entry in found
+        ],
+        indent=2,
+    ) + "\n"  # fmt: skip
+
+
+def title(package: str, table: str, name: str) -> str:
+    """How a program is called in a heading; the class of a nodelet names its package itself."""
+    return visible(f"{package}/{name}") if table == "executables" else f"{visible(name)} (nodelet of {visible(package)})"
+
+
+def condition_words(condition: Any) -> str:
+    """A condition in words, not yet :func:`visible`."""
+    if "text" in condition:
+        return f"«{condition['text']}»"
+    if "not" in condition:
+        return f"not ({condition_words(condition['not'])})"
+    for kind, word in (("all", " and "), ("any", " or ")):
+        if kind in condition:
+            parts = [condition_words(each) for each in condition[kind]]
+            return parts[0] if len(parts) == 1 else word.join(f"({part})" if " " in part else part for part in parts)
+    if "remap" in condition:
+        return f"{condition['remap']} is remapped"
+    subject = f"argument {condition['arg']}" if "arg" in condition else condition["param" if "param" in condition else "option"]
+    default = f" (default {_plain(condition['default'])})" if "default" in condition else ""
+    if "set" in condition:
+        return f"{subject} is {'' if condition['set'] else 'not '}{'set' if 'param' in condition else 'given'}"
+    if "is" in condition:
+        return f"{subject} is {_plain(condition['is'])}{default}"
+    if "in" in condition:
+        return f"{subject} is one of {', '.join(map(_plain, condition['in']))}{default}"
+    return f"{subject} is {'true' if 'param' in condition else 'given'}{default}"
+
+
+def value_words(value: Any) -> str:
+    """A JSON value, not yet :func:`visible`: text as it is, all else as JSON."""
+    return value if isinstance(value, str) and value else json.dumps(value, ensure_ascii=False)
+
+
+def _entry(entry: Entry, verbose: bool) -> Iterator[str]:
+    said = entry.said
+    client = f"  {said['class']}" if "class" in said and entry.table == "executables" else ""
+    yield f"{title(entry.package, entry.table, entry.name)}{client}"
+    if "like" in said:
+        yield f"  the same program as {visible(said['like'])}"
+    for problem in said.get("problems", ()):
+        yield f"  problem: {visible(': '.join(filter(None, (problem['code'], problem.get('detail', '')))))}"
+    interface = entry.interface
+    if interface is None:
+        yield "  its interface is not known: it could not be run" if said.get("status") == "failed" else "  its interface is not known"
+        return
+    if interface.get("options"):
+        takes = (f"{name} ({_counted(number, 'value')})" if number else name for name, number in interface["options"].items())
+        yield f"  options: {visible(', '.join(takes))}"
+    variants = interface.get("variants", {"default": {}})
+    for name in sorted(variants, key=lambda name: (name == "default", name)):
+        yield from _variant(name, variants[name], verbose, alone=len(variants) == 1)
+
+
+def _variant(name: str, variant: Mapping[str, Any], verbose: bool, *, alone: bool) -> Iterator[str]:
+    if not alone or name != "default":
+        match = f", where {condition_words(variant['match'])}" if "match" in variant and name != "default" else ""
+        yield f"  variant {visible(name + match)}"
+    table = [(category, entry) for category in CATEGORIES for entry in variant.get(category, ())]
+    cells = [(_VERBS[category], visible(entry["name"]), visible(entry.get("type", "?"))) for category, entry in table]
+    widths = [min(48, max((len(row[column]) for row in cells), default=0)) for column in range(3)]
+    for (category, entry), row in zip(table, cells, strict=True):
+        plain = "  ".join(f"{cell:{width}}" for cell, width in zip(row, widths, strict=True))
+        yield f"  {plain}  {visible(', '.join(_notes(category, entry)))}".rstrip()
+        for evidence in entry.get("evidence", ()) if verbose else ():
+            yield f"      {evidence['by']}  {visible(evidence.get('at', evidence.get('run', '')))}".rstrip()
+    for category in CATEGORIES:
+        if category in variant.get("open", {}):
+            yield f"  {_VERBS[category]} more than is listed: {visible(variant['open'][category])}"
+    if not table and not variant.get("open"):
+        yield "  no names of its own"
+
+
+def _notes(category: str, entry: Mapping[str, Any]) -> Iterator[str]:
+    if category == "actions":
+        yield entry["role"]
+    if entry.get("latched"):
+        yield "latched"
+    if "transport" in entry:
+        yield "by image_transport"
+    if "default" in entry:
+        yield f"default {_plain(entry['default'])}"
+    if "min" in entry or "max" in entry:
+        yield f"{_plain(entry.get('min', '…'))} to {_plain(entry.get('max', '…'))}"
+    if "each" in entry:
+        yield _each_words(entry["each"])
+    if entry.get("when", "start") in _WHEN:
+        yield _WHEN[entry["when"]]
+    if "condition" in entry:
+        yield f"where {condition_words(entry['condition'])}"
+
+
+def _each_words(each: Mapping[str, Any]) -> str:
+    default = f" (default {' '.join(each['default']) or 'none'})" if "default" in each else ""
+    if "args" in each:
+        return f"for each argument from {each['args']} on"
+    return (f"for each item of {each['param']}" if "param" in each else f"for each word of {each['words']}") + default
+
+
+def _plain(value: Any) -> str:
+    text = value_words(value)
+    return text if len(text) <= 60 else f"{text[:59]}…"
+
+
+def _programs(executables: int, nodelets: int) -> str:
+    return f"{_counted(executables, 'executable')}, {_counted(nodelets, 'nodelet class', 'nodelet classes')}"
 
 
 def _counted(number: int, one: str, several: str = "") -> str:

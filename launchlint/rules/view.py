@@ -13,6 +13,7 @@ from launchlint.workspace.packages import Packages
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.graph.connections import ConnectionGraph
+    from launchlint.graph.difference import Difference
     from launchlint.library.lookup import Library
     from launchlint.suppression import Suppression
 
@@ -47,6 +48,17 @@ class GraphView(NamedTuple):
     def launch(self) -> Launch:
         """What is started."""
         return self.graph.launch
+
+
+class BaseView(NamedTuple):
+    """The base view: what changed in the connections of one entry file since the revision ``base``, all configurations joined.
+
+    ``graphs`` are those of today.
+    """
+
+    base: str
+    difference: Difference
+    graphs: tuple[ConnectionGraph, ...]
 
 
 class BrokenCall(NamedTuple):

@@ -6,6 +6,7 @@ import contextlib
 import io
 import os
 import shlex
+import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 from unittest import mock
@@ -49,3 +50,11 @@ def case_environment(case: Path) -> dict[str, str]:
     file = case / ENVIRONMENT_FILE
     lines = file.read_text(encoding="utf-8").splitlines() if file.is_file() else []
     return dict(line.split("=", 1) for line in lines if "=" in line and not line.startswith("#"))
+
+
+def commit(directory: Path) -> str:
+    """Make a git repository of a directory, with one commit of all that is in it; its name."""
+    git = ["git", "-C", str(directory), "-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false"]
+    for words in (["init", "-q"], ["add", "-A"], ["commit", "-q", "-m", "base"]):
+        subprocess.run([*git, *words], check=True)
+    return "HEAD"

@@ -2,7 +2,7 @@
 
 ``fixtures/LLnnn/CASE/`` is what is checked, ``expected.txt`` in it what ``launchlint check -v --select LLnnn`` prints there;
 ``options.txt`` and ``environment.txt`` may add options (one line of words) and environment variables. Cases named ``clean…``
-must give no finding.
+must give no finding. ``base/`` holds the files of an earlier revision, to which ``--base`` is then set.
 """
 
 from __future__ import annotations
@@ -13,10 +13,11 @@ from pathlib import Path
 import pytest
 
 from launchlint.rules.registry import RULES
-from tests.rules.pipeline import ENVIRONMENT_FILE, OPTIONS_FILE, case_environment, case_options, check
+from tests.rules.pipeline import ENVIRONMENT_FILE, OPTIONS_FILE, case_environment, case_options, check, commit
 
 FIXTURES = Path(__file__).resolve().parent / "fixtures"
 EXPECTED = "expected.txt"
+BASE = "base"
 NOTHING = "no problems"
 CASES = sorted(path for path in FIXTURES.glob("LL*/*") if path.is_dir())
 
@@ -26,13 +27,29 @@ def test_case(case: Path, update: bool, tmp_path: Path) -> None:
     # A copy, since this repository would else be the workspace, with the packages of all other cases in it.
     copy = tmp_path / case.name
     shutil.copytree(case, copy, symlinks=True, ignore=shutil.ignore_patterns(EXPECTED, OPTIONS_FILE, ENVIRONMENT_FILE))
-    _, output = check(copy, "-v", "--select", case.parent.name, *case_options(case), environment=case_environment(case))
+    options = case_options(case)
+    if (copy / BASE).is_dir():
+        options = [*options, "--base", commit_base(copy)]
+    _, output = check(copy, "-v", "--select", case.parent.name, *options, environment=case_environment(case))
     expected = case / EXPECTED
     if update:
         expected.write_bytes(output.encode("utf-8"))
     assert expected.is_file(), f"there is no {EXPECTED} yet: read the output, then run pytest --update\n{output}"
     assert output == expected.read_bytes().decode("utf-8")
     assert any(line.startswith(NOTHING) for line in output.splitlines()) == case.name.startswith("clean")
+
+
+def commit_base(directory: Path) -> str:
+    """Make a repository whose only commit holds what is in ``base``; its name."""
+    now = directory.with_name("now")
+    directory.rename(now)
+    (now / BASE).rename(directory)
+    revision = commit(directory)
+    for path in directory.iterdir():
+        if path.name != ".git":
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+    shutil.copytree(now, directory, symlinks=True, dirs_exist_ok=True)
+    return revision
 
 
 @pytest.mark.parametrize("rule", [rule.id for rule in RULES])

@@ -12,14 +12,26 @@ import pytest
 from launchlint.finding import Severity
 from launchlint.rules.page import page
 from launchlint.rules.registry import RULES, Entry
-from tests.rules.pipeline import check
+from tests.rules.pipeline import check, commit
 
 SECTIONS = ("Why it matters", "Example", "Use instead")
 every_rule = pytest.mark.parametrize("entry", RULES, ids=lambda entry: entry.id)
 
 
 def findings(entry: Entry, section: str, directory: Path, select: str) -> list[dict[str, Any]]:
-    """What a check of the files of one section finds."""
+    """What a check of the files of one section finds; for rules that compare revisions, ``Use instead`` is what was before."""
+    options = []
+    if entry.view == "base":
+        write(entry, "Use instead", directory)
+        options = ["--base", commit(directory)]
+    write(entry, section, directory)
+    _, output = check(directory, "-v", "--select", select, *options, "--format", "json", ".")
+    found: list[dict[str, Any]] = json.loads(output)["findings"]
+    return found
+
+
+def write(entry: Entry, section: str, directory: Path) -> None:
+    """The files of one section, written into a directory."""
     examples = [example for example in page(entry).examples if example.section == section]
     assert examples, f"the page has no example under {section}"
     for example in examples:
@@ -28,9 +40,6 @@ def findings(entry: Entry, section: str, directory: Path, select: str) -> list[d
         file.write_text(example.text, encoding="utf-8")
         if example.text.startswith("#!"):
             file.chmod(0o755)
-    _, output = check(directory, "-v", "--select", select, "--format", "json", ".")
-    found: list[dict[str, Any]] = json.loads(output)["findings"]
-    return found
 
 
 @every_rule

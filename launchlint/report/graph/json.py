@@ -1,0 +1,77 @@
+"""The connection graph and its changes as JSON: plain objects with the names of their fields."""
+
+from __future__ import annotations
+
+import json
+
+from launchlint.graph.containment import Port, ports
+from launchlint.graph.difference import Difference, Link
+from launchlint.graph.topology import Connection, Topology
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+def text(value: Any) -> str:
+    """JSON that any strict reader takes, indented, with a newline at its end."""
+    return json.dumps(value, indent=2, ensure_ascii=True) + "\n"
+
+
+def as_object(topology: Topology) -> dict[str, Any]:
+    """All of a topology. Ports are those of groups and includes, by their id."""
+    return {
+        "entry": topology.entry,
+        "configurations": list(topology.configurations),
+        "complete": topology.complete,
+        "nodes": [{**node._asdict(), "open": dict(node.open)} for node in topology.nodes],
+        "channels": [channel._asdict() for channel in topology.channels],
+        "connections": [_connection(connection) for connection in topology.connections],
+        "params": [param._asdict() for param in topology.params],
+        "containers": [container._asdict() for container in topology.containers],
+        "ports": {container: [_port(port) for port in listed] for container, listed in ports(topology).items()},
+    }
+
+
+def _connection(connection: Connection) -> dict[str, Any]:
+    return {**connection._asdict(), "remaps": [step._asdict() for step in connection.remaps]}
+
+
+def _port(port: Port) -> dict[str, Any]:
+    return {
+        "kind": port.kind,
+        "name": port.name,
+        "direction": "out" if port.offers else "in",
+        "nodes": port.nodes,
+        "inner": port.inner,
+        "outer": port.outer,
+    }
+
+
+def difference_as_object(changes: Difference) -> dict[str, Any]:
+    """All that changed."""
+    return {
+        "entry": changes.after.entry,
+        "uncertain": changes.uncertain,
+        "lost": [_link(link) for link in changes.lost],
+        "gained": [_link(link) for link in changes.gained],
+        "nodes": {
+            "added": [node._asdict() for node in changes.nodes_added],
+            "removed": [node._asdict() for node in changes.nodes_removed],
+            "changed": [{"before": each.before._asdict(), "after": each.after._asdict()} for each in changes.nodes_changed],
+        },
+        "channels": {
+            "added": [channel._asdict() for channel in changes.channels_added],
+            "removed": [channel._asdict() for channel in changes.channels_removed],
+            "changed": [{"before": each.before._asdict(), "after": each.after._asdict()} for each in changes.channels_changed],
+        },
+        "connections": {
+            "added": [_connection(each) for each in changes.connections_added],
+            "removed": [_connection(each) for each in changes.connections_removed],
+            "changed": [{"before": _connection(each.before), "after": _connection(each.after)} for each in changes.connections_changed],
+        },
+    }
+
+
+def _link(link: Link) -> dict[str, Any]:
+    return {**link._asdict(), "connection": _connection(link.connection)}

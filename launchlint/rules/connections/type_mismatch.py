@@ -1,0 +1,114 @@
+"""A publisher and a subscriber of one topic speak different types.
+
+The same holds for server and client of a service, and of an action. It is a warning where the two types may be one
+definition under two names: a copy of a message in a package of one's own.
+
+## Why it matters
+
+ROS compares the MD5 sums of the two definitions and refuses the connection: no message ever arrives, while the
+topic looks all right in `rostopic list`.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="teleop_twist_keyboard" type="teleop_twist_keyboard.py" name="teleop"/>
+  <node pkg="turtlesim" type="turtlesim_node" name="sim">
+    <remap from="turtle1/pose" to="cmd_vel"/>
+  </node>
+  <node pkg="turtlesim" type="turtlesim_node" name="other_sim">
+    <remap from="turtle1/cmd_vel" to="cmd_vel"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="teleop_twist_keyboard" type="teleop_twist_keyboard.py" name="teleop"/>
+  <node pkg="turtlesim" type="turtlesim_node" name="sim">
+    <remap from="turtle1/pose" to="pose"/>
+  </node>
+  <node pkg="turtlesim" type="turtlesim_node" name="other_sim">
+    <remap from="turtle1/cmd_vel" to="cmd_vel"/>
+  </node>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.graph.connections import Channel, Endpoint
+from launchlint.rules.connections.places import TALKS, Owners, acting_origin, how, node_origin, owners, remap_origin
+from launchlint.rules.connections.same_definition import is_known, may_be_alike, may_be_copies
+from launchlint.rules.made_up import has_odd_boolean
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import GraphView
+
+RULE = Rule("LL611", "type-mismatch", Severity.ERROR)
+_WHAT_HAPPENS = {
+    "topic": "the MD5 sums of the two differ, so the publisher refuses the connection: no message ever arrives",
+    "service": "the MD5 sums of the two differ, so the server refuses every call",
+    "action": "the MD5 sums of their messages differ, so that no goal arrives and no result comes back",
+}
+
+
+def check(view: GraphView) -> Iterator[Finding]:
+    """Look at every name that nodes of both sides certainly have."""
+    owner: Owners | None = None
+    for channel in view.graph.channels.values():
+        for offer, use in _mismatches(channel):
+            if owner is None:
+                if has_odd_boolean(view.launch):
+                    return
+                owner = owners(view.graph)
+            yield _finding(channel, offer, use, owner)
+
+
+def _mismatches(channel: Channel) -> Iterator[tuple[Endpoint, Endpoint]]:
+    """One pair of ends for each pair of types that cannot talk to each other."""
+    offers, uses = _by_type(channel.offers), _by_type(channel.uses)
+    if not offers or not uses or (len(offers) == 1 and offers.keys() == uses.keys()):
+        return
+    for (offered, offered_md5), givers in offers.items():
+        for (used, used_md5), takers in uses.items():
+            if may_be_alike(offered, used, offered_md5, used_md5):
+                continue
+            pair = next(((giver, taker) for giver in givers[:2] for taker in takers[:2] if giver.node != taker.node), None)
+            if pair is not None:
+                yield pair
+
+
+def _by_type(endpoints: list[Endpoint]) -> dict[tuple[str, str], list[Endpoint]]:
+    found: dict[tuple[str, str], list[Endpoint]] = {}
+    for endpoint in endpoints:
+        if endpoint.certain and is_known(endpoint.type) and not endpoint.action:
+            found.setdefault((endpoint.type, endpoint.declaration.md5), []).append(endpoint)
+    return found
+
+
+def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners) -> Finding:
+    giver, taker = owner[id(offer)], owner[id(use)]
+    acting = offer if remap_origin(offer) is not None and remap_origin(use) is None else use
+    other = use if acting is offer else offer
+    mine, theirs = owner[id(acting)], owner[id(other)]
+    known = bool(offer.declaration.md5 and use.declaration.md5)
+    copies = not known and may_be_copies(offer.type, use.type, channel.kind)
+    notes = [_WHAT_HAPPENS[channel.kind]]
+    if copies:
+        notes = [f"unless the two are defined alike, field by field: {_WHAT_HAPPENS[channel.kind]}"]
+    notes.extend(text for text in (how(acting, mine), how(other, theirs)) if text)
+    return RULE.at(
+        acting_origin(acting, mine),
+        f"{giver.name} {TALKS[offer.role]} {channel.name} as {offer.type}, but {taker.name} {TALKS[use.role]} it as {use.type}",
+        severity=Severity.WARNING if copies else None,
+        label=f"{acting.type} here",
+        related=((node_origin(theirs).place, f"{theirs.name} {TALKS[other.role]} it as {other.type}"),),
+        notes=tuple(notes),
+        help="give one of the two another name, or put a node between them that converts",
+        topic=f"{channel.kind} {channel.name} {offer.type} {use.type}",
+    )

@@ -1,0 +1,155 @@
+"""A param has a value of another type than the one its node reads.
+
+What it does: where the library says with which type a node reads a param, it compares that with the value. roscpp takes a whole number
+for a double and rounds a double to an int, and nothing else: text is no number, and 1 is no bool. rospy takes any value; there only a
+list or a mapping instead of a single value is told, and the reverse.
+
+## Why it matters
+
+A roscpp node that asks for a bool and finds an int behaves as if the param were not set, without a word: it runs with its default.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="joy" type="joy_node" name="joy">
+    <param name="sticky_buttons" value="1"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="joy" type="joy_node" name="joy">
+    <param name="sticky_buttons" value="true"/>
+  </node>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from math import ceil, floor
+
+from launchlint.finding import Finding, Severity
+from launchlint.graph.connections import ConnectionGraph, Instance, Reading
+from launchlint.model import Launch, ParameterSetting
+from launchlint.rules.params.values import is_certain, is_known, shown
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import GraphView
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+RULE = Rule("LL508", "param-wrong-type", Severity.WARNING)
+
+_TAKES = {"bool": ("bool",), "int": ("int", "double"), "double": ("double", "int"), "str": ("str",), "list": ("list",), "dict": ("dict",)}
+"""The types of values that ros::param::get takes for the type asked for."""
+_WORDS = {"bool": "a bool", "int": "an int", "double": "a double", "str": "a string", "list": "a list", "dict": "a mapping"}
+_CONTAINERS = ("list", "dict")
+_EXPONENT = re.compile(r"([-+]?[0-9]+)(\.[0-9]*)?[eE]([-+]?)([0-9]+)")
+"""A number with an exponent. roslaunch wants a point in it (roslaunch.loader.convert_value), PyYAML a point and a sign."""
+
+
+def check(view: GraphView) -> Iterator[Finding]:
+    """Compare the value of each param with the types it is read with (ros::param::get)."""
+    graph = view.graph
+    instances = {instance.name: instance for instance in graph.instances}
+    for name, readings in graph.readers.items():
+        setting = graph.parameters.setting(name)
+        if setting is None or not is_known(setting.value) or not is_certain(setting) or _is_tried(setting, graph.launch):
+            continue
+        by_node: dict[str, list[Reading]] = {}
+        for reading in readings:
+            by_node.setdefault(reading.node, []).append(reading)
+        for node, own in by_node.items():
+            finding = _judge(setting, instances[node], own)
+            if finding is not None:
+                yield finding
+
+
+def _is_tried(setting: ParameterSetting, launch: Launch) -> bool:
+    """Whether the value was only tried for an arg, to see the other side of a condition."""
+    if "$(" not in setting.origin.place.text:
+        return False
+    steered: frozenset[str] = frozenset().union(*(branch.steered_by for branch in launch.branches))
+    return str(setting.value).lower() in {value.strip().lower() for name, value in launch.given if name in steered}
+
+
+def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading]) -> Finding | None:
+    value = setting.value
+    type_ = _type(value)
+    wanted = {reading.declaration.type for reading in readings}
+    if type_ is None or not wanted <= _TAKES.keys() or not all(reading.certain for reading in readings) or not instance.certain:
+        return None
+    reading = readings[0]
+    if f"_{reading.declared.lstrip('~')}:=" in instance.node.arguments or any(_takes(instance, each, type_) for each in wanted):
+        rounded = wanted == {"int"} and type_ == "double" and instance.client in ("roscpp", "nodelet")
+        return _rounded(setting, instance, reading) if rounded and value != _round(value) else None
+    one = reading.declaration.type
+    default = reading.declaration.default
+    known = default is not None and not (isinstance(default, str) and "{" in default)
+    instead = f"it runs with its default, {shown(default)}" if known else "it behaves as if the param were not set"
+    if instance.client == "rospy":
+        instead = f"it expects {_WORDS[one]}"
+    means_default = known and str(value).lower() in (str(default).lower(), str(int(default)) if isinstance(default, bool) else "")
+    return RULE.at(
+        setting.origin,
+        f"{instance.program} reads {reading.declared} as {_WORDS[one]}, and {shown(value)} is {_WORDS[type_]}: {instead}",
+        severity=Severity.INFO if means_default else None,
+        label=f"{_WORDS[type_]}, not {_WORDS[one]}",
+        notes=("roscpp takes no other type for a param, and says nothing",) if instance.client != "rospy" else (),
+        help=_help(setting, one, type_),
+        topic=f"{instance.program} {reading.declared}",
+    )
+
+
+def _rounded(setting: ParameterSetting, instance: Instance, reading: Reading) -> Finding:
+    return RULE.at(
+        setting.origin,
+        f"{instance.program} reads {reading.declared} as an int: {shown(setting.value)} becomes {_round(setting.value)}",
+        label="is rounded",
+        help="write a whole number",
+        topic=f"{instance.program} {reading.declared}",
+    )
+
+
+def _round(value: float) -> float:
+    """As ros::param::get does it for an int; what is no finite number stays as it is."""
+    if value - value != 0:
+        return value
+    part = value - int(value)
+    return floor(value) if part < 0.5 else ceil(value)
+
+
+def _takes(instance: Instance, wanted: str, type_: str) -> bool:
+    """Whether the node can use a value of ``type_`` where it wants another."""
+    if instance.client in ("roscpp", "nodelet"):
+        return type_ in _TAKES[wanted]
+    return instance.client != "rospy" or (wanted in _CONTAINERS) == (type_ in _CONTAINERS)
+
+
+def _type(value: Any) -> str | None:
+    for kind, name in ((bool, "bool"), (int, "int"), (float, "double"), (str, "str"), (list, "list"), (dict, "dict")):
+        if isinstance(value, kind):
+            return name
+    return None
+
+
+def _help(setting: ParameterSetting, wanted: str, type_: str) -> str:
+    value, in_yaml = setting.value, setting.tag == "rosparam"
+    if wanted == "bool" and type_ in ("int", "str") and str(value).lower() in ("0", "1", "true", "false"):
+        word = "true" if str(value).lower() in ("1", "true") else "false"
+        return f"write {word}, without quotes" if in_yaml else f'write value="{word}"' + (' type="bool"' if type_ == "str" else "")
+    if wanted == "str" and type_ not in _CONTAINERS:
+        return f'put it in quotes: "{value}"' if in_yaml else 'add type="str"'
+    number = _EXPONENT.fullmatch(value) if wanted == "double" and type_ == "str" else None
+    if number is not None:
+        whole, fraction, sign, exponent = number.groups()
+        return f"{'YAML' if in_yaml else 'roslaunch'} takes {value} for text: write {whole}{fraction or '.0'}e{sign or '+'}{exponent}"
+    return f"write {_WORDS[wanted]}"

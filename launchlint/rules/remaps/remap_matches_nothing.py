@@ -1,0 +1,257 @@
+"""A remap acts on a node that has no such name.
+
+It is told where the library knows the node completely, and none of the names in its code (topics, services, actions, params)
+is the `from` of the remap. Of a remap outside a node it is told where this holds for all nodes that it reaches. It is an info
+where the remap would change nothing anyhow: one of `/tf` and the like, or one to a name that the node uses in any case. A
+name that the node would have if it were started in another way counts as one of its names.
+
+A remap acts on whole names only: `camera` does not remap `camera/image`, unless the code makes a NodeHandle of `camera`.
+
+## Why it matters
+
+The remap does nothing, nobody says so, and the node goes on talking under the name in its code.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl">
+    <remap from="base_scan" to="scan"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="amcl" type="amcl" name="amcl">
+    <remap from="scan" to="base_scan"/>
+  </node>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from launchlint.finding import Finding, Severity
+from launchlint.graph.connections import HUBS, Doubt, Instance
+from launchlint.graph.names import Applied, absolute, kind
+from launchlint.library.template import is_template, parse
+from launchlint.rules.rule import Fine, Rule
+from launchlint.rules.view import GraphView
+from launchlint.source import Origin
+from launchlint.spelling import closest
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.library.lookup import Library
+
+RULE = Rule("LL601", "remap-matches-nothing", Severity.WARNING)
+UNIVERSAL = ("~get_loggers", "~set_logger_level", "/rosout", "/clock", "/use_sim_time", "/statistics")
+"""Names that every node has (roscpp, rospy)."""
+_MOST_NAMES = 6
+_MOST_CANDIDATES = 300
+
+
+class _Names(NamedTuple):
+    """The names of a node: place on the graph before remapping → how the code says it; ``below`` are names with more beneath them.
+
+    ``derived`` are those that the code makes from others, ``used`` the names on the graph after remapping; ``otherwise`` are names that
+    it would have if it were started in another way.
+    """
+
+    spelled: Mapping[str, str]
+    below: tuple[str, ...]
+    derived: frozenset[str]
+    used: frozenset[str]
+    otherwise: tuple[Doubt, ...]
+
+
+class _Miss(NamedTuple):
+    """A remap that does nothing for a node."""
+
+    origin: Origin
+    instance: Instance
+    applied: Applied
+    names: _Names
+
+
+def check(view: GraphView) -> Iterator[Finding | Fine]:
+    """Look at every remap of every node that the library knows completely."""
+    missed: dict[tuple[str, int, str], list[_Miss]] = {}
+    fine: dict[tuple[str, int], Origin] = {}
+    for instance in view.graph.instances:
+        names = _names(instance, view.library)
+        table = instance.namer.remappings.values()
+        acting = {(id(applied.rule.remap)) for applied in table if applied.rule.remap is not None}
+        for remap in instance.node.remaps:
+            if names is None or id(remap) not in acting:
+                fine[_key(remap.origin)] = remap.origin
+        for applied in table if names is not None else ():
+            assert names is not None
+            remap_or_none = applied.rule.remap
+            if remap_or_none is not None:
+                origin = remap_or_none.origin
+            else:
+                origin = Origin(instance.node.attributes.get("args", instance.node.origin.place), instance.node.origin.step)
+            if applied.source == applied.target:
+                continue  # the rule of remaps to themselves speaks about it
+            if not _has(instance, names, applied):
+                topic = "" if remap_or_none is not None else f"{instance.name} {applied.rule.source}"
+                missed.setdefault((*_key(origin), topic), []).append(_Miss(origin, instance, applied, names))
+            elif remap_or_none is not None:
+                fine[_key(origin)] = origin
+    yield from (RULE.fine(origin) for origin in fine.values())
+    for (path, start, topic), misses in missed.items():
+        if (path, start) not in fine:
+            yield _finding(misses, topic)
+
+
+def _key(origin: Origin) -> tuple[str, int]:
+    return origin.place.source.path, origin.place.span.start
+
+
+def _names(instance: Instance, library: Library) -> _Names | None:
+    """The names of a node; None where they are not all known."""
+    if instance.is_unknown or instance.open or not instance.certain or instance.kind == "manager" or instance.client == "none":
+        return None  # a manager's remaps act on whatever is loaded into it
+    if instance.node.unknown & {"args", "name", "ns", "remap"}:
+        return None
+    namer = instance.namer
+    spelled: dict[str, str] = dict(instance.looked_up)
+    derived: set[str] = set()
+    below: set[str] = set()
+    used: set[str] = set()
+    for entry in (*instance.endpoints, *instance.readings):
+        used.add(entry.name)
+        plain = absolute(entry.declared, namer.namespace, namer.node)
+        spelled[plain] = entry.declared
+        if entry.unremapped != plain:
+            derived.add(entry.unremapped)
+            spelled.setdefault(entry.unremapped, _relative(entry.unremapped, instance))
+        elif "{remap:" in entry.declaration.name or "{parent:" in entry.declaration.name:
+            derived.add(plain)
+        for applied in entry.applied:
+            spelled.setdefault(applied.source, _relative(applied.source, instance))
+        if entry.declaration.transport or entry.declaration.type == "dict":
+            below.update((plain, entry.name))
+    return _Names(spelled, tuple(below), frozenset(derived), frozenset(used), tuple(_otherwise(instance, library)))
+
+
+def _otherwise(instance: Instance, library: Library) -> Iterator[Doubt]:
+    """What the program would have with other args and params, ``*`` for what these would fill in."""
+    node, namer = instance.node, instance.namer
+    for program in (library.executable(node.package, node.executable), library.nodelet(instance.program)):
+        for variant in () if program is None else program.variants:
+            for entry in variant.declarations:
+                if entry.condition is None and entry.each is None and len(program.variants) == 1 and not is_template(entry.name):
+                    continue
+                parts = parse(entry.name) if is_template(entry.name) else (entry.name,)
+                pattern = "".join(part if isinstance(part, str) else "*" for part in parts)
+                if pattern.strip("*/~"):
+                    full = pattern if pattern.startswith("*") else absolute(pattern, namer.namespace, namer.node)
+                    yield Doubt(entry.category, full, entry.name)
+                    if entry.category == "actions" or entry.transport:
+                        yield Doubt(entry.category, f"{full}/*", entry.name)
+
+
+def _relative(full: str, instance: Instance) -> str:
+    namespace = instance.namer.namespace.rstrip("/") + "/"
+    return full[len(namespace) :] if full.startswith(namespace) else full
+
+
+def _has(instance: Instance, names: _Names, applied: Applied) -> bool:
+    """Whether the remap may act on a name of the node."""
+    source, namer = applied.source, instance.namer
+    if source in names.spelled or source == namer.node:
+        return True
+    if any(source == absolute(name, namer.namespace, namer.node) for name in UNIVERSAL):
+        return True
+    if any(source.startswith(f"{name}/") for name in names.below):
+        return True
+    return any(doubt.may_be(source) for doubt in (*instance.doubts, *names.otherwise))
+
+
+def _finding(misses: list[_Miss], topic: str) -> Finding:
+    origin, instance, applied, names = misses[0]
+    rule = applied.rule
+    written = rule.remap.source if rule.remap is not None else rule.source
+    if len(misses) == 1:
+        who = f"{instance.name} ({instance.program}) has no such name"
+    else:
+        who = f"none of the {len(misses)} nodes that it reaches has such a name"
+    notes = []
+    if written != applied.source and kind(written) != "global":
+        notes.append(f"{written} stands for {applied.source} there")
+    help_ = next((text for miss in misses if (text := _help(miss, written))), "")
+    own = sorted(set(names.spelled.values()))
+    if not own:
+        notes.append(f"{instance.name} has no names of its own")
+    elif not help_ and len(own) <= _MOST_NAMES:
+        notes.append(f"the names of {instance.name} are {_listed(own)}")
+    return RULE.at(
+        origin,
+        f"the remap of {written} matches nothing: {who}",
+        severity=Severity.INFO if all(_is_harmless(miss) for miss in misses) else None,
+        label="matches nothing",
+        notes=tuple(notes),
+        help=help_ or "remove it, or write the name that the node's code uses",
+        topic=topic,
+    )
+
+
+def _is_harmless(miss: _Miss) -> bool:
+    """Whether all may be as intended: the node uses the target in any case, the name is one of those for everybody, or a NodeHandle's."""
+    source, target = miss.applied.source, miss.applied.target
+    if source in HUBS or (target in miss.names.used and _reversed(miss) is None):
+        return True
+    return miss.instance.client != "rospy" and any(full.startswith(f"{source}/") for full in miss.names.spelled)
+
+
+def _reversed(miss: _Miss) -> str | None:
+    """How the code spells the target, where that is one of its own names: the two sides may be swapped.
+
+    Not where the source is that name without the namespace of the node: then the target is what was wanted, and is so anyhow.
+    """
+    source, target = miss.applied.source, miss.applied.target
+    return None if target in miss.names.derived or target.endswith(source) else miss.names.spelled.get(target)
+
+
+def _help(miss: _Miss, written: str) -> str:
+    instance, names, source = miss.instance, miss.names, miss.applied.source
+    spelled, namer = names.spelled, instance.namer
+    turned = _reversed(miss)
+    if turned is not None and source not in HUBS:
+        return f'if from and to are swapped, write from="{turned}" to="{written}"; else remove it, since {turned} is the name in the code'
+    inside = sorted(spelled[full] for full in spelled if full.startswith(f"{source}/"))
+    if inside:
+        return f"a remap does not reach below a name: remap {_listed(inside)} one by one"
+    if _is_harmless(miss):
+        return (
+            f"remove it: {miss.applied.target} is the name that the node uses anyhow" if miss.applied.target in names.used else "remove it"
+        )
+    bare = written.lstrip("~/")
+    for other, what in ((f"~{bare}", "private"), (bare, "relative"), (f"/{bare}", "global")):
+        found = spelled.get(absolute(other, namer.namespace, namer.node)) if bare else None
+        if found is not None:
+            return f'the name of the node is {what}: write from="{found}"'
+    if len(spelled) > _MOST_CANDIDATES:
+        return ""
+    near = closest(source, spelled) or _same_end(source, spelled)
+    return "" if near is None else f'did you mean from="{spelled[near]}"?'
+
+
+def _same_end(source: str, spelled: Mapping[str, str]) -> str | None:
+    """The only name with the same last part."""
+    end = source.rpartition("/")[2]
+    found = [full for full in spelled if full.rpartition("/")[2] == end]
+    return found[0] if len(found) == 1 else None
+
+
+def _listed(names: list[str]) -> str:
+    more = len(names) - _MOST_NAMES
+    return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
