@@ -15,19 +15,23 @@ if TYPE_CHECKING:
 
 
 class CommandLine(NamedTuple):
-    """``words`` are the arguments without what is meant for ROS; ``known`` is false where a value in ``args`` is not known."""
+    """``words`` are the arguments without what is meant for ROS; ``known`` is false where a value in ``args`` is not known.
+
+    ``namespace`` is what ``__ns:=`` says, else None.
+    """
 
     words: tuple[str, ...]
     rules: tuple[Rule, ...]
     params: Mapping[str, Any]
     known: bool
+    namespace: str | None = None
 
 
 def command_line(node: Node) -> CommandLine:
     """The command line of ``node``: first what ``args`` says, then its remaps (roslaunch.node_args.create_local_process_args).
 
     A word with ``:=`` is no argument: ``a:=b`` is a remapping, ``_p:=5`` sets the private param ``~p`` (ros::init, ros::param::init,
-    rosgraph.names.load_mappings).
+    rosgraph.names.load_mappings). Of the words with two underscores only ``__ns`` can say something here: roslaunch gives the name last.
     """
     if "args" in node.unknown:
         return CommandLine((), _from_launch(node), {}, False)
@@ -38,17 +42,18 @@ def command_line(node: Node) -> CommandLine:
     words: list[str] = []
     rules: list[Rule] = []
     params: dict[str, Any] = {}
+    namespace = None
     for word in given:
         source, sign, target = word.partition(":=")
         if not sign:
             words.append(word)
         elif source.startswith("__"):
-            continue
+            namespace = target if source == "__ns" else namespace
         elif source.startswith("_"):
             params[source[1:]] = plain_value(target)
         elif source and target:
             rules.append(Rule(source.strip(), target.strip()))
-    return CommandLine(tuple(words), (*rules, *_from_launch(node)), params, True)
+    return CommandLine(tuple(words), (*rules, *_from_launch(node)), params, True, namespace)
 
 
 def _from_launch(node: Node) -> tuple[Rule, ...]:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from launchlint.graph.command_line import CommandLine, command_line
 from launchlint.graph.connections import OFFERS, Channel, ConnectionGraph, Doubt, Endpoint, Instance, Missing, Reading
 from launchlint.graph.instantiate import Interface, instantiate
-from launchlint.graph.names import Namer, Rule, absolute
+from launchlint.graph.names import Namer, NodeletNamer, absolute
 from launchlint.graph.parameters import Parameters
 from launchlint.graph.situation import Start
 from launchlint.library.format import CATEGORIES
@@ -24,6 +24,8 @@ MOST_DOUBTS = 50
 """Names that are not known but of which something is; with more of them any name may be one: looking at each would take too long."""
 NODELET = ("nodelet", "nodelet")
 """The executable that runs, loads and manages nodelets."""
+LOAD = "~load_nodelet"
+"""The service of a nodelet manager; who loads a nodelet calls it by the name of the manager, which nothing else ties to it."""
 
 
 class _Process(NamedTuple):
@@ -41,7 +43,7 @@ def connect(launch: Launch, library: Library) -> ConnectionGraph:
     """The connection graph of ``launch``, tests included."""
     parameters = Parameters(launch.parameters, launch.more_parameters)
     processes = [_process(node, library) for node in (*launch.nodes, *launch.tests)]
-    managers = {process.name: process for process in processes if process.mode == "manager"}
+    managers = {process.namer.resolve(LOAD).name: process for process in processes if _is_manager(process)}
     instances = tuple(_instance(process, managers, parameters, library) for process in processes)
     channels: dict[tuple[str, str], Channel] = {}
     readers: dict[str, list[Reading]] = {}
@@ -80,7 +82,7 @@ def _process(node: Node, library: Library) -> _Process:
     line = command_line(node)
     program = None if node.unknown & {"pkg", "type"} else library.executable(node.package, node.executable)
     client = program.client if program is not None else "rospy" if node.executable.endswith(".py") else ""
-    namer = Namer(node.namespace, node.full_name, line.rules, client)
+    namer = Namer(_namespace(node, line), node.full_name, line.rules, client)
     mode = line.words[0] if (node.package, node.executable) == NODELET and line.words else ""
     return _Process(node, node.full_name, line, program, namer, mode)
 
@@ -92,11 +94,11 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
     parts: list[Interface] = []
     looked_up: dict[str, str] = {}
     reason = unknown
-    kind, host, program, namer, client = "node", name, f"{node.package}/{node.executable}", process.namer, ""
+    kind, host, program, namer, client = "node", process.namer.graph_name, f"{node.package}/{node.executable}", process.namer, ""
     if process.program is not None and not unknown:
         client = process.program.client
         start = Start(namer, process.line, parameters, process.program.options)
-        parts.append(instantiate(process.program, start, namer, name, certain=certain))
+        parts.append(instantiate(process.program, start, namer, namer.graph_name, certain=certain))
         looked_up.update(start.looked_up)
     elif not unknown:
         reason = f"no library knows {program}"
@@ -105,12 +107,10 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
             kind = "manager"
         elif process.mode in ("load", "standalone") and len(process.line.words) > (2 if process.mode == "load" else 1):
             kind, program = "nodelet", process.line.words[1]
-            manager = process
             if process.mode == "load":
-                host = _manager_name(process)
-                manager = managers.get(host) or process
-                host = host if host in managers else ""
-                namer = _nodelet_namer(process, manager)
+                manager = managers.get(process.namer.resolve(f"{process.line.words[2]}/load_nodelet").name)
+                host = "" if manager is None else manager.namer.graph_name
+                namer = NodeletNamer(namer, None if manager is None else manager.namer)
             known = library.nodelet(program)
             if known is None:
                 reason = f"no library knows the nodelet class {program}"
@@ -157,17 +157,20 @@ def _unknown_start(node: Node) -> str:
     return ""
 
 
-def _manager_name(process: _Process) -> str:
-    """The full name of the manager that ``nodelet load class manager`` means: its service is called, so that name is remapped, not it."""
-    service = process.namer.resolve(f"{process.line.words[2]}/load_nodelet").name
-    return service.removesuffix("/load_nodelet")
+def _namespace(node: Node, line: CommandLine) -> str:
+    """The namespace of the process: that of the node, unless its args or its environment say another (roslaunch.core.setup_env)."""
+    given = [each.value for each in node.environment if each.name == "ROS_NAMESPACE"]
+    if line.namespace is not None:
+        given.append(line.namespace)
+    return absolute(given[-1], "/", "") if given else node.namespace
 
 
-def _nodelet_namer(process: _Process, manager: _Process) -> Namer:
-    """The names of a nodelet: its loader sends its own resolved remappings, those of the manager act beneath (nodelet::Loader)."""
-    rules = [Rule(applied.source, applied.target, applied.rule.remap) for applied in process.namer.remappings.values()]
-    beneath = None if manager is process else manager.namer
-    return Namer(absolute(process.node.namespace, "/", process.name), process.name, rules, "roscpp", beneath)
+def _is_manager(process: _Process) -> bool:
+    """Whether nodelets can be loaded into it: a nodelet manager, or any program that serves what one serves."""
+    if (process.node.package, process.node.executable) == NODELET or process.program is None:
+        return process.mode == "manager"
+    declarations = (declaration for variant in process.program.variants for declaration in variant.declarations)
+    return any(declaration.category == "services" and declaration.name == LOAD for declaration in declarations)
 
 
 def _unique(endpoints: Iterable[Endpoint]) -> tuple[Endpoint, ...]:

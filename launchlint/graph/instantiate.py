@@ -73,7 +73,7 @@ def instantiate(program: Program, start: Start, namer: Namer, process: str, *, c
 
 def _doubts(declaration: Declaration, pattern: str, namer: Namer) -> Iterator[Doubt]:
     """What is known of a name that is not: its pattern, what remappings may make of it, and what follows from it (images, actions)."""
-    known = "*" if pattern.startswith("*") and not pattern.startswith("*/") else absolute(pattern, namer.namespace, namer.node)
+    known = "*" if pattern.startswith("*") and not pattern.startswith("*/") else absolute(pattern, namer.namespace, namer.private)
     doubt = Doubt(declaration.category, known, declaration.name)
     targets = (applied.target for applied in namer.remappings.values() if doubt.may_be(applied.source))
     for each in (known, *targets):
@@ -105,7 +105,8 @@ def _names(declaration: Declaration, start: Start) -> Iterator[tuple[str | Undet
 def _add(
     interface: Interface, declaration: Declaration, name: str, type_: str, namer: Namer, start: Start, process: str, certain: bool
 ) -> None:
-    resolved = namer.resolve(name)
+    resolve = {"publishers": namer.topic, "subscribers": namer.topic, "actions": namer.action}.get(declaration.category, namer.resolve)
+    resolved = resolve(name)
 
     def endpoint(role: str, at: Resolved, its_type: str, *, sure: bool = True, action: str = "") -> None:
         interface.endpoints.append(
@@ -132,23 +133,17 @@ def _add(
 def _image(declaration: Declaration, base: Resolved, type_: str, namer: Namer, start: Start, endpoint: Any) -> None:
     """The topics of image_transport: the code resolves the base topic and makes the others from that."""
     if declaration.category == "publishers":
-        endpoint("publisher", _again(namer, base), type_)
+        endpoint("publisher", namer.again(base), type_)
         for suffix, its_type in _IMAGE_TOPICS:
             endpoint("publisher", namer.beneath(base, suffix), its_type, sure=False)
         return
     transport = start.param("~image_transport")
     if transport is None or transport == "raw":
-        endpoint("subscriber", _again(namer, base), type_)
+        endpoint("subscriber", namer.again(base), type_)
     elif isinstance(transport, str) and transport:
         its_type = dict(_IMAGE_TOPICS).get(transport, "")
         endpoint("subscriber", namer.beneath(base, clean(transport)), its_type)
     else:
-        endpoint("subscriber", _again(namer, base), type_, sure=False)
+        endpoint("subscriber", namer.again(base), type_, sure=False)
         for suffix, its_type in _IMAGE_TOPICS:
             endpoint("subscriber", namer.beneath(base, suffix), its_type, sure=False)
-
-
-def _again(namer: Namer, base: Resolved) -> Resolved:
-    """A resolved name that is given to a second resolution: remappings may act twice."""
-    inner = namer.resolve(base.name)
-    return base if not inner.applied else Resolved(inner.name, base.unremapped, (*base.applied, *inner.applied))

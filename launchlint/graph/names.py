@@ -1,11 +1,16 @@
 """ROS name resolution as the client libraries do it.
 
 A name in a node's code is relative (``scan``), private (``~state``) or global (``/tf``). It is resolved against the namespace and name
-of the node, then looked up among the remappings, whose two sides were resolved the same way: one look-up, no chains.
+of the node, then looked up among the remappings, whose two sides were resolved the same way: one look-up, no chains. Only the topics of
+rospy are looked up twice, so there two remappings do chain (rospy.topics.Topic, then rospy.topics._TopicImpl).
 
 Where two remappings have one resolved source, the client libraries differ: roscpp keeps its rules sorted by their spelling and the last of
 them wins (ros::init, ros::names::init); rospy keeps them as given and the last wins (rosgraph.names.load_mappings,
 rospy.names.initialize_mappings).
+
+In roscpp the name of the node is a name like any other: a rule for it gives the node another name and its private names another place
+(ros::this_node::init), unless the rule is spelled as just that name, without namespace: then it is dropped (ros::names::init). Private
+names are made in a namespace that is itself resolved, so a rule that moves it moves them (ros::NodeHandle::construct).
 """
 
 from __future__ import annotations
@@ -70,33 +75,40 @@ def kind(name: str) -> str:
 class Namer:
     """Resolves the names of one node.
 
+    ``graph_name`` is the name that the node really has, ``private`` the namespace of its private names. ``node`` is what the launch file
+    calls it; the same but for rare remappings.
+
     Args:
-        namespace: of the node.
-        node: its full name.
+        namespace: of the process.
+        node: its full name as the launch file gives it.
         rules: the remappings in the order the process gets them.
         client: ``rospy``, or anything else for roscpp's way.
-        beneath: for a nodelet, the remappings of its manager: they act where its own do not (ros::NodeHandle::remapName).
     """
 
-    __slots__ = ("_beneath", "_table", "namespace", "node")
+    __slots__ = ("_is_rospy", "_spelled", "_table", "graph_name", "namespace", "node", "private")
 
-    def __init__(self, namespace: str, node: str, rules: Iterable[Rule] = (), client: str = "", beneath: Namer | None = None) -> None:
+    def __init__(self, namespace: str, node: str, rules: Iterable[Rule] = (), client: str = "") -> None:
         self.namespace = namespace
         self.node = node
-        self._beneath = beneath
-        self._table = self._resolved(rules, client)
+        self._is_rospy = client == "rospy"
+        own = node.rpartition("/")[2]
+        full = absolute(own, namespace, node)
+        self._spelled: dict[str, Applied] = {}
+        self._table = self._resolved(rules, own, full)
+        self.graph_name = full if self._is_rospy else self.moved(full)
+        self.private = full if self._is_rospy else self.moved(self.moved(self.graph_name))
 
-    def _resolved(self, rules: Iterable[Rule], client: str) -> Mapping[str, Applied]:
+    def _resolved(self, rules: Iterable[Rule], own: str, full: str) -> dict[str, Applied]:
         given: dict[str, Rule] = {}
         for rule in rules:
             given[rule.source] = rule
         table: dict[str, Applied] = {}
-        for source in given if client == "rospy" else sorted(given):
-            if client != "rospy" and source == self.node:
+        for source in given if self._is_rospy else sorted(given):
+            if source == own and not self._is_rospy:
                 continue
             rule = given[source]
-            resolved = absolute(source, self.namespace, self.node)
-            table[resolved] = Applied(resolved, absolute(rule.target, self.namespace, self.node), rule)
+            resolved = absolute(source, self.namespace, full)
+            table[resolved] = self._spelled[source] = Applied(resolved, absolute(rule.target, self.namespace, full), rule)
         return table
 
     @property
@@ -106,19 +118,74 @@ class Namer:
 
     def resolve(self, name: str) -> Resolved:
         """The name that ``name`` of the node's code has on the graph."""
-        unremapped = absolute(name, self.namespace, self.node)
+        if self._is_rospy and name.startswith("~/"):
+            name = name[1:]  # rospy.names.resolve_name joins what follows the ~, and that is a global name
+        unremapped = absolute(name, self.namespace, self.private)
         applied = self._applied(unremapped)
         return Resolved(unremapped, unremapped) if applied is None else Resolved(applied.target, unremapped, (applied,))
 
+    def topic(self, name: str) -> Resolved:
+        """The topic that ``name`` of the node's code has on the graph."""
+        found = self.resolve(name)
+        return self.again(found) if self._is_rospy else found
+
+    def action(self, name: str) -> Resolved:
+        """The name beneath which an action has its topics. In rospy only a remapping spelled like ``name`` acts on it (rospy.remap_name)."""
+        if not self._is_rospy:
+            return self.resolve(name)
+        applied = self._spelled.get(name)
+        unremapped = absolute(name, self.namespace, self.private)
+        return Resolved(unremapped, unremapped) if applied is None else Resolved(applied.target, unremapped, (applied,))
+
+    def again(self, base: Resolved) -> Resolved:
+        """A resolved name that is given to a second resolution."""
+        inner = self.resolve(base.name)
+        return Resolved(inner.name, base.unremapped, (*base.applied, *inner.applied))
+
+    def moved(self, name: str) -> str:
+        """A global name after remapping."""
+        applied = self._applied(name)
+        return name if applied is None else applied.target
+
     def _applied(self, name: str) -> Applied | None:
-        own = self._table.get(name)
-        return own if own is not None or self._beneath is None else self._beneath._applied(name)
+        return self._table.get(name)
 
     def beneath(self, base: Resolved, suffix: str) -> Resolved:
         """A name made by the code from a name that is already resolved: ``image`` → ``/cam/image`` → ``/cam/image/compressed``."""
-        inner = self.resolve(clean(f"{base.name}/{suffix}"))
+        inner = self.topic(clean(f"{base.name}/{suffix}"))
         return Resolved(inner.name, inner.unremapped, (*base.applied, *inner.applied))
 
     def is_remapped(self, name: str) -> bool:
         """Whether a remapping acts on ``name``."""
-        return self._applied(absolute(name, self.namespace, self.node)) is not None
+        return bool(self.resolve(name).applied)
+
+
+class NodeletNamer(Namer):
+    """Resolves the names of a nodelet.
+
+    Its loader sends its own remappings, resolved. The manager resolves both sides once more (nodelet::LoaderROS::serviceLoad) and makes the
+    namespaces of the nodelet under its own remappings (nodelet::Nodelet::init); these also act on a name for which the nodelet has no rule
+    (ros::NodeHandle::remapName).
+
+    Args:
+        loader: names of the process that loads the nodelet.
+        manager: names of the process that runs it; None where that is not known.
+    """
+
+    __slots__ = ("_manager",)
+
+    def __init__(self, loader: Namer, manager: Namer | None) -> None:
+        self._manager = manager
+        self._is_rospy = False
+        self._spelled = {}
+        self._table: dict[str, Applied] = {}
+        self.node = loader.node
+        self.graph_name = loader.graph_name
+        self.namespace = self.moved(loader.graph_name.rpartition("/")[0] or "/")
+        self.private = self.moved(loader.graph_name)
+        moved = {self.moved(source): applied._replace(target=self.moved(applied.target)) for source, applied in sorted(loader.remappings.items())}
+        self._table = {source: applied._replace(source=source) for source, applied in moved.items()}
+
+    def _applied(self, name: str) -> Applied | None:
+        own = self._table.get(name)
+        return own if own is not None or self._manager is None else self._manager._applied(name)

@@ -22,7 +22,7 @@ class Start:
     """
 
     def __init__(self, namer: Namer, line: CommandLine, parameters: Parameters, options: Mapping[str, int] | None, skip: int = 0) -> None:
-        self.node = namer.node.rpartition("/")[2]
+        self.node = namer.graph_name.rpartition("/")[2]
         self.looked_up: dict[str, str] = {}
         self._namer = namer
         self._parameters = parameters

@@ -97,7 +97,9 @@ def _entries(category: str, variant: Mapping[str, Any], options: Any, path: Path
         name = entry["name"]
         same = json.dumps([entry.get(key) for key in ("name", "role", "condition", "each")], sort_keys=True)
         if same in seen:
-            yield Fault(here, f"{_quoted(name)} stands in this list already, as number {seen[same] + 1}: join the two")
+            yield Fault(
+                here, f"{_quoted(name)} stands in this list already, as number {seen[same] + 1}: join the two, or give each a condition"
+            )
         seen.setdefault(same, index)
         if name in EVERYWHERE.get(category, ()):
             yield Fault((*here, "name"), f"every node has {name}: leave it out")

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from itertools import zip_longest
 from typing import NamedTuple
 
-from launchlint.library.format import CATEGORIES
+from launchlint.library.format import CATEGORIES, KINDS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def difference(old: Mapping[str, Any], new: Mapping[str, Any]) -> list[Change]:
 
 def _changes(old: Mapping[str, Any], new: Mapping[str, Any]) -> Iterator[Change]:
     for package in sorted({*old, *new}):
-        for table, what in (("executables", "executable"), ("nodelets", "nodelet")):
+        for table, what in KINDS.items():
             before, after = (each.get(package, {}).get(table, {}) for each in (old, new))
             for name in sorted({*before, *after}):
                 yield from _programs(_Place(package, table, name), what, before.get(name), after.get(name))

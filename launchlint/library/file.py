@@ -99,8 +99,9 @@ def read(path: str) -> bytes:
             data = file.read(min(os.fstat(file.fileno()).st_size, LARGEST) + 1)
             while len(data) <= LARGEST and (more := file.read(_BLOCK)):  # a pipe has no size
                 data += more
-    except OSError as error:
-        raise LibraryError(f"{path}: the library cannot be read: {error.strerror or error}") from None
+    except (OSError, ValueError) as error:  # ValueError: a null byte in the name
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise LibraryError(f"{path}: the library cannot be read: {reason}") from None
     if len(data) > LARGEST:
         raise LibraryError(f"{path}: the library is larger than {LARGEST // 2**20} MiB")
     return data

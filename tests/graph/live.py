@@ -31,12 +31,14 @@ rosbag rostopic stereo_image_proc tf tf2_ros topic_tools
 """The packages with nodes that the launch files use."""
 APT = """
 image-transport-tools joint-state-publisher libdiagnostic-aggregator-tools libimage-proc-dev libnodeletlib-tools libopencv-apps-dev
-libstereo-image-proc-dev python3-actionlib python3-rosbag python3-rostopic ros-image-proc ros-image-rotate ros-opencv-apps
+libimage-rotate-dev libstereo-image-proc-dev python3-actionlib python3-rosbag python3-rostopic python3-std-srvs ros-image-proc ros-image-rotate ros-opencv-apps
 ros-robot-state-publisher ros-stereo-image-proc rosout tf-tools tf2-tools topic-tools
 """.split()
 """The Debian packages that have them."""
 IGNORED = re.compile(r"/rosout|/rosout_agg|.*/get_loggers|.*/set_logger_level")
 """What every node has."""
+ANONYMOUS = re.compile(rf"_{re.sub('[.:-]', '_', socket.gethostname())}_[0-9]+_[0-9]+|_anon[0-9]+")
+"""What makes a name anonymous: the host, the process and a random number (rosgraph.names.anonymous_name), or launchlint's own count."""
 QUIET, PATIENCE, LIMIT = 1.5, 6.0, 40.0
 """Seconds without a change after which a graph is what it will be: where all that is expected is there, where not; and at the longest."""
 
@@ -146,7 +148,7 @@ def run(launch: Path, arguments: dict[str, str], scratch: Path, expected: frozen
     with started(lambda port: ["/usr/bin/roslaunch", "-p", str(port), str(launch), *words], scratch) as (master, process, log):
         edges = settle(master, process, expected)
         topics: Any = _answer(master.getTopicTypes("/launchlint")) if edges else []
-        types = {("topic", name): kind for name, kind in topics if not IGNORED.fullmatch(name)}
+        types = {("topic", plain(name)): kind for name, kind in topics if not IGNORED.fullmatch(name)}
         for role, name, _ in edges:
             if role == "server":
                 types["service", name] = service_type(str(_answer(master.lookupService("/launchlint", name))), name)
@@ -172,12 +174,17 @@ def state(master: xmlrpc.client.ServerProxy) -> frozenset[Edge]:
     """What the master knows now."""
     answer: Any = _answer(master.getSystemState("/launchlint"))
     return frozenset(
-        (role, name, node)
+        (role, plain(name), plain(node))
         for role, listed in zip(("publisher", "subscriber", "server"), answer, strict=True)
         for name, nodes in listed
         for node in nodes
         if not IGNORED.fullmatch(name)
     )
+
+
+def plain(name: str) -> str:
+    """``name`` with the random parts that roslaunch or launchlint gives to anonymous names left out."""
+    return ANONYMOUS.sub("_anon", name)
 
 
 def _answer(reply: Any) -> Any:

@@ -73,9 +73,12 @@ def test_what_has_an_effect_is_no_fault() -> None:
         ({"name": "{arg:1|{arg:2}}"}, "0/name: the default of {arg:1} is asked for only where {arg:2} has no value either"),
         ({"name": "{param:~x|{param:~x}}"}, "0/name: the default of {param:~x} is asked for only where {param:~x} has no value either"),
         ({"name": "{arg:1|x}/{arg:2}"}, "0/name: the default of {arg:1} is never used: without {arg:2} there is no name at all"),
-        ({"name": "{arg:2|x}/{each}", "each": {"args": 2}}, "0/name: the default of {arg:2} is never used: `each` goes through later arguments"),
+        (
+            {"name": "{arg:2|x}/{each}", "each": {"args": 2}},
+            "0/name: the default of {arg:2} is never used: `each` goes through later arguments",
+        ),
     ],
-)  # fmt: skip
+)
 def test_name_without_effect(entry: dict[str, Any], message: str) -> None:
     assert names(entry, options={"-R": 1, "-l": 0}) == [message]
 
@@ -89,7 +92,7 @@ def test_option_of_a_program_without_options() -> None:
 def test_the_same_entry_twice(extra: dict[str, Any]) -> None:
     name = "{each}" if "each" in extra else "x"
     assert names({"name": "y"}, {"name": name, **extra}, {"name": name, "type": "a/B", **extra}) == [
-        f'2: "{name}" stands in this list already, as number 2: join the two'
+        f'2: "{name}" stands in this list already, as number 2: join the two, or give each a condition'
     ]
 
 
@@ -97,7 +100,7 @@ def test_an_action_may_have_a_server_and_a_client() -> None:
     roles = [{"name": "go", "role": "server"}, {"name": "go", "role": "client"}]
     assert variant(actions=roles) == []
     assert variant(actions=[*roles, {"name": "go", "role": "client"}]) == [
-        'actions/2: "go" stands in this list already, as number 2: join the two'
+        'actions/2: "go" stands in this list already, as number 2: join the two, or give each a condition'
     ]
 
 
@@ -125,10 +128,22 @@ def test_names_of_every_node() -> None:
     [
         ({}, ': this says nothing: give it `variants` or `like`; a program that is no node has "class": "none"'),
         ({"variants": {}}, ': this says nothing: give it `variants` or `like`; a program that is no node has "class": "none"'),
-        ({"variants": {"fast": {}}}, '/variants/fast: the variant "fast" is never chosen: only default does without `match`, the condition for it'),
-        ({"variants": {"default": {"match": {"arg": 1}}}}, "/variants/default/match: the variant default stands where no other one does: its `match` is never asked"),
-        ({"variants": {"default": {}, "fast": {"match": {"option": "-f"}}}}, '/variants/fast/match/option: the option "-f" is never given: the program has no `options`, so every argument is positional'),
-        ({"class": "none", "variants": {"default": {"publishers": [{"name": "x"}]}}}, "/variants/default: a program of class none never talks to the ROS master, so it cannot have these names"),
+        (
+            {"variants": {"fast": {}}},
+            '/variants/fast: the variant "fast" is never chosen: only default does without `match`, the condition for it',
+        ),
+        (
+            {"variants": {"default": {"match": {"arg": 1}}}},
+            "/variants/default/match: the variant default stands where no other one does: its `match` is never asked",
+        ),
+        (
+            {"variants": {"default": {}, "fast": {"match": {"option": "-f"}}}},
+            '/variants/fast/match/option: the option "-f" is never given: the program has no `options`, so every argument is positional',
+        ),
+        (
+            {"class": "none", "variants": {"default": {"publishers": [{"name": "x"}]}}},
+            "/variants/default: a program of class none never talks to the ROS master, so it cannot have these names",
+        ),
         ({"like": "other", "options": {}}, "/options: `like` says all there is to say: options beside it has no effect"),
         ({"like": "othr"}, '/like: there is no executable "othr" of the package demo here or in the bundled library; did you mean other?'),
         ({"like": "far/and"}, '/like: there is no executable "and" of the package far here or in the bundled library; did you mean end?'),
@@ -137,7 +152,7 @@ def test_names_of_every_node() -> None:
         ({"like": "back"}, '/like: `like` leads in a circle: "node" → "back" → "node"'),
         ({"like": "chain6"}, "/like: `like` leads over more than 5 programs: name the last one directly"),
     ],
-)  # fmt: skip
+)
 def test_program_without_effect(program: Any, message: str) -> None:
     chain = {f"chain{number}": {"like": f"chain{number - 1}"} for number in range(2, 7)}
     others = {"other": executable(), "chain1": executable(), **chain}
@@ -171,5 +186,5 @@ def test_the_place_in_the_text() -> None:
     text = json.dumps(publishers({"name": "x"}, {"name": "x"}), indent=1)
     line = text[: text.rindex('"name"')].count("\n")
     assert inspect(text.encode(), "lib.json")[1] == [
-        f'lib.json:{line}:9: "x" stands in this list already, as number 1: join the two'
+        f'lib.json:{line}:9: "x" stands in this list already, as number 1: join the two, or give each a condition'
     ]  # fmt: skip

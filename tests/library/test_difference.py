@@ -28,11 +28,15 @@ def told(old: Any, new: Any) -> list[str]:
         ([X], [], ["- publisher x (std_msgs/String)"]),
         ([X], [{**X, "queue": 1}], ["~ publisher x: queue none → 1"]),
         ([X], [{**X, "type": "a/B", "latched": True}], ["~ publisher x: latched none → true, type std_msgs/String → a/B"]),
-        ([{**X, "queue": 1}], [{**X, "latched": True, "name": "y"}], ["- publisher x (std_msgs/String, queue 1)", "+ publisher y (std_msgs/String, latched true)"]),
+        (
+            [{**X, "queue": 1}],
+            [{**X, "latched": True, "name": "y"}],
+            ["- publisher x (std_msgs/String, queue 1)", "+ publisher y (std_msgs/String, latched true)"],
+        ),
         ([X, {**X, "condition": {"arg": 1}}], [X], ["- publisher x (std_msgs/String, condition argument 1 is given)"]),
         ([X], [{**X, "condition": {"param": "~p", "default": True}}], ["~ publisher x: condition none → ~p is true (default true)"]),
     ],
-)  # fmt: skip
+)
 def test_entries(old: Any, new: Any, expected: list[str]) -> None:
     assert told(publishers(*old), publishers(*new)) == expected
 
@@ -42,16 +46,24 @@ def test_entries(old: Any, new: Any, expected: list[str]) -> None:
     [
         (executable(), {**executable(), "class": "rospy"}, ["~ executable: class roscpp → rospy"]),
         ({"like": "a"}, {"like": "b"}, ["~ executable: like a → b"]),
-        ({"like": "a"}, executable(clients=[X]), ["~ executable: class none → roscpp, like a → none", "+ service client x (std_msgs/String)"]),
+        (
+            {"like": "a"},
+            executable(clients=[X]),
+            ["~ executable: class none → roscpp, like a → none", "+ service client x (std_msgs/String)"],
+        ),
         (executable(), executable(open={"params": "why"}), ['~ variant default: open none → {"params": "why"}']),
         (
             executable(),
             {"class": "roscpp", "variants": {"default": {}, "fast": {"match": {"arg": 1}, "actions": [{"name": "go", "role": "server"}]}}},
             ["+ variant fast", "+ action server go [variant fast]"],
         ),
-        (executable(params=[{"name": "~p", "default": 1}]), executable(params=[{"name": "~p", "default": True}]), ["~ param ~p: default 1 → true"]),
+        (
+            executable(params=[{"name": "~p", "default": 1}]),
+            executable(params=[{"name": "~p", "default": True}]),
+            ["~ param ~p: default 1 → true"],
+        ),
     ],
-)  # fmt: skip
+)
 def test_programs(old: Any, new: Any, expected: list[str]) -> None:
     assert told(one(old), one(new)) == expected
 

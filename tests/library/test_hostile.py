@@ -17,11 +17,12 @@ from tests.library.samples import library, one, publishers
 from tests.library.test_schema import EVERYTHING, mutated
 from tests.library.test_validate import TOP
 
+KEYS = st.sampled_from(("packages", "version", "name", "variants")) | st.text()
 PLAIN = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=20),
-    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.sampled_from(("packages", "version", "name", "variants")) | st.text(), inner, max_size=4),
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(KEYS, inner, max_size=4),
     max_leaves=20,
-)  # fmt: skip
+)
 
 
 @settings(max_examples=200, deadline=None)
@@ -62,7 +63,8 @@ def test_cut_off_anywhere() -> None:
 @pytest.mark.parametrize("opening", ["[", '{"a":'])
 def test_nesting(opening: str, depth: int) -> None:
     """At any depth, also where the reader just manages it and whoever looks for the place does not."""
-    text = f'{TOP}{{"demo": {{"launch": [{opening * depth}{"1" if opening != "[" else ""}{("]" if opening == "[" else "}") * depth}], "x": 1}}}}}}'
+    nested = opening * depth + ("]" * depth if opening == "[" else "1" + "}" * depth)
+    text = f'{TOP}{{"demo": {{"launch": [{nested}], "x": 1}}}}}}'
     lines = inspect(text.encode(), "lib.json")[1]
     assert lines
     assert all("nested" in line or 'no key "x"' in line for line in lines)

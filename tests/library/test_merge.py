@@ -128,7 +128,9 @@ def test_programs_of_which_not_all_is_known(known: list[Any], expected: Any) -> 
 
 def test_variants_are_joined_by_name() -> None:
     fast = {"match": {"arg": 1}, "publishers": [{"name": "fast"}]}
-    both = merge_programs([{"variants": {"default": {"publishers": [{"name": "a"}]}}}, {"variants": {"default": {"clients": []}, "fast": fast}}])
+    both = merge_programs(
+        [{"variants": {"default": {"publishers": [{"name": "a"}]}}}, {"variants": {"default": {"clients": []}, "fast": fast}}]
+    )
     assert both == {"variants": {"default": {"publishers": [{"name": "a"}], "clients": []}, "fast": fast}}
 
 
@@ -161,10 +163,9 @@ def test_a_library_joined_with_itself_is_itself(path: Any) -> None:
 
 
 def test_shards_may_be_joined_step_by_step() -> None:
-    shards = [
-        library(**{f"p{number % 2}": {"executables": {f"n{number}": executable(publishers=[{"name": "x", "evidence": evidence("dynamic", str(number))}])}}})
-        for number in range(4)
-    ] + [publishers({"name": "x", "evidence": STATIC}), publishers({"name": "x", "type": "a/B", "evidence": STATIC})]  # fmt: skip
+    programs = [executable(publishers=[{"name": "x", "evidence": evidence("dynamic", str(number))}]) for number in range(4)]
+    shards = [library(**{f"p{number % 2}": {"executables": {f"n{number}": each}}}) for number, each in enumerate(programs)]
+    shards += [publishers({"name": "x", "evidence": STATIC}), publishers({"name": "x", "type": "a/B", "evidence": STATIC})]
     whole = canonical(merge_libraries(shards))
     stepwise = merge_libraries([merge_libraries(shards[:2]), merge_libraries([merge_libraries(shards[2:4]), *shards[4:]])])
     assert canonical(stepwise) == whole

@@ -89,7 +89,7 @@ def test_default_text(template: str, expected: str) -> None:
     [
         ("{arg:0}", "{arg:0} must be the number of an argument, counted from 1 or from -1"),
         ("{arg:--1}", "{arg:--1} must be the number of an argument, counted from 1 or from -1"),
-        ("{arg:١}", "{arg:١} must be the number of an argument, counted from 1 or from -1"),
+        ("{arg:\u0661}", "{arg:\u0661} must be the number of an argument, counted from 1 or from -1"),
         ("{arg:10000}", "{arg:10000} must be the number of an argument, counted from 1 or from -1"),
         ("{arg:}", "{arg} needs a : after its name"),
         ("{arg}", "{arg} needs a : after its name"),

@@ -70,8 +70,10 @@ SHAPES = [
     (program('{"options": {"-r": §1.5}}'), "this must be a whole number, at least 0, and is 1.5"),
     (program('{"varaints": §{}}'), 'an executable or nodelet has no key "varaints": did you mean variants?'),
     (program('{"problems": [§{"detail": "x"}]}'), 'a problem lacks the key "code"'),
-    (program('{"variants": {"default": {"open": {"topics": §"x"}}}}'),
-     'what is open has no key "topics": there are publishers, subscribers, services, clients, actions, params'),
+    (
+        program('{"variants": {"default": {"open": {"topics": §"x"}}}}'),
+        'what is open has no key "topics": there are publishers, subscribers, services, clients, actions, params',
+    ),
     (publisher('§"chatter"'), 'a publisher must be a mapping, and is "chatter"'),
     (publisher('§{"type": "std_msgs/String"}'), 'a publisher lacks the key "name"'),
     (publisher('{"name": "x", "topic": §1}'), f'a publisher has no key "topic": there are {KEYS_OF_A_PUBLISHER}'),
@@ -99,7 +101,7 @@ SHAPES = [
     (each('{"args": 2, "default": §["x"]}'), '`each` over args has no key "default"'),
     (each('{"param": §1}'), "this must be the name of a param"),
     (each('{"words": "~x", "default": §"a b"}'), "this must be a list of strings"),
-]  # fmt: skip
+]
 
 GRAMMAR = [
     (publisher('{"name": §""}'), '"" is no ROS name: letters, digits, _ and /, after a / or ~ at most'),
@@ -107,15 +109,20 @@ GRAMMAR = [
     (publisher('{"name": §"größe"}'), '"größe" is no ROS name: letters, digits, _ and /, after a / or ~ at most'),
     (publisher('{"name": §"a\\n"}'), '"a\\n" is no ROS name: letters, digits, _ and /, after a / or ~ at most'),
     (publisher('{"name": §"{arg:0}"}'), '"{arg:0}" is no template: {arg:0} must be the number of an argument, counted from 1 or from -1'),
-    (publisher('{"name": §"{arg:--1}"}'), '"{arg:--1}" is no template: {arg:--1} must be the number of an argument, counted from 1 or from -1'),
+    (
+        publisher('{"name": §"{arg:--1}"}'),
+        '"{arg:--1}" is no template: {arg:--1} must be the number of an argument, counted from 1 or from -1',
+    ),
     (publisher('{"name": "x", "type": §"String"}'), '"String" is no type: it is written package/Type'),
-    (publisher('{"name": "x", "type": §"{"}'),
-     '"{" is no template: {} is no template; there are arg, option, param, remap, parent, each, node, any'),
+    (
+        publisher('{"name": "x", "type": §"{"}'),
+        '"{" is no template: {} is no template; there are arg, option, param, remap, parent, each, node, any',
+    ),
     (publisher('{"name": "x", "md5": §"abc"}'), '"abc" is no MD5 sum: 32 digits of 0-9 a-f'),
     (condition('{"not": ' * 8 + '{"not": §{"arg": 1}}' + "}" * 8), "a condition is nested deeper than 8 levels"),
     (condition('§{"param": "x", "is": ' + DEEP + "}"), "this is nested deeper than 50 levels"),
     (program('{"variants": {"default": {"params": [{"name": "x", "default": §' + DEEP + "}]}}}"), "this is nested deeper than 50 levels"),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("marked", "message"), SHAPES + GRAMMAR)
@@ -133,7 +140,10 @@ def test_fault(marked: str, message: str) -> None:
         ('{"a": §NaN}', "the library is not JSON: NaN is no number that can be held"),
         ('{"NaN": "NaN",\n "a": §-Infinity}', "the library is not JSON: -Infinity is no number that can be held"),
         ('{"a": [1, 1e9, §-1e999]}', "the library is not JSON: -1e999 is no number that can be held"),
-        ('{"a": 1' + "0" * 400 + ', "b": §' + "1" * 5000 + "}", "the library is not JSON: 11111111111111111… is no number that can be held"),
+        (
+            '{"a": 1' + "0" * 400 + ', "b": §' + "1" * 5000 + "}",
+            "the library is not JSON: 11111111111111111… is no number that can be held",
+        ),
         ('{"a": "\\\\ud800 \\ud83d\\ude00 §\\ud800"}', "the library is not JSON that can be read: \\ud800 is half of a character"),
         ('["§\\uDE00\\ud83d"]', "the library is not JSON that can be read: \\uDE00 is half of a character"),
         ("§" + "[" * 100_000, "the library is not JSON that can be read: it is nested too deep"),

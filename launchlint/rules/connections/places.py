@@ -16,8 +16,8 @@ TALKS = {
     "subscriber": "subscribes to",
     "server": "serves",
     "client": "calls",
-    "action server": "serves the action",
-    "action client": "uses the action",
+    "action server": "serves",
+    "action client": "uses",
 }
 """What a node of each role does with a name."""
 
@@ -54,8 +54,8 @@ def acting_origin(endpoint: Endpoint, instance: Instance) -> Origin:
 def how(endpoint: Endpoint, instance: Instance) -> str:
     """How the name came about, in words; empty where the code says it just so."""
     if endpoint.applied:
-        applied = endpoint.applied[-1]
-        return f"{instance.name} says {endpoint.declared}; the remap of {applied.rule.source} to {applied.rule.target} makes it {endpoint.name}"
+        rule = endpoint.applied[-1].rule
+        return f"{instance.name} says {endpoint.declared}; the remap of {rule.source} to {rule.target} makes it {endpoint.name}"
     way = kind(endpoint.declared)
     if way == "global":
         return f"{instance.name} says {endpoint.declared}, a global name that no namespace changes"
@@ -73,6 +73,8 @@ def write_remap(endpoint: Endpoint, instance: Instance, target: str) -> str:
         rule = endpoint.applied[-1].rule
         shown = target[len(prefix) :] if not rule.target.startswith(("/", "~")) and target.startswith(prefix) else target
         source = rule.source if remap is None else remap.source
+        if endpoint.unremapped == target:
+            return f"take the remap of {source} away"
         return f'let the remap of {source} lead to="{shown}"'
     source = (
         endpoint.declared if absolute(endpoint.declared, namespace, instance.namer.node) == endpoint.unremapped else endpoint.unremapped

@@ -41,9 +41,10 @@ _ALIKE = (
 _FIRST = {name: group[0] for group in _ALIKE for name in group}
 
 STANDARD = frozenset(
-    "actionlib_msgs control_msgs controller_manager_msgs diagnostic_msgs dynamic_reconfigure gazebo_msgs geometry_msgs map_msgs mavros_msgs "
-    "move_base_msgs moveit_msgs nav_msgs nodelet octomap_msgs rosapi roscpp roscpp_tutorials rosgraph_msgs rospy_tutorials sensor_msgs "
-    "shape_msgs slam_toolbox std_msgs std_srvs stereo_msgs tf tf2_msgs topic_tools trajectory_msgs turtlesim visualization_msgs".split()
+    "actionlib_msgs control_msgs controller_manager_msgs diagnostic_msgs dynamic_reconfigure gazebo_msgs geometry_msgs "
+    "map_msgs mavros_msgs move_base_msgs moveit_msgs nav_msgs nodelet octomap_msgs rosapi roscpp roscpp_tutorials "
+    "rosgraph_msgs rospy_tutorials sensor_msgs shape_msgs slam_toolbox std_msgs std_srvs stereo_msgs tf tf2_msgs topic_tools "
+    "trajectory_msgs turtlesim visualization_msgs".split()
 )
 """Packages whose definitions were compared with each other."""
 
@@ -59,12 +60,13 @@ def is_known(name: str) -> bool:
 
 
 def may_be_alike(left: str, right: str, left_md5: str = "", right_md5: str = "") -> bool:
-    """Whether two types may talk to each other: their sums are equal, or not known and the names mean one definition."""
-    if not is_known(left) or not is_known(right):
+    """Whether two types may talk to each other: their sums are equal, or not known and the names mean one definition.
+
+    One name is one definition on one machine, even where two sources of what is known have seen it in two versions.
+    """
+    if not is_known(left) or not is_known(right) or stands_for(left) == stands_for(right):
         return True
-    if left_md5 and right_md5:
-        return left_md5 == right_md5 or ANY in (left_md5, right_md5)
-    return stands_for(left) == stands_for(right)
+    return bool(left_md5 and right_md5) and (left_md5 == right_md5 or ANY in (left_md5, right_md5))
 
 
 def may_be_copies(left: str, right: str, kind: str) -> bool:

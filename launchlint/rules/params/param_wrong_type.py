@@ -36,7 +36,7 @@ from collections.abc import Iterator
 from math import ceil, floor
 
 from launchlint.finding import Finding, Severity
-from launchlint.graph.connections import ConnectionGraph, Instance, Reading
+from launchlint.graph.connections import Instance, Reading
 from launchlint.model import Launch, ParameterSetting
 from launchlint.rules.params.values import is_certain, is_known, shown
 from launchlint.rules.rule import Rule
@@ -103,7 +103,7 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
         f"{instance.program} reads {reading.declared} as {_WORDS[one]}, and {shown(value)} is {_WORDS[type_]}: {instead}",
         severity=Severity.INFO if means_default else None,
         label=f"{_WORDS[type_]}, not {_WORDS[one]}",
-        notes=("roscpp takes no other type for a param, and says nothing",) if instance.client != "rospy" else (),
+        notes=("roscpp turns an int into a double and the reverse, nothing else, and says nothing",) if instance.client != "rospy" else (),
         help=_help(setting, one, type_),
         topic=f"{instance.program} {reading.declared}",
     )

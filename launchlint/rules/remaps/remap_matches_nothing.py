@@ -38,17 +38,14 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
-from launchlint.graph.connections import HUBS, Doubt, Instance
+from launchlint.graph.connections import HUBS, Instance
 from launchlint.graph.names import Applied, absolute, kind
-from launchlint.library.template import is_template, parse
+from launchlint.model import Remap
+from launchlint.rules.remaps.own_names import OwnNames, own_names
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
-from launchlint.spelling import closest
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from launchlint.library.lookup import Library
+from launchlint.spelling import closest, one_slip
 
 RULE = Rule("LL601", "remap-matches-nothing", Severity.WARNING)
 UNIVERSAL = ("~get_loggers", "~set_logger_level", "/rosout", "/clock", "/use_sim_time", "/statistics")
@@ -57,27 +54,13 @@ _MOST_NAMES = 6
 _MOST_CANDIDATES = 300
 
 
-class _Names(NamedTuple):
-    """The names of a node: place on the graph before remapping → how the code says it; ``below`` are names with more beneath them.
-
-    ``derived`` are those that the code makes from others, ``used`` the names on the graph after remapping; ``otherwise`` are names that
-    it would have if it were started in another way.
-    """
-
-    spelled: Mapping[str, str]
-    below: tuple[str, ...]
-    derived: frozenset[str]
-    used: frozenset[str]
-    otherwise: tuple[Doubt, ...]
-
-
 class _Miss(NamedTuple):
     """A remap that does nothing for a node."""
 
     origin: Origin
     instance: Instance
     applied: Applied
-    names: _Names
+    names: OwnNames
 
 
 def check(view: GraphView) -> Iterator[Finding | Fine]:
@@ -85,11 +68,12 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     missed: dict[tuple[str, int, str], list[_Miss]] = {}
     fine: dict[tuple[str, int], Origin] = {}
     for instance in view.graph.instances:
-        names = _names(instance, view.library)
+        names = own_names(instance, view.library)
         table = instance.namer.remappings.values()
         acting = {(id(applied.rule.remap)) for applied in table if applied.rule.remap is not None}
         for remap in instance.node.remaps:
-            if names is None or id(remap) not in acting:
+            unseen = not view.launch.complete and not _is_own(instance, remap)
+            if names is None or id(remap) not in acting or unseen:
                 fine[_key(remap.origin)] = remap.origin
         for applied in table if names is not None else ():
             assert names is not None
@@ -115,56 +99,13 @@ def _key(origin: Origin) -> tuple[str, int]:
     return origin.place.source.path, origin.place.span.start
 
 
-def _names(instance: Instance, library: Library) -> _Names | None:
-    """The names of a node; None where they are not all known."""
-    if instance.is_unknown or instance.open or not instance.certain or instance.kind == "manager" or instance.client == "none":
-        return None  # a manager's remaps act on whatever is loaded into it
-    if instance.node.unknown & {"args", "name", "ns", "remap"}:
-        return None
-    namer = instance.namer
-    spelled: dict[str, str] = dict(instance.looked_up)
-    derived: set[str] = set()
-    below: set[str] = set()
-    used: set[str] = set()
-    for entry in (*instance.endpoints, *instance.readings):
-        used.add(entry.name)
-        plain = absolute(entry.declared, namer.namespace, namer.node)
-        spelled[plain] = entry.declared
-        if entry.unremapped != plain:
-            derived.add(entry.unremapped)
-            spelled.setdefault(entry.unremapped, _relative(entry.unremapped, instance))
-        elif "{remap:" in entry.declaration.name or "{parent:" in entry.declaration.name:
-            derived.add(plain)
-        for applied in entry.applied:
-            spelled.setdefault(applied.source, _relative(applied.source, instance))
-        if entry.declaration.transport or entry.declaration.type == "dict":
-            below.update((plain, entry.name))
-    return _Names(spelled, tuple(below), frozenset(derived), frozenset(used), tuple(_otherwise(instance, library)))
+def _is_own(instance: Instance, remap: Remap) -> bool:
+    """Whether the remap stands inside the ``<node>``: those of scopes around it stand before it, or in another file."""
+    at, home = remap.origin.place, instance.node.origin.place
+    return at.source is home.source and at.span.start > home.span.start and remap.origin.step is instance.node.origin.step
 
 
-def _otherwise(instance: Instance, library: Library) -> Iterator[Doubt]:
-    """What the program would have with other args and params, ``*`` for what these would fill in."""
-    node, namer = instance.node, instance.namer
-    for program in (library.executable(node.package, node.executable), library.nodelet(instance.program)):
-        for variant in () if program is None else program.variants:
-            for entry in variant.declarations:
-                if entry.condition is None and entry.each is None and len(program.variants) == 1 and not is_template(entry.name):
-                    continue
-                parts = parse(entry.name) if is_template(entry.name) else (entry.name,)
-                pattern = "".join(part if isinstance(part, str) else "*" for part in parts)
-                if pattern.strip("*/~"):
-                    full = pattern if pattern.startswith("*") else absolute(pattern, namer.namespace, namer.node)
-                    yield Doubt(entry.category, full, entry.name)
-                    if entry.category == "actions" or entry.transport:
-                        yield Doubt(entry.category, f"{full}/*", entry.name)
-
-
-def _relative(full: str, instance: Instance) -> str:
-    namespace = instance.namer.namespace.rstrip("/") + "/"
-    return full[len(namespace) :] if full.startswith(namespace) else full
-
-
-def _has(instance: Instance, names: _Names, applied: Applied) -> bool:
+def _has(instance: Instance, names: OwnNames, applied: Applied) -> bool:
     """Whether the remap may act on a name of the node."""
     source, namer = applied.source, instance.namer
     if source in names.spelled or source == namer.node:
@@ -173,7 +114,10 @@ def _has(instance: Instance, names: _Names, applied: Applied) -> bool:
         return True
     if any(source.startswith(f"{name}/") for name in names.below):
         return True
-    return any(doubt.may_be(source) for doubt in (*instance.doubts, *names.otherwise))
+    if any(doubt.may_be(source) for doubt in (*instance.doubts, *names.otherwise)):
+        return True
+    # There may be more params, but hardly one that is remapped to a topic, or that is spelled almost like one.
+    return "params" in instance.open and applied.target not in names.spelled and one_slip(source, names.spelled) is None
 
 
 def _finding(misses: list[_Miss], topic: str) -> Finding:
@@ -207,9 +151,18 @@ def _finding(misses: list[_Miss], topic: str) -> Finding:
 def _is_harmless(miss: _Miss) -> bool:
     """Whether all may be as intended: the node uses the target in any case, the name is one of those for everybody, or a NodeHandle's."""
     source, target = miss.applied.source, miss.applied.target
-    if source in HUBS or (target in miss.names.used and _reversed(miss) is None):
+    if source in HUBS or (target in miss.names.spelled and _reversed(miss) is None) or _is_said_twice(miss):
         return True
     return miss.instance.client != "rospy" and any(full.startswith(f"{source}/") for full in miss.names.spelled)
+
+
+def _is_said_twice(miss: _Miss) -> bool:
+    """Whether another remap leads a name with the same last part to the same target: one of them is for another version of the node."""
+    end = miss.applied.source.rpartition("/")[2]
+    return any(
+        other.target == miss.applied.target and other.source != miss.applied.source and other.source.rpartition("/")[2] == end
+        for other in miss.instance.namer.remappings.values()
+    )
 
 
 def _reversed(miss: _Miss) -> str | None:
@@ -246,10 +199,13 @@ def _help(miss: _Miss, written: str) -> str:
 
 
 def _same_end(source: str, spelled: Mapping[str, str]) -> str | None:
-    """The only name with the same last part."""
+    """The only name whose last part is that of ``source``, or begins or ends with it: ``image`` and ``~image_raw``."""
     end = source.rpartition("/")[2]
-    found = [full for full in spelled if full.rpartition("/")[2] == end]
-    return found[0] if len(found) == 1 else None
+    for fits in (str.__eq__, lambda last, end: last.startswith(f"{end}_") or last.endswith(f"_{end}")):
+        found = [full for full in spelled if fits(full.rpartition("/")[2], end)]
+        if found:
+            return found[0] if len(found) == 1 else None
+    return None
 
 
 def _listed(names: list[str]) -> str:

@@ -1,0 +1,172 @@
+"""Ends of connections that meet nobody, and the other end that was probably meant.
+
+Only what is certain is looked at, and nothing where a node that is not known may be at the other end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from launchlint.finding import Severity
+from launchlint.graph.connections import HUBS, OFFERS, Channel, ConnectionGraph, Endpoint, Instance
+from launchlint.rules.connections.near_names import NAMESPACE, RELATIONS, SLIP, TWIN, WORDS, relation
+from launchlint.rules.connections.places import owners
+from launchlint.rules.connections.same_definition import is_known, stands_for
+
+_MOST_CANDIDATES = 40
+"""Names of one type that a loose end is compared with."""
+_GENERIC = ("std_msgs/", "std_srvs/")
+"""Types that say nothing of what is meant."""
+_CONNECTING_HUBS = frozenset({"/tf", "/tf_static"})
+
+
+class Missed(NamedTuple):
+    """A loose end and what it was probably meant for.
+
+    ``how`` is the relation of the names, empty where only the type agrees; ``loose`` says whether the other end is a loose one too;
+    ``alike`` are all ends of the other name that are like it, itself included; ``feeding`` are those that it has on its other side.
+    """
+
+    end: Endpoint
+    instance: Instance
+    other: Endpoint
+    partner: Instance
+    how: str
+    loose: bool
+    alike: tuple[Instance, ...]
+    feeding: tuple[Instance, ...]
+    level: Severity
+
+
+class LooseEnds:
+    """The loose ends of one graph."""
+
+    def __init__(self, graph: ConnectionGraph) -> None:
+        self.graph = graph
+        self.owners = owners(graph)
+        self._by_type: dict[tuple[str, bool, str], list[Channel]] | None = None
+        self._connected: dict[int, bool] = {}
+
+    def missed(self, kind: str, *, offers: bool) -> Iterator[Missed]:
+        """The loose ends of a kind that give (``offers``) or take, where something says what they were meant for: one for each name."""
+        for channel in self.graph.channels.values():
+            if channel.kind == kind and self._is_loose(channel, offers=offers):
+                found = [
+                    missed
+                    for end in (channel.offers if offers else channel.uses)
+                    if end.certain and not end.action and is_known(end.type) and end.declaration.when != "subscriber"
+                    if (missed := self._meant(end)) is not None
+                ]
+                if found:
+                    yield min(found, key=lambda each: (-each.level, *self._apart(each.instance, each.partner), each.instance.name))
+
+    def _is_loose(self, channel: Channel, *, offers: bool) -> bool:
+        """Whether the ends on one side of a name meet nobody, as far as can be known."""
+        if channel.is_hub or channel.is_plumbing or (channel.uses if offers else channel.offers):
+            return False
+        return not (self.graph.may_use if offers else self.graph.may_offer)(channel.kind, channel.name)
+
+    def _meant(self, end: Endpoint) -> Missed | None:
+        instance = self.owners[id(end)]
+        offers = end.role in OFFERS
+        candidates = self._candidates(end.kind, not offers, end.type)
+        if not candidates or len(candidates) > _MOST_CANDIDATES or not instance.certain:
+            return None
+        ranked: dict[str, list[tuple[Channel, list[Endpoint]]]] = {}
+        for channel in candidates:
+            ends = [
+                each
+                for each in (channel.uses if offers else channel.offers)
+                if each.certain and not each.action and each.node != end.node and stands_for(each.type) == stands_for(end.type)
+            ]
+            if ends and channel.name != end.name:
+                ranked.setdefault(relation(end.name, channel.name), []).append((channel, ends))
+        ranked.pop(TWIN, None)
+        how = next((each for each in RELATIONS if each in ranked), "")
+        if how not in ranked:
+            return None
+        loose = [each for each in ranked[how] if self._is_loose(each[0], offers=not offers)]
+        channels = loose or ranked[how]
+        if len(channels) > 1 or (not how and len(ranked[how]) > 1):
+            return None  # it could be any of them
+        channel, ends = channels[0]
+        other = min(ends, key=lambda each: self._apart(instance, self.owners[id(each)]))
+        level = self._level(end, other, how, loose=bool(loose))
+        if level is None:
+            return None
+        partner = self.owners[id(other)]
+        same = tuple(self.owners[id(each)] for each in ends if self.owners[id(each)].program == partner.program)
+        feeding = tuple(dict.fromkeys(self.owners[id(each)].name for each in (channel.offers if offers else channel.uses)))
+        fed = tuple(each for each in self.graph.instances if each.name in feeding) if feeding else ()
+        return Missed(end, instance, other, partner, how, bool(loose), same, fed, level)
+
+    def _level(self, end: Endpoint, other: Endpoint, how: str, *, loose: bool) -> Severity | None:
+        """How sure it is that the two ends were meant for each other; None: not enough to say anything.
+
+        What a node publishes is meant for somebody; what it waits for may come from outside. The more so for a node that only
+        publishes: one that works on what it hears often has more results than anybody needs.
+        """
+        offers = end.role in OFFERS
+        instance, giver = self.owners[id(end)], self.owners[id(end if offers else other)]
+        alone, source = not self._is_connected(instance), self._is_source(giver)
+        if how == SLIP and (loose or alone or not _is_plural(end.name, other.name)):
+            return Severity.WARNING
+        doubtful = end.type.startswith(_GENERIC) or any(each.declared.startswith("~") and not each.applied for each in (end, other))
+        if how == NAMESPACE:
+            same = loose and end.declared == other.declared
+            sure = same or (source and (loose or (offers and alone)))
+            return Severity.WARNING if sure and not doubtful else Severity.INFO if loose or alone else None
+        if how == WORDS and offers and alone and source and not doubtful:
+            return Severity.WARNING
+        if not how:
+            return Severity.INFO if alone and not doubtful and (source if offers else loose) else None
+        return Severity.INFO if alone or loose else None
+
+    def _is_source(self, instance: Instance) -> bool:
+        """Whether the node only publishes or serves, one thing or two: a driver, a controller, a keyboard."""
+        more = any(instance.may_have_more(each) for each in ("subscribers", "clients", "actions"))
+        ends = [each for each in instance.endpoints if not each.is_plumbing and each.name not in HUBS]
+        return not more and all(each.role in OFFERS for each in ends)
+
+    def _is_connected(self, instance: Instance) -> bool:
+        """Whether the node certainly or possibly talks to another one."""
+        known = self._connected.get(id(instance))
+        if known is None:
+            more = any(instance.may_have_more(each) for each in ("publishers", "subscribers", "services", "clients", "actions"))
+            known = more or any(self._meets(endpoint) for endpoint in instance.endpoints if not endpoint.is_plumbing)
+            self._connected[id(instance)] = known
+        return known
+
+    def _meets(self, endpoint: Endpoint) -> bool:
+        channel = self.graph.channels[endpoint.kind, endpoint.name]
+        if channel.name in HUBS:
+            return channel.name in _CONNECTING_HUBS
+        gives = endpoint.role in OFFERS
+        if any(each.node != endpoint.node for each in (channel.uses if gives else channel.offers)):
+            return True
+        return bool((self.graph.may_use if gives else self.graph.may_offer)(channel.kind, channel.name))
+
+    def _candidates(self, kind: str, offers: bool, type_: str) -> list[Channel]:
+        if self._by_type is None:
+            self._by_type = {}
+            for channel in self.graph.channels.values():
+                if channel.is_hub or channel.is_plumbing:
+                    continue
+                for side, ends in ((True, channel.offers), (False, channel.uses)):
+                    for known in _types(ends):
+                        self._by_type.setdefault((channel.kind, side, known), []).append(channel)
+        return self._by_type.get((kind, offers, stands_for(type_)), [])
+
+    @staticmethod
+    def _apart(one: Instance, other: Instance) -> tuple[bool, int, str]:
+        at, there = one.node.origin.place, other.node.origin.place
+        return at.source is not there.source, abs(at.span.start - there.span.start), other.name
+
+
+def _types(ends: Iterable[Endpoint]) -> set[str]:
+    return {stands_for(end.type) for end in ends if end.certain and is_known(end.type)}
+
+
+def _is_plural(left: str, right: str) -> bool:
+    return left.rstrip("s") == right.rstrip("s")

@@ -1,0 +1,65 @@
+"""How two names on the graph are related: whether one may have been meant for the other."""
+
+from __future__ import annotations
+
+import re
+
+from launchlint.spelling import one_slip
+
+SLIP, NAMESPACE, WORDS, SIBLING, TWIN = "slip", "namespace", "words", "sibling", "twin"
+RELATIONS = (SLIP, NAMESPACE, WORDS, SIBLING)
+"""The relations that may be a mistake, the closest first."""
+_SHORTEST_SLIP = 4
+_SHORTEST_WORD = 3
+_SEPARATORS = re.compile("[/_]")
+
+
+def relation(left: str, right: str) -> str:
+    """How two different full names are related.
+
+    ``slip``: one letter apart (a digit is no letter: it tells robots and cameras apart). ``namespace``: the same last part, and the
+    namespace of one is the other's without something, as in ``/ns/x`` and ``/x``, or ``/a/b/x`` and ``/a/x``. ``words``: namespaces so
+    related or equal, and the last part of one begins or ends with that of the other, as in ``radius_cmd_vel``. ``sibling``: the
+    same last part in other namespaces. ``twin``: they differ in numbers only or in a mark such as ``_l`` and ``_r``, as those of two robots or cameras do. Empty: none of these.
+    """
+    if left == right:
+        return ""
+    if _letters(left) == _letters(right) or _differ_in_a_mark(left, right):
+        return TWIN
+    *outer, last = left[1:].split("/")
+    *other, end = right[1:].split("/")
+    if last == end:
+        if _is_within(outer, other) or _is_within(other, outer):
+            return NAMESPACE
+        if one_slip(left, (right,)) and _digits(left) == _digits(right):
+            return SLIP
+        return SIBLING
+    if min(len(last), len(end)) >= _SHORTEST_SLIP and one_slip(left, (right,)) and _digits(left) == _digits(right):
+        return SLIP
+    if _is_within(outer, other) or _is_within(other, outer):
+        words, more = sorted((last.split("_"), end.split("_")), key=len)
+        if len(words) < len(more) and words in (more[: len(words)], more[-len(words) :]):
+            return WORDS
+    return ""
+
+
+def _is_within(parts: list[str], all_parts: list[str]) -> bool:
+    """Whether ``parts`` is left when something is taken out of ``all_parts``."""
+    remaining = iter(all_parts)
+    return all(part in remaining for part in parts)
+
+
+def _differ_in_a_mark(left: str, right: str) -> bool:
+    """Whether words of one or two letters are all that differs, as in ``pos_x`` and ``pos_y``."""
+    words, others = _SEPARATORS.split(left), _SEPARATORS.split(right)
+    if len(words) != len(others):
+        return False
+    return all(word == other or max(len(word), len(other)) < _SHORTEST_WORD for word, other in zip(words, others, strict=True))
+
+
+def _digits(name: str) -> str:
+    return "".join(filter(str.isdigit, name))
+
+
+def _letters(name: str) -> str:
+    return "".join(char for char in name if not char.isdigit())

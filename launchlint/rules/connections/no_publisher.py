@@ -1,0 +1,52 @@
+"""A node waits for a topic that nobody publishes, while the launch file has a publisher that was probably meant.
+
+A launch file is often only a part of a robot, so that a topic without a publisher is no mistake by itself. It is told where another
+node publishes the same type under a name so near that one of the two is wrong: a letter apart, or the same name in another namespace,
+where that publisher in turn reaches nobody, or where the waiting node is connected to nothing else. Where only the type
+speaks for it, or the names are less alike, it is an info. Nothing is said while a node that is not known may be the publisher.
+
+## Why it matters
+
+Both nodes run, neither complains, and no message arrives.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="turtlesim" type="turtlesim_node" name="sim"/>
+  <node pkg="teleop_twist_keyboard" type="teleop_twist_keyboard.py" name="teleop"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="turtlesim" type="turtlesim_node" name="sim"/>
+  <node pkg="teleop_twist_keyboard" type="teleop_twist_keyboard.py" name="teleop">
+    <remap from="cmd_vel" to="turtle1/cmd_vel"/>
+  </node>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.connections.loose_ends import LooseEnds
+from launchlint.rules.connections.meant_for import tell
+from launchlint.rules.made_up import has_odd_boolean
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import GraphView
+
+RULE = Rule("LL612", "no-publisher", Severity.WARNING)
+
+
+def check(view: GraphView) -> Iterator[Finding]:
+    """Look at the topics that have subscribers only."""
+    if view.graph.missing["publishers"].reason or has_odd_boolean(view.launch):
+        return
+    for missed in LooseEnds(view.graph).missed("topic", offers=False):
+        yield tell(RULE, missed, "both nodes run and neither complains, but no message arrives")

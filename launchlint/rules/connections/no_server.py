@@ -1,0 +1,54 @@
+"""A node calls a service or an action that nobody serves, while the launch file has a server that was probably meant.
+
+It is told where another node serves the same type under a name that is a letter apart, or under the same name in another
+namespace. Where only the type speaks for it, or the names are less alike, it is an info. Nothing is said while a node
+that is not known may be the server, and of a service that no node of the launch serves in any form: it may run elsewhere.
+
+## Why it matters
+
+The call fails, or the node waits for the service for ever.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="map_server" type="map_server" name="map_server" ns="maps" args="floor.yaml"/>
+  <node pkg="amcl" type="amcl" name="amcl"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="map_server" type="map_server" name="map_server" ns="maps" args="floor.yaml"/>
+  <node pkg="amcl" type="amcl" name="amcl">
+    <remap from="static_map" to="maps/static_map"/>
+  </node>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.connections.loose_ends import LooseEnds
+from launchlint.rules.connections.meant_for import tell
+from launchlint.rules.made_up import has_odd_boolean
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import GraphView
+
+RULE = Rule("LL614", "no-server", Severity.WARNING)
+
+
+def check(view: GraphView) -> Iterator[Finding]:
+    """Look at the services and actions that have clients only."""
+    missing = view.graph.missing
+    if (missing["services"].reason and missing["actions"].reason) or has_odd_boolean(view.launch):
+        return
+    ends = LooseEnds(view.graph)
+    for kind in ("service", "action"):
+        for missed in ends.missed(kind, offers=False):
+            yield tell(RULE, missed, "the call fails, or waits for the server for ever")

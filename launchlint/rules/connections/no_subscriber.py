@@ -1,0 +1,62 @@
+"""A node publishes a topic that nobody subscribes to, while the launch file has a subscriber that was probably meant.
+
+Topics without a subscriber are common and no mistake. It is told where a node subscribes to the same type under a name that is a
+letter apart, or where the publishing node is connected to nothing else and its name differs by a namespace or a word: then
+it is a warning. It is an info where only the type speaks for it. Where both ends meet nobody, the rule
+[no-publisher](LL612.md) speaks. Nothing is said while a node that is not known may be the subscriber.
+
+## Why it matters
+
+What the node works out or commands reaches nobody.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="turtlesim" type="turtlesim_node" name="sim"/>
+  <node pkg="turtlesim" type="turtle_teleop_key" name="keys"/>
+  <node pkg="teleop_twist_keyboard" type="teleop_twist_keyboard.py" name="teleop">
+    <remap from="cmd_vel" to="drive"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="turtlesim" type="turtlesim_node" name="sim"/>
+  <node pkg="teleop_twist_keyboard" type="teleop_twist_keyboard.py" name="teleop">
+    <remap from="cmd_vel" to="turtle1/cmd_vel"/>
+  </node>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.connections.loose_ends import LooseEnds
+from launchlint.rules.connections.meant_for import tell
+from launchlint.rules.made_up import has_odd_boolean
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import GraphView
+
+RULE = Rule("LL613", "no-subscriber", Severity.INFO)
+
+
+def check(view: GraphView) -> Iterator[Finding]:
+    """Look at the topics that have publishers only."""
+    if view.graph.missing["subscribers"].reason or has_odd_boolean(view.launch):
+        return
+    ends = LooseEnds(view.graph)
+    told: set[tuple[str, str]] | None = None
+    for missed in ends.missed("topic", offers=True):
+        if missed.loose:
+            if told is None:
+                told = {(each.other.name, each.end.name) for each in ends.missed("topic", offers=False)}
+            if (missed.end.name, missed.other.name) in told:
+                continue  # it is told at the subscriber
+        yield tell(RULE, missed, "what it publishes reaches nobody")

@@ -1,0 +1,89 @@
+"""Two nodes serve one service or action name.
+
+What it does: it looks for services and actions with two servers in different processes. It is an error where some node of the launch
+calls the service, and for every action; without a client it is a warning. Names that belong to the machinery of nodes, and servers
+that may or may not be there, do not count.
+
+## Why it matters
+
+The ROS master keeps one server for each service name: the one that registered last. Which one that is changes from start to start, and
+nobody is told. Two servers of one action both take every goal, and the client hears two answers.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="map_server" type="map_server" name="map_server" args="floor.yaml"/>
+  <node pkg="map_server" type="map_server" name="zones_server" args="zones.yaml">
+    <remap from="map" to="zones"/>
+  </node>
+  <node pkg="amcl" type="amcl" name="amcl"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="map_server" type="map_server" name="map_server" args="floor.yaml"/>
+  <node pkg="map_server" type="map_server" name="zones_server" args="zones.yaml">
+    <remap from="map" to="zones"/>
+    <remap from="static_map" to="static_zones"/>
+  </node>
+  <node pkg="amcl" type="amcl" name="amcl"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.graph.connections import Channel, Endpoint
+from launchlint.rules.connections.places import Owners, acting_origin, how, node_origin, owners
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import GraphView
+
+RULE = Rule("LL615", "several-servers", Severity.ERROR)
+
+
+def check(view: GraphView) -> Iterator[Finding]:
+    """Look at every service and action (rosmaster's registerService, actionlib's ActionServer)."""
+    known: Owners | None = None
+    for channel in view.graph.channels.values():
+        if channel.kind == "topic" or len(channel.offers) < 2:
+            continue
+        known = known or owners(view.graph)
+        servers: dict[str, Endpoint] = {}
+        for endpoint in channel.offers:
+            # Tests run one after another, so that a test is never there beside another one.
+            if endpoint.certain and not endpoint.is_plumbing and endpoint.process and not known[id(endpoint)].node.is_test:
+                servers.setdefault(endpoint.process, endpoint)
+        if len(servers) > 1:
+            yield _finding(channel, list(servers.values()), known)
+
+
+def _finding(channel: Channel, servers: list[Endpoint], known: Owners) -> Finding:
+    first, *_, last = servers
+    called = channel.kind == "action" or any(use.certain for use in channel.uses)
+    names = ", ".join(sorted(server.node for server in servers)[:4]) + (" …" if len(servers) > 4 else "")
+    if channel.kind == "action":
+        effect = "each of them takes every goal, and clients hear all of them"
+    elif called:
+        effect = (
+            f"{next(use.node for use in channel.uses if use.certain)} gets the one that registers last, which changes from start to start"
+        )
+    else:
+        effect = "who calls it gets the one that registers last, which changes from start to start"
+    notes = [words for words in (how(server, known[id(server)]) for server in (first, last)) if words]
+    return RULE.at(
+        acting_origin(last, known[id(last)]),
+        f"the {channel.kind} {channel.name} has {len(servers)} servers: {names}",
+        severity=None if called else Severity.WARNING,
+        label="serves it, too",
+        related=((node_origin(known[id(first)]).place, f"{first.node} serves it"),),
+        notes=(effect, *notes),
+        help="remap it for all but one of them, put them into namespaces of their own, or start only one",
+        topic=f"{channel.kind} {channel.name}",
+    )

@@ -1,0 +1,110 @@
+"""Simulated time is on without a clock, or a clock runs and simulated time is off.
+
+What it does: it compares the param `/use_sim_time` with the publishers of `/clock`. It is a warning where `rosbag play --clock`
+publishes the clock for other nodes of the launch and the param is not true, since nobody then listens to it. It is an info where the
+param is true and nothing in the launch publishes the clock: people often start a bag or a simulator by hand. Simulators that set the
+param themselves (Gazebo, Stage) do not count.
+
+## Why it matters
+
+With `/use_sim_time` every node takes its time from `/clock`. Without a clock the time stays zero: timers do not fire, `sleep` never
+returns, and tf has no transforms. With a clock and without the param the nodes live in the present while their data come from the past.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="rosbag" type="play" name="player" args="--clock $(dirname)/drive.bag"/>
+  <node pkg="gmapping" type="slam_gmapping" name="mapping"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <param name="/use_sim_time" value="true"/>
+  <node pkg="rosbag" type="play" name="player" args="--clock $(dirname)/drive.bag"/>
+  <node pkg="gmapping" type="slam_gmapping" name="mapping"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.graph.connections import ConnectionGraph, Endpoint
+from launchlint.model import ParameterSetting
+from launchlint.rules.connections.places import owners
+from launchlint.rules.params.values import is_certain
+from launchlint.rules.rule import Fine, Rule
+from launchlint.rules.view import GraphView
+from launchlint.source import Origin
+
+RULE = Rule("LL619", "sim-time-mismatch", Severity.WARNING)
+
+PARAM, CLOCK = "/use_sim_time", "/clock"
+_PLAYER = "rosbag/play"
+
+
+def check(view: GraphView) -> Iterator[Finding | Fine]:
+    """Compare the param with the clock (ros::start, rospy.impl.simtime)."""
+    graph = view.graph
+    setting = graph.parameters.setting(PARAM)
+    channel = graph.channels.get(("topic", CLOCK))
+    clocks = [] if channel is None else channel.offers
+    if setting is not None and setting.value is True:
+        yield from _without_clock(setting, clocks, graph)
+    else:
+        yield from _unused_clock(setting, clocks, graph)
+
+
+def _without_clock(setting: ParameterSetting, clocks: list[Endpoint], graph: ConnectionGraph) -> Iterator[Finding | Fine]:
+    if clocks or not is_certain(setting):
+        yield RULE.fine(setting.origin)
+        return
+    players = [instance for instance in graph.instances if instance.program == _PLAYER and instance.certain]
+    others = [instance for instance in graph.instances if instance.program != _PLAYER]
+    if players and "args" not in players[0].node.unknown:
+        player = players[0]
+        yield RULE.at(
+            Origin(player.node.attributes.get("args", player.node.origin.place), player.node.origin.step),
+            f"{PARAM} is true, and {player.name} plays its bag without --clock",
+            severity=Severity.INFO,
+            label="publishes no clock",
+            related=((setting.origin.place, "set here"),),
+            notes=("without a clock the time stays zero, unless the bag itself holds /clock",),
+            help="add --clock to its args",
+        )
+    elif not graph.may_offer("topic", CLOCK) and others:
+        yield RULE.at(
+            setting.origin,
+            f"{PARAM} is true, and no node of this launch publishes {CLOCK}",
+            severity=Severity.INFO,
+            label="time stays zero without a clock",
+            help="start what publishes the clock (rosbag play --clock, a simulator), or do not set the param here",
+        )
+
+
+def _unused_clock(setting: ParameterSetting | None, clocks: list[Endpoint], graph: ConnectionGraph) -> Iterator[Finding]:
+    if setting is not None and (setting.value is not False or not is_certain(setting)):
+        return
+    if setting is None and not graph.launch.complete:
+        return
+    known = owners(graph)
+    others = [other for other in graph.instances if other.program != _PLAYER]
+    if not others or any(known[id(endpoint)].program != _PLAYER for endpoint in clocks):
+        return  # Gazebo (gazebo_ros_api_plugin) and Stage (stageros) set the param themselves
+    for endpoint in clocks:
+        instance = known[id(endpoint)]
+        if not endpoint.certain:
+            continue
+        yield RULE.at(
+            Origin(instance.node.attributes.get("args", instance.node.origin.place), instance.node.origin.step),
+            f"{endpoint.node} publishes {CLOCK}, and {PARAM} is {'not set' if setting is None else 'false'}: no node uses it",
+            label="nobody uses this clock",
+            related=() if setting is None else ((setting.origin.place, "set here"),),
+            help='put <param name="/use_sim_time" value="true"/> above the nodes',
+        )

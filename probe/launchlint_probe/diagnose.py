@@ -1,0 +1,98 @@
+"""Why a node did not run, or not wholly: from what it printed, how it ended and what it waited for."""
+
+import re
+from typing import Dict, List, Optional, Tuple
+
+from launchlint_probe.recorder import Facts
+
+Problem = Dict[str, str]
+
+DETAIL = 300
+"""Characters of output that a problem quotes."""
+
+
+class Outcome:
+    """What is known when a node has been stopped. ``code`` is its exit status, None where it did not end by itself."""
+
+    def __init__(self, facts: Facts, output: str, code: Optional[int], timed_out: bool, devices: List[str], printed: int) -> None:
+        self.facts = facts
+        self.output = output
+        self.code = code
+        self.timed_out = timed_out
+        self.devices = devices
+        self.printed = printed
+
+
+_SIGNS = (
+    ("module-missing", r"(?:ModuleNotFoundError|ImportError): (.+)"),
+    ("library-missing", r"error while loading shared libraries: ([^:\n]+)"),
+    ("arguments-required", r"(?im)^(?:.*?\b)?(usage:.*|.*the following arguments are required.*|.*too few arguments.*)$"),
+    ("param-required", r"(?im)^.*?((?:param(?:eter)?s?\b[^\n]*(?:not set|required|missing|must be|not found|undefined|not specified|is unset))"
+                       r"|(?:(?:no|missing|required) param(?:eter)?\b[^\n]*)|KeyError: '[~/][^']*'|(?:failed|unable|could not) to (?:get|find|read) param[^\n]*)"),
+    ("display-required", r"(?im)^.*?((?:cannot|could not|couldn't|unable to) (?:open|connect to) (?:X )?display[^\n]*|no display name[^\n]*"
+                         r"|could not load the Qt platform plugin[^\n]*|GLX[^\n]*|TclError[^\n]*)"),
+    ("device-missing", r"(?im)^.*?((?:cannot|could not|couldn't|failed to|unable to|error) ?(?:open|connect|access)[^\n]*(?:/dev/[^\s'\"]+|port|device|camera|usb)"
+                       r"[^\n]*|no such file or directory:? ?'?/dev/[^\n]*|no (?:devices?|cameras?) [^\n]*found[^\n]*)"),
+    ("file-missing", r"(?im)^.*?((?:no such file or directory|file not found|could not (?:open|load) file)[^\n]*)"),
+    ("network", r"(?im)^.*?((?:connection refused|network is unreachable|name or service not known|temporary failure in name resolution)[^\n]*)"),
+    ("exception", r"(?m)^(?:terminate called[^\n]*\n\s*what\(\):\s*([^\n]+)|(\w*(?:Error|Exception): [^\n]+))"),
+)
+_COMPILED = tuple((code, re.compile(pattern)) for code, pattern in _SIGNS)
+
+
+def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
+    """``ok``, ``failed`` or ``not-a-node``, and the problems: each with a code and what was printed.
+
+    A node that registered something and did not end is ok, whatever it printed. One that ended with status 0 and a usage text has failed.
+    """
+    facts = outcome.facts
+    contacted = bool(facts.nodes or facts.reads or facts.lookups or facts.searches)
+    registered = bool(facts.nodes)
+    problems = []  # type: List[Problem]
+    waits = sorted(name for name in facts.lookups if not any(name == served for _, served in facts.services))
+    if facts.overflow:
+        problems.append(_problem("too-many-names", "it made up names without end"))
+    if outcome.printed > 64 * 1024 * 1024:
+        problems.append(_problem("too-much-output", "it printed without end"))
+    if outcome.code is None:
+        if registered:
+            problems.extend(_problem("waits-for-service", name) for name in waits)
+            return "ok", problems
+        for device in outcome.devices:
+            problems.append(_problem("waits-for-device", device))
+        problems.extend(_signs(outcome.output)[:1])
+        problems.append(_problem("timed-out", "it was stopped before it registered anything") if contacted
+                        else _problem("silent", "it never contacted the master"))
+        return ("failed" if contacted or outcome.devices or len(problems) > 1 else "not-a-node"), problems
+    signs = _signs(outcome.output)
+    problems.extend(signs[:2])
+    if outcome.code:
+        problems.append(_problem("ended", _ended(outcome.code)))
+    elif not signs:
+        problems.append(_problem("ended", "it ended by itself with status 0"))
+    if registered and outcome.code == 0 and not signs:
+        return "ok", problems
+    if not contacted and not signs and outcome.code == 0:
+        return "not-a-node", problems
+    return "failed", problems
+
+
+def _ended(code: int) -> str:
+    return "it was ended by signal {}".format(-code) if code < 0 else "it ended by itself with status {}".format(code)
+
+
+def _signs(output: str) -> List[Problem]:
+    """What the output says, the most telling first."""
+    found = []
+    for code, pattern in _COMPILED:
+        matches = pattern.findall(output[-20000:])
+        if matches:
+            last = matches[-1]
+            text = last if isinstance(last, str) else next((each for each in last if each), "")
+            found.append(_problem(code, text))
+    return found
+
+
+def _problem(code: str, detail: str) -> Problem:
+    shown = "".join(each if each.isprintable() else " " for each in detail.strip())
+    return {"code": code, "detail": shown[:DETAIL]}

@@ -1,0 +1,174 @@
+"""Which programs of which packages are nodes: found by looking, not by running them."""
+
+import ast
+import hashlib
+import os
+import re
+import subprocess
+from typing import Any, Dict, Iterator, List, Optional, Tuple
+from xml.etree import ElementTree
+
+LARGEST_SCRIPT = 4 * 1024 * 1024
+
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+_ROS_MODULES = {"rospy", "roslib", "rosgraph", "roslaunch", "rosservice", "rostopic", "actionlib", "tf", "tf2_ros", "smach_ros", "dynamic_reconfigure"}
+
+
+class Found:
+    """A program: ``kind`` is roscpp, rospy, nodelet or none; ``command`` starts it; ``path`` is what it is made from."""
+
+    def __init__(self, package: str, name: str, kind: str, command: List[str], path: str) -> None:
+        self.package = package
+        self.name = name
+        self.kind = kind
+        self.command = command
+        self.path = path
+
+    @property
+    def label(self) -> str:
+        """``package/executable``, or the class of a nodelet."""
+        return self.name if self.kind == "nodelet" else "{}/{}".format(self.package, self.name)
+
+
+def default_prefixes() -> List[str]:
+    """Where packages are installed: what the environment says, and Debian's own place."""
+    found = [each for each in os.environ.get("CMAKE_PREFIX_PATH", "").split(os.pathsep) if each]
+    found += sorted(os.path.join("/opt/ros", name) for name in (os.listdir("/opt/ros") if os.path.isdir("/opt/ros") else []))
+    return list(dict.fromkeys(found + ["/usr"]))
+
+
+def packages(prefixes: List[str]) -> Dict[str, List[str]]:
+    """Package → the directories that hold its programs. Debian puts some programs into ``lib/PACKAGE`` without a manifest."""
+    found = {}  # type: Dict[str, List[str]]
+    for prefix in prefixes:
+        for place in ("lib", "libexec"):
+            top = os.path.join(prefix, place)
+            for name in sorted(os.listdir(top)) if os.path.isdir(top) else ():
+                directory = os.path.join(top, name)
+                if _NAME.fullmatch(name) and os.path.isdir(directory) and (_manifest(prefix, name) or _has_nodes(directory)):
+                    found.setdefault(name, []).append(directory)
+        share = os.path.join(prefix, "share")
+        for name in sorted(os.listdir(share)) if os.path.isdir(share) else ():
+            if _NAME.fullmatch(name) and _manifest(prefix, name):
+                found.setdefault(name, [])
+    return found
+
+
+def _manifest(prefix: str, package: str) -> Optional[str]:
+    path = os.path.join(prefix, "share", package, "package.xml")
+    return path if os.path.isfile(path) else None
+
+
+def _has_nodes(directory: str) -> bool:
+    return any(classify(os.path.join(directory, name)) != "none" for name in sorted(os.listdir(directory))[:50])
+
+
+def executables(package: str, directories: List[str]) -> Iterator[Found]:
+    """The programs of a package, by name; of one name the first."""
+    seen = set()
+    for directory in directories:
+        for name in sorted(os.listdir(directory)):
+            path = os.path.join(directory, name)
+            if name in seen or not os.path.isfile(path) or not os.access(path, os.X_OK) or ".so" in name or name.startswith("."):
+                continue
+            seen.add(name)
+            yield Found(package, name, classify(path), [path], path)
+
+
+def classify(path: str) -> str:
+    """roscpp, rospy or none: by what a binary is linked with, or what a script imports."""
+    try:
+        if not os.path.isfile(path) or not os.access(path, os.X_OK):
+            return "none"
+        with open(path, "rb") as file:
+            head = file.read(4)
+            if head == b"\x7fELF":
+                return "roscpp" if "libroscpp.so" in _linked(path) else "none"
+            text = (head + file.read(LARGEST_SCRIPT)).decode("utf-8", "replace")
+    except OSError:
+        return "none"
+    if not text.startswith("#!") or "python" not in text.splitlines()[0]:
+        return "none"
+    return "rospy" if _imports(_relayed(text)) & _ROS_MODULES else "none"
+
+
+def _linked(path: str) -> str:
+    try:
+        done = subprocess.run(["ldd", path], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=20)
+    except (OSError, subprocess.TimeoutExpired):
+        return ""
+    return done.stdout.decode("utf-8", "replace")
+
+
+def _relayed(text: str) -> str:
+    """The script that a script of catkin's devel space runs, else the text itself."""
+    target = re.search(r"python_script = '([^'\n]+)'", text)
+    if target is not None:
+        try:
+            with open(target.group(1), encoding="utf-8", errors="replace") as file:
+                return file.read(LARGEST_SCRIPT)
+        except OSError:
+            return text
+    return text
+
+
+def _imports(text: str) -> set:
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return set(re.findall(r"^\s*(?:import|from)\s+(\w+)", text, re.MULTILINE))  # Python 2
+    found = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            found.update(alias.name.split(".")[0] for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            found.add(node.module.split(".")[0])
+    # A script that only calls the main of a module of its own package is a node where that module is.
+    return found | ({"rospy"} if re.search(r"\brospy\b|init_node", text) else set())
+
+
+def nodelets(prefixes: List[str], package: str, loader: Optional[str]) -> Iterator[Found]:
+    """The nodelet classes that a package exports, each as a standalone process."""
+    for prefix in prefixes:
+        manifest = _manifest(prefix, package)
+        if manifest is None or loader is None:
+            continue
+        for plugins in _plugin_files(manifest, prefix, package):
+            for name, kind in _classes(plugins):
+                if kind.endswith("Nodelet"):
+                    yield Found(package, name, "nodelet", [loader, "standalone", name], plugins)
+        return
+
+
+def _plugin_files(manifest: str, prefix: str, package: str) -> Iterator[str]:
+    try:
+        root = ElementTree.parse(manifest).getroot()
+    except (ElementTree.ParseError, OSError):
+        return
+    for export in root.iter("nodelet"):
+        path = (export.get("plugin") or "").replace("${prefix}", os.path.dirname(manifest))
+        if path and os.path.isfile(path):
+            yield path
+
+
+def _classes(path: str) -> List[Tuple[str, str]]:
+    try:
+        with open(path, encoding="utf-8", errors="replace") as file:
+            text = re.sub(r"^\s*<\?xml[^>]*\?>", "", file.read(LARGEST_SCRIPT))
+        root = ElementTree.fromstring("<all>{}</all>".format(text))
+    except (ElementTree.ParseError, OSError):
+        return []
+    return [(each.get("name") or each.get("type") or "", each.get("base_class_type") or "") for each in root.iter("class")]
+
+
+def fingerprint(found: Found, settings: Any) -> str:
+    """Changes when the program, what it is started with, or the probe changes."""
+    digest = hashlib.sha256(repr(settings).encode("utf-8", "replace"))
+    here = os.path.dirname(os.path.abspath(__file__))
+    for path in [found.path, *sorted(os.path.join(here, name) for name in os.listdir(here) if name.endswith(".py"))]:
+        try:
+            with open(path, "rb") as file:
+                digest.update(hashlib.sha256(file.read()).digest())
+        except OSError:
+            digest.update(b"?")
+    return digest.hexdigest()[:32]

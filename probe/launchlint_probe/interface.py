@@ -1,0 +1,149 @@
+"""From recorded facts to an interface in the library format: kinds of names, actions, params; what every node has is left out."""
+
+import re
+from typing import Any, Dict, List, Optional, Tuple
+
+from launchlint_probe.recorder import Facts
+
+NAMESPACE = "/launchlint_ns"
+NODE = "launchlint_node"
+FULL = NAMESPACE + "/" + NODE
+
+Entry = Dict[str, Any]
+
+_ANONYMOUS = re.compile(r"_\d+_\d{12,}(?=_|/|$)")
+"""What rospy and roscpp append to anonymous names: the process id and the time in milliseconds (or nanoseconds)."""
+_INFRASTRUCTURE = re.compile(
+    r"/rosout|/rosout_agg|/clock|/statistics.*|.*/(get_loggers|set_logger_level)|/use_sim_time|/enable_statistics|/run_id|.*tcp_keepalive"
+    r"|/rosout_disable_topics_generation|/roslaunch(/.*)?|/rosdistro|/rosversion|/launchlint_probe.*"
+)
+_ACTION_TYPES = {"status": "actionlib_msgs/GoalStatusArray", "cancel": "actionlib_msgs/GoalID"}
+
+
+def spelled(name: str) -> str:
+    """A recorded name as the node's code says it: relative, ``~private`` or ``/global``, with what changes from run to run left open."""
+    if name == FULL:
+        own = "~"
+    elif name.startswith(FULL + "/"):
+        own = "~" + name[len(FULL) + 1 :]
+    elif name.startswith(NAMESPACE + "/"):
+        own = name[len(NAMESPACE) + 1 :]
+    else:
+        own = name
+    own = own.replace("{", "{{").replace("}", "}}")
+    own = _ANONYMOUS.sub("{any}", own)
+    return own.replace(NODE, "{node}").replace(NAMESPACE[1:], "{any}")
+
+
+def is_infrastructure(name: str) -> bool:
+    """Whether every node has this name."""
+    return _INFRASTRUCTURE.fullmatch(name) is not None
+
+
+def interface(facts: Facts, headers: Dict[str, Dict[str, str]], services: Dict[str, Dict[str, str]], woken: Dict[str, str],
+              reconfigure: Dict[str, Dict[str, Any]], given: Dict[str, Any], run: str) -> Dict[str, List[Entry]]:
+    """The interface of a node.
+
+    Args:
+        facts: what was recorded.
+        headers: topic → header of a connection to its publisher.
+        services: service → header of its answer to a probe.
+        woken: names that appeared only after somebody subscribed → ``subscriber``.
+        reconfigure: full name of a param → what dynamic_reconfigure says of it.
+        given: full names of params that the probe itself set.
+        run: what the evidence says of this run.
+    """
+    evidence = [{"by": "dynamic", "run": run}]
+    publishers = {name: kind for (_, name), (kind, _) in facts.publishers.items() if not is_infrastructure(name)}
+    subscribers = {name: kind for (_, name), (kind, _) in facts.subscribers.items() if not is_infrastructure(name)}
+    actions = _take_actions(publishers, subscribers)
+    found = {
+        "publishers": [_topic(name, kind, headers.get(name), woken, evidence) for name, kind in publishers.items()],
+        "subscribers": [_topic(name, kind, None, woken, evidence) for name, kind in subscribers.items()],
+        "services": [
+            _typed(name, services.get(name, {}), evidence) for _, name in facts.services if not is_infrastructure(name)
+        ],
+        "clients": [
+            {"name": spelled(name), "evidence": evidence}
+            for name in facts.lookups
+            if not is_infrastructure(name) and not any(name == served for _, served in facts.services)
+        ],
+        "actions": [dict(each, evidence=evidence) for each in actions],
+        "params": _params(facts, reconfigure, given, evidence),
+    }  # type: Dict[str, List[Entry]]
+    return {category: _sorted(entries) for category, entries in found.items() if entries}
+
+
+def _sorted(entries: List[Entry]) -> List[Entry]:
+    unique = {}  # type: Dict[Tuple[str, str], Entry]
+    for entry in entries:
+        unique.setdefault((entry["name"], entry.get("role", "")), entry)
+    return [unique[key] for key in sorted(unique)]
+
+
+def _topic(name: str, kind: str, header: Optional[Dict[str, str]], woken: Dict[str, str], evidence: List[Dict[str, str]]) -> Entry:
+    entry = {"name": spelled(name)}  # type: Entry
+    if kind:
+        entry["type"] = kind
+    if header and header.get("md5sum", "*") != "*" and header.get("type") == kind:
+        entry["md5"] = header["md5sum"]
+    if header and header.get("latching") == "1":
+        entry["latched"] = True
+    if name in woken:
+        entry["when"] = woken[name]
+    entry["evidence"] = evidence
+    return entry
+
+
+def _typed(name: str, header: Dict[str, str], evidence: List[Dict[str, str]]) -> Entry:
+    entry = {"name": spelled(name)}  # type: Entry
+    if header.get("type"):
+        entry["type"] = header["type"]
+    if header.get("md5sum", "*") != "*":
+        entry["md5"] = header["md5sum"]
+    entry["evidence"] = evidence
+    return entry
+
+
+def _take_actions(publishers: Dict[str, str], subscribers: Dict[str, str]) -> List[Entry]:
+    """The actions among the topics, which are taken out: a server publishes status, feedback and result and hears goal and cancel."""
+    found = []
+    for role, out, into in (("server", subscribers, publishers), ("client", publishers, subscribers)):
+        for name in sorted(out):
+            base, _, last = name.rpartition("/")
+            kind = out[name]
+            if last != "goal" or not kind.endswith("ActionGoal"):
+                continue
+            action = kind[: -len("Goal")]
+            others = {"cancel": out, "status": into, "feedback": into, "result": into}
+            types = dict(_ACTION_TYPES, feedback=action + "Feedback", result=action + "Result")
+            if all(table.get("{}/{}".format(base, each)) == types[each] for each, table in others.items()):
+                found.append({"name": spelled(base), "type": action, "role": role})
+                del out[name]
+                for each, table in others.items():
+                    del table["{}/{}".format(base, each)]
+    return found
+
+
+_KINDS = {bool: "bool", int: "int", float: "double", str: "str", list: "list", dict: "dict"}
+
+
+def _params(facts: Facts, reconfigure: Dict[str, Dict[str, Any]], given: Dict[str, Any], evidence: List[Dict[str, str]]) -> List[Entry]:
+    names = [name for name in facts.reads if not is_infrastructure(name)]
+    names += [name for name in reconfigure if name not in facts.reads]
+    entries = []
+    for name in names:
+        entry = {"name": spelled(name)}  # type: Entry
+        known = reconfigure.get(name)
+        written = facts.writes.get(name)
+        if known:
+            entry.update({key: known[key] for key in ("type", "default", "min", "max") if key in known})
+        elif written is not None and name not in given and type(written) in _KINDS:
+            entry["type"] = _KINDS[type(written)]
+            entry["default"] = written
+        entry["evidence"] = evidence
+        entries.append(entry)
+    for name in facts.searches:
+        if not name.startswith("/") and not is_infrastructure("/" + name):
+            entries.append({"name": spelled(name), "evidence": evidence})
+    return entries

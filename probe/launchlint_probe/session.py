@@ -1,0 +1,215 @@
+"""Running one node against a recorder: start, watch, wake, harvest, stop."""
+
+import os
+import shlex
+import subprocess
+import tempfile
+import time
+from typing import Any, Dict, List, Optional, Tuple
+
+from launchlint_probe import processes
+from launchlint_probe.diagnose import Outcome, diagnose
+from launchlint_probe.interface import FULL, NAMESPACE, NODE, interface, is_infrastructure
+from launchlint_probe.recorder import Recorder
+from launchlint_probe.tcpros import Subscription, reconfigure_description, service_header
+
+STEP = 0.05
+"""Seconds between two looks at a node."""
+OUTPUT_KEPT = 64 * 1024
+"""Bytes of a node's output that are kept, from its end."""
+OUTPUT_MOST = 64 * 1024 * 1024
+"""Bytes after which a node is stopped: it would fill the disk."""
+MOST_WOKEN = 500
+"""Publishers that are connected to."""
+
+
+class Plan:
+    """How one node is run; times in seconds.
+
+    Args:
+        label: ``package/executable`` or so, for the record.
+        command: the program and its own arguments.
+        params: private (``~x``), relative or global names of params → values, set before it starts.
+        remap: names → names.
+        environment: further variables.
+        files: name → text of files put into its working directory.
+        quiet: this long nothing new must come before it is taken to be ready.
+        limit: it is stopped after this.
+        with_name: whether it is given ``__name`` and ``__log``.
+    """
+
+    def __init__(self, label: str, command: List[str], params: Optional[Dict[str, Any]] = None, remap: Optional[Dict[str, str]] = None,
+                 environment: Optional[Dict[str, str]] = None, files: Optional[Dict[str, str]] = None, quiet: float = 1.0, limit: float = 15.0,
+                 with_name: bool = True) -> None:
+        self.label = label
+        self.command = command
+        self.params = params or {}
+        self.remap = remap or {}
+        self.environment = environment or {}
+        self.files = files or {}
+        self.quiet = quiet
+        self.limit = limit
+        self.with_name = with_name
+
+
+def full_name(name: str) -> str:
+    """Where a param of the configuration is set: ``~x`` is private to the node, ``x`` in its namespace."""
+    if name.startswith("/"):
+        return name
+    return "{}/{}".format(FULL, name[1:]) if name.startswith("~") else "{}/{}".format(NAMESPACE, name)
+
+
+def run(plan: Plan) -> Dict[str, Any]:
+    """Run a node. Returns its record: ``status``, ``interface``, ``problems``, ``seconds``, and what was left running (nothing, if all is well)."""
+    given = {full_name(name): value for name, value in plan.params.items()}
+    recorder = Recorder(given)
+    mark = "{}-{}".format(os.getpid(), int(time.monotonic() * 1e6))
+    began = time.monotonic()
+    try:
+        with tempfile.TemporaryDirectory(prefix="probe-") as directory:
+            return _run(plan, recorder, given, mark, directory, began)
+    finally:
+        recorder.close()
+
+
+def _run(plan: Plan, recorder: Recorder, given: Dict[str, Any], mark: str, directory: str, began: float) -> Dict[str, Any]:
+    for name, text in plan.files.items():
+        with open(os.path.join(directory, os.path.basename(name)), "w", encoding="utf-8") as file:
+            file.write(text)
+    output_path = os.path.join(directory, ".output")
+    controller, terminal = os.openpty()
+    subscriptions = {}  # type: Dict[Tuple[str, str], Subscription]
+    try:
+        with open(output_path, "wb") as output:
+            try:
+                process = subprocess.Popen(_command(plan, directory), cwd=directory, env=_environment(plan, recorder, mark, directory),
+                                           stdin=terminal, stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
+            except OSError as error:
+                return {"label": plan.label, "status": "failed", "interface": {}, "seconds": 0.0, "left": [],
+                        "problems": [{"code": "not-started", "detail": "it cannot be started: {}".format(error.strerror or error)}]}
+        os.close(terminal)
+        terminal = -1
+        before, ended = _watch(plan, recorder, process, mark, output_path, began, subscriptions)
+        woken = _woken(recorder, before)
+        facts = recorder.facts
+        services = {name: service_header(api, name) for (_, name), (api, _) in list(facts.services.items()) if not is_infrastructure(name)}
+        headers = {name: each.header for (_, name), each in subscriptions.items() if each.header}
+        reconfigure = _reconfigure(subscriptions)
+        devices = processes.waiting_for(processes.marked(mark))
+        timed_out = time.monotonic() - began >= plan.limit and not ended
+        for each in subscriptions.values():
+            each.close()
+        left = processes.stop(mark, process.pid)
+        code = process.wait() if not left else process.poll()
+        text = _tail(output_path)
+        outcome = Outcome(facts, text, code if ended else None, timed_out, sorted(set(devices.values())), os.path.getsize(output_path))
+        status, problems = diagnose(outcome)
+        return {
+            "label": plan.label,
+            "status": status,
+            "interface": interface(facts, headers, services, woken, reconfigure, given, plan.label) if status != "not-a-node" else {},
+            "problems": problems,
+            "seconds": round(time.monotonic() - began, 3),
+            "left": left,
+        }
+    finally:
+        processes.stop(mark, -1, 0.1)
+        os.close(controller)
+        if terminal >= 0:
+            os.close(terminal)
+
+
+def _command(plan: Plan, directory: str) -> List[str]:
+    words = list(plan.command) + ["{}:={}".format(name, target) for name, target in sorted(plan.remap.items())]
+    if plan.with_name:
+        words += ["__name:={}".format(NODE), "__log:={}".format(os.path.join(directory, ".log"))]
+    return words
+
+
+def _environment(plan: Plan, recorder: Recorder, mark: str, directory: str) -> Dict[str, str]:
+    environment = dict(os.environ, **plan.environment)
+    environment.update({
+        "ROS_MASTER_URI": recorder.uri, "ROS_NAMESPACE": NAMESPACE, "ROS_IP": "127.0.0.1", "ROS_HOME": directory, "HOME": directory,
+        "ROS_LOG_DIR": directory, "PYTHONUNBUFFERED": "1", "QT_QPA_PLATFORM": "offscreen", processes.MARK: mark,
+    })
+    environment.pop("ROS_HOSTNAME", None)
+    # Scripts ask for "python3": that must be the one ROS is installed for, not another one that the user has.
+    environment["PATH"] = os.pathsep.join(["/usr/bin", environment.get("PATH", "/bin")])
+    return environment
+
+
+def _watch(plan: Plan, recorder: Recorder, process: Any, mark: str, output: str, began: float,
+           subscriptions: Dict[Tuple[str, str], Subscription]) -> Tuple[Any, bool]:
+    """Wait until the node is ready, wake it, wait again. Returns the names it had before it was woken, and whether it ended by itself."""
+    before = None  # type: Any
+    facts = recorder.facts
+    idle_since = time.monotonic()
+    last_busy = 0.0
+    while True:
+        now = time.monotonic()
+        if now - began >= plan.limit or facts.overflow or os.path.getsize(output) > OUTPUT_MOST:
+            return before, False
+        if process.poll() is not None:
+            alive = [each for each in processes.marked(mark)]
+            if not alive:
+                return before, True
+        busy = processes.busy_time(processes.marked(mark))
+        if busy > last_busy + 1:
+            last_busy, idle_since = busy, now
+        registered = any(not is_infrastructure(name) for table in (facts.publishers, facts.subscribers, facts.services) for _, name in list(table))
+        settled = now - facts.changed >= plan.quiet and (now - idle_since >= min(plan.quiet, 0.5) or now - facts.changed >= 2 * plan.quiet)
+        if facts.nodes and settled and (registered or now - facts.changed >= 2 * plan.quiet):
+            new = [(api, name) for (_, name), (_, api) in list(facts.publishers.items()) if (api, name) not in subscriptions]
+            if before is None:
+                before = set(list(facts.publishers) + list(facts.subscribers) + list(facts.services))
+            if not new or len(subscriptions) >= MOST_WOKEN:
+                return before, False
+            for api, name in new[:MOST_WOKEN]:
+                if not name.startswith("/rosout"):
+                    subscriptions[(api, name)] = Subscription(api, name)
+                else:
+                    subscriptions.setdefault((api, name), _SILENT)
+            facts.changed = time.monotonic()
+        time.sleep(STEP)
+
+
+class _Silent(Subscription):
+    """Stands for a publisher that nobody needs to hear."""
+
+    def __init__(self) -> None:
+        self.header = {}
+        self.message = b""
+
+    def close(self) -> None:
+        """There is nothing to close."""
+
+
+_SILENT = _Silent()
+
+
+def _woken(recorder: Recorder, before: Any) -> Dict[str, str]:
+    facts = recorder.facts
+    tables = (facts.publishers, facts.subscribers, facts.services)
+    return {} if before is None else {name: "subscriber" for table in tables for _, name in table if (_, name) not in before}
+
+
+def _reconfigure(subscriptions: Dict[Tuple[str, str], Subscription]) -> Dict[str, Dict[str, Any]]:
+    found = {}  # type: Dict[str, Dict[str, Any]]
+    for (_, name), each in subscriptions.items():
+        if each.header.get("type") == "dynamic_reconfigure/ConfigDescription" and each.message:
+            base = name.rpartition("/")[0]
+            for param, known in reconfigure_description(each.message).items():
+                found["{}/{}".format(base, param)] = known
+    return found
+
+
+def _tail(path: str) -> str:
+    with open(path, "rb") as file:
+        file.seek(0, os.SEEK_END)
+        file.seek(max(0, file.tell() - OUTPUT_KEPT))
+        return file.read().decode("utf-8", "replace")
+
+
+def split(arguments: str) -> List[str]:
+    """A line of arguments as a list, as roslaunch splits it."""
+    return shlex.split(arguments)
