@@ -69,7 +69,7 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
     try:
         results = check_entries(requests, checker, jobs=given.jobs, cache_directory=directory, progress=None if bar is None else bar.show)
         if given.base is not None:
-            from launchlint.check.base import with_losses
+            from launchlint.check.losses import with_losses
 
             results = with_losses(results, checker, given.base)
     finally:

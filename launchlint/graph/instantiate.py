@@ -73,6 +73,7 @@ def instantiate(program: Program, start: Start, namer: Namer, process: str, *, c
 
 def _doubts(declaration: Declaration, pattern: str, namer: Namer) -> Iterator[Doubt]:
     """What is known of a name that is not: its pattern, what remappings may make of it, and what follows from it (images, actions)."""
+    pattern = pattern[1:] if pattern.startswith("~*") else pattern
     known = "*" if pattern.startswith("*") and not pattern.startswith("*/") else absolute(pattern, namer.namespace, namer.private)
     doubt = Doubt(declaration.category, known, declaration.name)
     targets = (applied.target for applied in namer.remappings.values() if doubt.may_be(applied.source))
@@ -98,6 +99,8 @@ def _names(declaration: Declaration, start: Start) -> Iterator[tuple[str | Undet
         name = fill(parse(declaration.name), start, item) if is_template(declaration.name) else declaration.name
         if name is None or name == "":
             continue
+        if isinstance(name, str) and name.startswith("~/") and declaration.name.startswith("~{"):
+            name = name[1:]  # a private NodeHandle that is given a global name by a param or an argument
         type_ = fill(parse(declaration.type), start, item) if is_template(declaration.type) else declaration.type
         yield name, type_ if isinstance(type_, str) else ""
 

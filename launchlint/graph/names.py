@@ -130,7 +130,7 @@ class Namer:
         return self.again(found) if self._is_rospy else found
 
     def action(self, name: str) -> Resolved:
-        """The name beneath which an action has its topics. In rospy only a remapping spelled like ``name`` acts on it (rospy.remap_name)."""
+        """The name beneath which an action has its topics. In rospy only a remapping spelled as ``name`` acts on it (rospy.remap_name)."""
         if not self._is_rospy:
             return self.resolve(name)
         applied = self._spelled.get(name)
@@ -183,7 +183,9 @@ class NodeletNamer(Namer):
         self.graph_name = loader.graph_name
         self.namespace = self.moved(loader.graph_name.rpartition("/")[0] or "/")
         self.private = self.moved(loader.graph_name)
-        moved = {self.moved(source): applied._replace(target=self.moved(applied.target)) for source, applied in sorted(loader.remappings.items())}
+        moved = {
+            self.moved(source): applied._replace(target=self.moved(applied.target)) for source, applied in sorted(loader.remappings.items())
+        }
         self._table = {source: applied._replace(source=source) for source, applied in moved.items()}
 
     def _applied(self, name: str) -> Applied | None:

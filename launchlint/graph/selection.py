@@ -6,19 +6,19 @@ from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from typing import NamedTuple
 
-from launchlint.graph.topology import Connection, Topology, TopologyNode
+from launchlint.graph.topology import Connection, Container, Topology, TopologyNode
 
-KINDS = ("topic", "service", "action")
+KINDS = ("topic", "service", "action", "param")
 
 
 class Selection(NamedTuple):
     """What to keep. The defaults keep everything.
 
     Args:
-        namespaces: nodes in one of these namespaces, or below it, with what they talk to.
-        nodes: nodes whose full name is, or matches (``*``, ``?``), one of these, with what they talk to.
-        channels: only topics, services and actions whose name is, or matches, one of these.
-        kinds: only channels of these kinds.
+        namespaces: nodes in a namespace that is, or matches (``*``, ``?``), one of these, or below it, with what they talk to.
+        nodes: nodes whose full name is, or matches, one of these, with what they talk to.
+        channels: only topics, services and actions whose name is, or matches, one of these, and the nodes that have to do with them.
+        kinds: only channels of these kinds, and params only if they are among them.
         hubs: keep ``/tf`` and the like.
         plumbing: keep bonds, dynamic_reconfigure and the services of nodelet managers.
         action_topics: keep the topics of an action beside the action itself.
@@ -41,7 +41,7 @@ def select(topology: Topology, selection: Selection) -> Topology:
         if channel.kind in selection.kinds
         and (selection.hubs or not channel.hub)
         and (selection.plumbing or not channel.plumbing)
-        and _matches(channel.name, selection.channels)
+        and (not selection.channels or matches(channel.name, selection.channels))
     }
     connections = [
         connection
@@ -52,39 +52,86 @@ def select(topology: Topology, selection: Selection) -> Topology:
     nodes = topology.nodes
     if selection.namespaces or selection.nodes:
         focus = {node.name for node in nodes if _is_focus(node, selection)}
-        touched = {(connection.kind, connection.name) for connection in connections if connection.node in focus}
-        connections = [connection for connection in connections if (connection.kind, connection.name) in touched]
-        nodes = _kept(nodes, focus | _talking(connections))
+        connections = _around(connections, focus)
+        nodes = _kept(nodes, (focus if not selection.channels else set()) | {connection.node for connection in connections})
     elif selection.channels:
-        nodes = _kept(nodes, _talking(connections))
+        nodes = _kept(nodes, {connection.node for connection in connections})
     used = {(connection.kind, connection.name) for connection in connections}
-    containers = {each for node in nodes for each in node.containers}
-    names = {node.name for node in nodes}
+    names = None if nodes is topology.nodes else {node.name for node in nodes}
+    params = topology.params if "param" in selection.kinds else ()
     return topology._replace(
         nodes=nodes,
         connections=tuple(connections),
         channels=tuple(channel for channel in topology.channels if (channel.kind, channel.name) in used),
-        params=tuple(param for param in topology.params if nodes is topology.nodes or names.intersection(param.readers)),
-        containers=tuple(container for container in topology.containers if container.id in containers),
+        params=tuple(param for param in params if names is None or not names.isdisjoint(param.readers)),
+        containers=_containers(topology, nodes),
     )
+
+
+def unmatched(topologies: Iterable[Topology], selection: Selection) -> list[tuple[str, str, list[str]]]:
+    """What was asked for and is nowhere: what it is (namespace, node, topic), as it was given, and the names that there are."""
+    namespaces: set[str] = set()
+    nodes: set[str] = set()
+    channels: set[str] = set()
+    for topology in topologies:
+        nodes.update(node.name for node in topology.nodes)
+        namespaces.update(node.namespace for node in topology.nodes)
+        channels.update(channel.name for channel in topology.channels)
+    asked = (
+        ("namespace", selection.namespaces, namespaces, _is_in),
+        ("node", selection.nodes, nodes, _matches),
+        ("topic", selection.channels, channels, _matches),
+    )
+    return [
+        (what, pattern, sorted(names))
+        for what, patterns, names, holds in asked
+        for pattern in patterns
+        if not any(holds(name, pattern) for name in names)
+    ]
+
+
+def matches(name: str, patterns: Iterable[str]) -> bool:
+    """Whether ``name`` is or matches one of the patterns; one without ``/`` at its start may begin at any level of the tree."""
+    return any(_matches(name, pattern) for pattern in patterns)
+
+
+def _matches(name: str, pattern: str) -> bool:
+    return name == pattern or fnmatchcase(name, pattern if pattern.startswith("/") else f"*/{pattern}")
 
 
 def _is_focus(node: TopologyNode, selection: Selection) -> bool:
-    below = any(f"{node.namespace.rstrip('/')}/".startswith(f"{namespace.rstrip('/')}/") for namespace in selection.namespaces)
-    return below or (bool(selection.nodes) and _matches(node.name, selection.nodes))
+    return any(_is_in(node.namespace, namespace) for namespace in selection.namespaces) or matches(node.name, selection.nodes)
 
 
-def _matches(name: str, patterns: Iterable[str]) -> bool:
-    """Whether ``name`` matches one of the patterns; a pattern without ``/`` at its start may match anywhere in the tree."""
-    patterns = tuple(patterns)
-    return not patterns or any(
-        name == pattern or fnmatchcase(name, pattern if pattern.startswith("/") else f"*/{pattern}") for pattern in patterns
-    )
+def _is_in(namespace: str, pattern: str) -> bool:
+    """Whether ``namespace`` is the one that ``pattern`` means, or below it."""
+    wanted = f"/{pattern.strip('/')}"
+    if wanted == "/" or namespace == wanted or namespace.startswith(f"{wanted}/"):
+        return True
+    return any(character in wanted for character in "*?[") and (fnmatchcase(namespace, wanted) or fnmatchcase(namespace, f"{wanted}/*"))
 
 
-def _talking(connections: Iterable[Connection]) -> set[str]:
-    return {connection.node for connection in connections}
+def _around(connections: list[Connection], focus: set[str]) -> list[Connection]:
+    """The connections of the nodes in focus, and those of others at their other ends."""
+    touched = {(connection.kind, connection.name, not connection.offers) for connection in connections if connection.node in focus}
+    return [
+        connection
+        for connection in connections
+        if connection.node in focus or (connection.kind, connection.name, connection.offers) in touched
+    ]
 
 
 def _kept(nodes: Iterable[TopologyNode], names: set[str]) -> tuple[TopologyNode, ...]:
     return tuple(node for node in nodes if node.name in names)
+
+
+def _containers(topology: Topology, nodes: tuple[TopologyNode, ...]) -> tuple[Container, ...]:
+    """The groups and includes that hold any of the nodes, directly or not."""
+    parents = {container.id: container.parent for container in topology.containers}
+    kept: set[str] = set()
+    for node in nodes:
+        at = node.container
+        while at and at not in kept:
+            kept.add(at)
+            at = parents.get(at, "")
+    return tuple(container for container in topology.containers if container.id in kept)

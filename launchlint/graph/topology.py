@@ -5,10 +5,10 @@ Everything that shows, exports or compares a graph starts here. Rules look at :m
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
-from launchlint.graph.connections import OFFERS, Channel, ConnectionGraph, Endpoint, Instance
+from launchlint.graph.connections import HUB_SIZE, HUBS, OFFERS, Channel, ConnectionGraph, Endpoint, Instance
 from launchlint.graph.names import kind as spelling_of
 from launchlint.model import Binary, Command, Condition, Node, Scope, Unknown
 from launchlint.source import Origin, Place
@@ -22,7 +22,11 @@ SAMPLE = 200
 
 
 class Container(NamedTuple):
-    """A ``group`` or ``include`` of the launch files around nodes. ``id`` is its place with the includes that led there."""
+    """A ``group`` or ``include`` of the launch files around nodes.
+
+    ``id`` is its place with the includes that led there, ``parent`` the id of the container around it (empty: none). ``label`` is the
+    namespace of a group (empty where it has none of its own), the file of an include.
+    """
 
     id: str
     kind: str
@@ -33,9 +37,9 @@ class Container(NamedTuple):
 
 
 class TopologyNode(NamedTuple):
-    """A node. ``containers`` are the ids of groups and includes around it, outermost first; the other fields are those of Instance.
+    """A node. ``container`` is the id of the innermost group or include around it (empty: none); other fields are those of Instance.
 
-    ``conditions`` are the ``if`` and ``unless`` it stands under, as written; ``only`` the configurations in which it exists (args as on
+    Several may have one name: alternatives of which one runs, or a mistake. ``conditions`` are the ``if`` and ``unless`` it stands under, as written; ``only`` the configurations in which it exists (args as on
     the command line), empty where it is in all of them.
     """
 
@@ -50,7 +54,7 @@ class TopologyNode(NamedTuple):
     namespace: str
     is_test: bool
     place: str
-    containers: tuple[str, ...]
+    container: str
     open: tuple[tuple[str, str], ...]
     conditions: tuple[str, ...]
     only: tuple[str, ...]
@@ -65,7 +69,10 @@ class RemapStep(NamedTuple):
 
 
 class Connection(NamedTuple):
-    """One node on one channel, and why: the fields are those of Endpoint; ``spelling`` is relative, private or global."""
+    """One node on one channel, and why: the fields are those of Endpoint.
+
+    ``spelling`` is relative, private or global; ``only`` as in TopologyNode.
+    """
 
     node: str
     role: str
@@ -90,7 +97,10 @@ class Connection(NamedTuple):
 
 
 class TopologyChannel(NamedTuple):
-    """A topic, service or action. ``types`` are those its connections have; ``hub`` and ``plumbing`` as in Channel."""
+    """A topic, service or action. ``types`` are those its connections have; ``plumbing`` as in Channel.
+
+    ``hub``: everybody uses it, like ``/tf``, or many say it and many hear it.
+    """
 
     kind: str
     name: str
@@ -133,7 +143,7 @@ def topology(graphs: Iterable[ConnectionGraph]) -> Topology:
 
 
 def _record(graph: ConnectionGraph) -> Topology:
-    containers: dict[str, Container] = {}
+    containers = _Containers(graph)
     nodes = [_node(instance, containers) for instance in graph.instances]
     connections = [_connection(endpoint) for instance in graph.instances for endpoint in instance.endpoints]
     return Topology(
@@ -144,7 +154,7 @@ def _record(graph: ConnectionGraph) -> Topology:
         tuple(_channel(channel) for channel in graph.channels.values()),
         tuple(sorted(connections)),
         tuple(_params(graph)),
-        tuple(containers[key] for key in sorted(containers)),
+        tuple(containers.known[key] for key in sorted(containers.known)),
     )
 
 
@@ -158,7 +168,7 @@ def place_text(place: Place) -> str:
     return f"{place.source.path}:{line}:{column}"
 
 
-def _node(instance: Instance, containers: dict[str, Container]) -> TopologyNode:
+def _node(instance: Instance, containers: _Containers) -> TopologyNode:
     node = instance.node
     return TopologyNode(
         instance.name,
@@ -172,7 +182,7 @@ def _node(instance: Instance, containers: dict[str, Container]) -> TopologyNode:
         node.namespace.rstrip("/") or "/",
         node.is_test,
         place_text(node.attributes.get("name", node.origin.place)),
-        _containers(node, containers),
+        containers.of(node),
         tuple(sorted(instance.open.items())),
         tuple(_condition(condition) for condition in node.conditions),
         (),
@@ -183,22 +193,36 @@ def _condition(condition: Condition) -> str:
     return f'{condition.attribute}="{condition.place.text}"'
 
 
-def _containers(node: Node, known: dict[str, Container]) -> tuple[str, ...]:
-    """The ids of the groups and includes around a node, outermost first; what is new goes into ``known``."""
-    scopes: list[Scope] = []
-    scope = node.scope
-    while scope is not None:
-        scopes.append(scope)
-        scope = scope.parent
-    ids: list[str] = []
-    for scope in reversed(scopes):
+class _Containers:
+    """The groups and includes around the nodes of a graph; ``known`` is by id. Linear, however deep they are nested."""
+
+    def __init__(self, graph: ConnectionGraph) -> None:
+        self.known: dict[str, Container] = {}
+        self._ids: dict[int, str] = {}  # by identity: comparing scopes would walk up all of them
+        self._files = {
+            _id(include.origin): include.file if include.source is None else include.source.path for include in graph.launch.includes
+        }
+
+    def of(self, node: Node) -> str:
+        """The id of the innermost one around a node; empty where there is none."""
+        waiting: list[Scope] = []
+        scope = node.scope
+        while scope is not None and id(scope) not in self._ids:
+            waiting.append(scope)
+            scope = scope.parent
+        inner = "" if scope is None else self._ids[id(scope)]
+        for each in reversed(waiting):
+            inner = self._ids[id(each)] = self._add(each, inner)
+        return inner
+
+    def _add(self, scope: Scope, parent: str) -> str:
         key = _id(scope.origin)
-        ids.append(key)
-        if key not in known:
-            place = place_text(scope.origin.place)
-            label = scope.namespace.rstrip("/") or "/"
-            known[key] = Container(key, scope.kind, label, label, place, ids[-2] if len(ids) > 1 else "")
-    return tuple(ids)
+        namespace = scope.namespace.rstrip("/") or "/"
+        if key not in self.known:
+            around = self.known[parent].namespace if parent else "/"
+            label = self._files.get(key, "") if scope.kind == "include" else "" if namespace == around else namespace
+            self.known[key] = Container(key, scope.kind, label, namespace, place_text(scope.origin.place), parent)
+        return key
 
 
 def _id(origin: Origin) -> str:
@@ -232,7 +256,8 @@ def _connection(endpoint: Endpoint) -> Connection:
 
 def _channel(channel: Channel) -> TopologyChannel:
     types = tuple(sorted({endpoint.type for endpoint in (*channel.offers, *channel.uses) if endpoint.type not in ("", "*")}))
-    return TopologyChannel(channel.kind, channel.name, types, channel.is_hub, channel.is_plumbing)
+    crowded = min(len(channel.offers), len(channel.uses)) > 1 and len(channel.offers) * len(channel.uses) >= HUB_SIZE
+    return TopologyChannel(channel.kind, channel.name, types, channel.name in HUBS or crowded, channel.is_plumbing)
 
 
 def _params(graph: ConnectionGraph) -> Iterable[TopologyParam]:
@@ -249,9 +274,22 @@ def _value(value: Any) -> str:
         text = f"output of: {value.line}"
     elif isinstance(value, Binary):
         text = f"{value.length} bytes"
+    elif isinstance(value, bool):
+        text = "true" if value else "false"
+    elif isinstance(value, str):
+        text = value
     else:
-        text = value if isinstance(value, str) else repr(value)
+        text = _shortened(value)
     return text if len(text) <= SAMPLE else f"{text[: SAMPLE - 1]}…"
+
+
+def _shortened(value: Any) -> str:
+    """A number, list or mapping as Python writes it; of a large one the beginning."""
+    from reprlib import Repr
+
+    short = Repr()
+    short.maxlevel, short.maxlist, short.maxdict, short.maxstring, short.maxlong = 4, SAMPLE, SAMPLE, SAMPLE, SAMPLE
+    return short.repr(value)
 
 
 def _joined(records: Sequence[Topology]) -> Topology:
@@ -271,20 +309,41 @@ def _joined(records: Sequence[Topology]) -> Topology:
         first.entry,
         configurations,
         all(record.complete for record in records),
-        _marked([record.nodes for record in records], configurations),
+        _marked([record.nodes for record in records], configurations, _same_node),
         tuple(channels[key] for key in sorted(channels)),
-        _marked([record.connections for record in records], configurations),
-        _marked([record.params for record in records], configurations),
+        _marked([record.connections for record in records], configurations, _same_connection),
+        _marked([record.params for record in records], configurations, _same_param),
         tuple(containers[key] for key in sorted(containers)),
     )
 
 
-def _marked(columns: Sequence[tuple[Any, ...]], configurations: Sequence[str]) -> tuple[Any, ...]:
-    """All items of all columns, each once; ``only`` says in which configurations, where not in all."""
+def _same_node(node: TopologyNode) -> Any:
+    return (node.name, node.program, node.place, node.container)
+
+
+def _same_connection(connection: Connection) -> Any:
+    return connection._replace(certain=True, when="", process="", evidence=())
+
+
+def _same_param(param: TopologyParam) -> Any:
+    return (param.name, param.value, param.place)
+
+
+def _marked(columns: Sequence[tuple[Any, ...]], configurations: Sequence[str], same: Callable[[Any], Any]) -> tuple[Any, ...]:
+    """All items of all columns, the ``same`` ones once, as the first column has them.
+
+    ``only`` says in which configurations they are, where not in all; what is certain in some of them only is not certain.
+    """
+    found: dict[Any, Any] = {}
     where: dict[Any, list[str]] = {}
     for column, configuration in zip(columns, configurations, strict=True):
-        for item in dict.fromkeys(column):
-            where.setdefault(item, []).append(configuration)
+        for key, item in {same(item): item for item in reversed(column)}.items():
+            known = found.setdefault(key, item)
+            if isinstance(item, Connection) and known.certain and not item.certain:
+                found[key] = known._replace(certain=False)
+            elif isinstance(item, TopologyParam) and item.readers != known.readers:
+                found[key] = known._replace(readers=tuple(sorted({*known.readers, *item.readers})))
+            where.setdefault(key, []).append(configuration)
     return tuple(
-        sorted(item if len(found) == len(columns) else item._replace(only=tuple(found)) for item, found in where.items())
-    )  # fmt: skip
+        sorted(found[key] if len(names) == len(columns) else found[key]._replace(only=tuple(names)) for key, names in where.items())
+    )

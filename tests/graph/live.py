@@ -1,7 +1,7 @@
 """Start a launch file for real, on loopback only, and read the graph that its nodes make.
 
-The nodes are those of Debian's packages and the few of ``live_ws``. Each launch file gets a master of its own on a free port, and is ended
-by killing every process that carries its mark in the environment: roslaunch puts each node into a session of its own, so no group holds all.
+The nodes are those of Debian's packages and the few of ``live_ws``. Each launch file gets a master of its own on a free port, and is
+ended by killing every process that carries its mark in the environment: roslaunch puts each node into a session of its own, so no group holds all.
 """
 
 from __future__ import annotations
@@ -9,7 +9,6 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-import shutil
 import signal
 import socket
 import struct
@@ -24,17 +23,32 @@ from typing import Any, NamedTuple
 HERE = Path(__file__).resolve().parent
 OWN_NODES = HERE / "live_ws"
 SHARE, LIBRARIES = Path("/usr/share"), Path("/usr/lib")
-PACKAGES = """
-actionlib diagnostic_aggregator image_proc image_rotate image_transport joint_state_publisher nodelet opencv_apps robot_state_publisher
-rosbag rostopic stereo_image_proc tf tf2_ros topic_tools
-""".split()
-"""The packages with nodes that the launch files use."""
-APT = """
-image-transport-tools joint-state-publisher libdiagnostic-aggregator-tools libimage-proc-dev libnodeletlib-tools libopencv-apps-dev
-libimage-rotate-dev libstereo-image-proc-dev python3-actionlib python3-rosbag python3-rostopic python3-std-srvs ros-image-proc ros-image-rotate ros-opencv-apps
-ros-robot-state-publisher ros-stereo-image-proc rosout tf-tools tf2-tools topic-tools
-""".split()
-"""The Debian packages that have them."""
+DEBIAN = {
+    "image-transport-tools": "lib/image_transport/republish",
+    "joint-state-publisher": "lib/joint_state_publisher/joint_state_publisher",
+    "libdiagnostic-aggregator-tools": "lib/diagnostic_aggregator/aggregator_node",
+    "libimage-proc-dev": "share/image_proc/nodelet_plugins.xml",
+    "libimage-rotate-dev": "share/image_rotate/nodelet_plugins.xml",
+    "libnodeletlib-tools": "lib/nodelet/nodelet",
+    "libopencv-apps-dev": "share/opencv_apps/nodelet_plugins.xml",
+    "libstereo-image-proc-dev": "share/stereo_image_proc/nodelet_plugins.xml",
+    "python3-actionlib": "lib/python3/dist-packages/actionlib",
+    "python3-rosbag": "lib/rosbag/record",
+    "python3-roslaunch": "bin/roslaunch",
+    "python3-rostopic": "lib/rostopic/rostopic",
+    "python3-rospy": "lib/python3/dist-packages/rospy",
+    "python3-std-srvs": "lib/python3/dist-packages/std_srvs",
+    "ros-image-proc": "lib/image_proc/image_proc",
+    "ros-image-rotate": "lib/image_rotate/image_rotate",
+    "ros-opencv-apps": "lib/opencv_apps/smoothing",
+    "ros-robot-state-publisher": "lib/robot_state_publisher/robot_state_publisher",
+    "ros-stereo-image-proc": "lib/stereo_image_proc/stereo_image_proc",
+    "rosout": "lib/rosout/rosout",
+    "tf-tools": "lib/tf/static_transform_publisher",
+    "tf2-tools": "lib/tf2_ros/buffer_server",
+    "topic-tools": "lib/topic_tools/mux",
+}
+"""The Debian packages whose nodes the launch files start, and what of each must be there below ``/usr``."""
 IGNORED = re.compile(r"/rosout|/rosout_agg|.*/get_loggers|.*/set_logger_level")
 """What every node has."""
 ANONYMOUS = re.compile(rf"_{re.sub('[.:-]', '_', socket.gethostname())}_[0-9]+_[0-9]+|_anon[0-9]+")
@@ -44,6 +58,14 @@ QUIET, PATIENCE, LIMIT = 1.5, 6.0, 40.0
 
 Edge = tuple[str, str, str]
 """Role (publisher, subscriber, server), name on the graph, full name of the process."""
+
+
+class Running(NamedTuple):
+    """What was started: its master, its first process, and the file that all of it writes to."""
+
+    master: xmlrpc.client.ServerProxy
+    process: subprocess.Popen[bytes]
+    log: Path
 
 
 class Live(NamedTuple):
@@ -56,10 +78,8 @@ class Live(NamedTuple):
 
 def missing() -> str:
     """Why no launch file can be started here, for people; empty where all that is needed is there."""
-    lost = [name for name in PACKAGES if not (LIBRARIES / name).is_dir() and not (SHARE / name).is_dir()]
-    if shutil.which("roslaunch", path="/usr/bin") is None:
-        lost.insert(0, "roslaunch")
-    return f"not installed: {' '.join(lost)} (Debian: apt-get install --no-install-recommends {' '.join(APT)})" if lost else ""
+    lost = [package for package, path in DEBIAN.items() if not Path("/usr", path).exists()]
+    return f"some nodes are not installed (Debian: apt-get install --no-install-recommends {' '.join(lost)})" if lost else ""
 
 
 def environment(scratch: Path, mark: str, port: int) -> dict[str, str]:
@@ -81,15 +101,13 @@ def environment(scratch: Path, mark: str, port: int) -> dict[str, str]:
 def _overlay(scratch: Path) -> Path:
     """Manifests for the packages that Debian ships without: their executables are linked beside them, where roslaunch looks."""
     overlay = scratch / "overlay"
-    for name in PACKAGES:
-        if (SHARE / name / "package.xml").exists():
-            continue
-        (overlay / name).mkdir(parents=True, exist_ok=True)
-        (overlay / name / "package.xml").write_text(f"<package><name>{name}</name><version>1.0.0</version></package>", encoding="utf-8")
-        for executable in sorted((LIBRARIES / name).iterdir()) if (LIBRARIES / name).is_dir() else ():
-            link = overlay / name / executable.name
-            if not link.is_symlink():
-                link.symlink_to(executable)
+    for executable in sorted(Path("/usr", path) for path in DEBIAN.values() if path.count("/") == 2):
+        directory, name = executable.parent, executable.parent.name
+        if directory.parent == LIBRARIES and not (SHARE / name / "package.xml").exists() and not (overlay / name).exists():
+            (overlay / name).mkdir(parents=True)
+            (overlay / name / "package.xml").write_text(f"<package><name>{name}</name><version>1.0.0</version></package>", encoding="utf-8")
+            for each in directory.iterdir():
+                (overlay / name / each.name).symlink_to(each)
     return overlay
 
 
@@ -101,7 +119,9 @@ def free_port() -> int:
 
 
 @contextlib.contextmanager
-def started(command: Callable[[int], list[str]], scratch: Path) -> Iterator[tuple[xmlrpc.client.ServerProxy, subprocess.Popen[bytes], Path]]:
+def started(
+    command: Callable[[int], list[str]], scratch: Path
+) -> Iterator[tuple[xmlrpc.client.ServerProxy, subprocess.Popen[bytes], Path]]:
     """Run a command that gets the port of its master; at the end nothing of it is left, whatever happens."""
     scratch.mkdir(parents=True, exist_ok=True)
     port, mark, log = free_port(), uuid.uuid4().hex, scratch / "output.txt"
@@ -116,7 +136,8 @@ def started(command: Callable[[int], list[str]], scratch: Path) -> Iterator[tupl
             start_new_session=True,
         )
     try:
-        yield xmlrpc.client.ServerProxy(f"http://127.0.0.1:{port}"), process, log
+        with xmlrpc.client.ServerProxy(f"http://127.0.0.1:{port}") as master:
+            yield Running(master, process, log)
     finally:
         _kill(process, mark)
 
@@ -142,29 +163,23 @@ def _marked(mark: str) -> Iterator[int]:
                     yield int(entry.name)
 
 
-def run(launch: Path, arguments: dict[str, str], scratch: Path, expected: frozenset[Edge], packages: Path | None = None) -> Live:
-    """Start ``launch`` and wait until its graph no longer changes; ``expected`` is what to wait for."""
-    words = [f"{name}:={value}" for name, value in arguments.items()]
-    with started(lambda port: ["/usr/bin/roslaunch", "-p", str(port), str(launch), *words], scratch) as (master, process, log):
-        edges = settle(master, process, expected)
-        topics: Any = _answer(master.getTopicTypes("/launchlint")) if edges else []
-        types = {("topic", plain(name)): kind for name, kind in topics if not IGNORED.fullmatch(name)}
-        for role, name, _ in edges:
-            if role == "server":
-                types["service", name] = service_type(str(_answer(master.lookupService("/launchlint", name))), name)
-        return Live(edges, types, log.read_text(encoding="utf-8", errors="replace"))
+def run(launch: Path, scratch: Path, is_complete: Callable[[frozenset[Edge]], bool]) -> Live:
+    """Start ``launch`` and wait until its graph no longer changes; ``is_complete`` says of a graph whether all that is expected is in it."""
+    with started(lambda port: ["/usr/bin/roslaunch", "-p", str(port), str(launch)], scratch) as running:
+        edges = settle(running, is_complete)
+        return Live(edges, types_of(running.master) if edges else {}, running.log.read_text(encoding="utf-8", errors="replace"))
 
 
-def settle(master: xmlrpc.client.ServerProxy, process: subprocess.Popen[bytes], expected: frozenset[Edge]) -> frozenset[Edge]:
+def settle(running: Running, is_complete: Callable[[frozenset[Edge]], bool]) -> frozenset[Edge]:
     """The graph once it does not change any more."""
     start = changed = time.monotonic()
     edges: frozenset[Edge] = frozenset()
-    while (now := time.monotonic()) - start < LIMIT and process.poll() is None:
+    while (now := time.monotonic()) - start < LIMIT and running.process.poll() is None:
         with contextlib.suppress(OSError, xmlrpc.client.Error):
-            found = state(master)
+            found = state(running.master)
             if found != edges:
                 edges, changed = found, now
-        if edges and now - changed > (QUIET if expected <= edges else PATIENCE):
+        if edges and now - changed > (QUIET if is_complete(edges) else PATIENCE):
             break
         time.sleep(0.1)
     return edges
@@ -185,6 +200,17 @@ def state(master: xmlrpc.client.ServerProxy) -> frozenset[Edge]:
 def plain(name: str) -> str:
     """``name`` with the random parts that roslaunch or launchlint gives to anonymous names left out."""
     return ANONYMOUS.sub("_anon", name)
+
+
+def types_of(master: xmlrpc.client.ServerProxy) -> dict[tuple[str, str], str]:
+    """The types of topics, as the master has them from whoever said one first, and of services, as their servers say."""
+    topics: Any = _answer(master.getTopicTypes("/launchlint"))
+    types = {("topic", plain(name)): kind for name, kind in topics}
+    services: Any = _answer(master.getSystemState("/launchlint"))
+    for name, _ in services[2]:
+        if not IGNORED.fullmatch(name):
+            types["service", plain(name)] = service_type(str(_answer(master.lookupService("/launchlint", name))), name)
+    return types
 
 
 def _answer(reply: Any) -> Any:

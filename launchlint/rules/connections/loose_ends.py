@@ -16,6 +16,8 @@ from launchlint.rules.connections.same_definition import is_known, stands_for
 
 _MOST_CANDIDATES = 40
 """Names of one type that a loose end is compared with."""
+_MOST_COMPARISONS = 20_000
+"""In a launch with more loose ends than people can read of, only the first are looked at."""
 _GENERIC = ("std_msgs/", "std_srvs/")
 """Types that say nothing of what is meant."""
 _CONNECTING_HUBS = frozenset({"/tf", "/tf_static"})
@@ -47,6 +49,7 @@ class LooseEnds:
         self.owners = owners(graph)
         self._by_type: dict[tuple[str, bool, str], list[Channel]] | None = None
         self._connected: dict[int, bool] = {}
+        self._compared = 0
 
     def missed(self, kind: str, *, offers: bool) -> Iterator[Missed]:
         """The loose ends of a kind that give (``offers``) or take, where something says what they were meant for: one for each name."""
@@ -71,8 +74,9 @@ class LooseEnds:
         instance = self.owners[id(end)]
         offers = end.role in OFFERS
         candidates = self._candidates(end.kind, not offers, end.type)
-        if not candidates or len(candidates) > _MOST_CANDIDATES or not instance.certain:
+        if not candidates or len(candidates) > _MOST_CANDIDATES or not instance.certain or self._compared > _MOST_COMPARISONS:
             return None
+        self._compared += len(candidates)
         ranked: dict[str, list[tuple[Channel, list[Endpoint]]]] = {}
         for channel in candidates:
             ends = [
@@ -97,9 +101,8 @@ class LooseEnds:
             return None
         partner = self.owners[id(other)]
         same = tuple(self.owners[id(each)] for each in ends if self.owners[id(each)].program == partner.program)
-        feeding = tuple(dict.fromkeys(self.owners[id(each)].name for each in (channel.offers if offers else channel.uses)))
-        fed = tuple(each for each in self.graph.instances if each.name in feeding) if feeding else ()
-        return Missed(end, instance, other, partner, how, bool(loose), same, fed, level)
+        opposite = {self.owners[id(each)].name: self.owners[id(each)] for each in (channel.offers if offers else channel.uses)}
+        return Missed(end, instance, other, partner, how, bool(loose), same, tuple(opposite.values()), level)
 
     def _level(self, end: Endpoint, other: Endpoint, how: str, *, loose: bool) -> Severity | None:
         """How sure it is that the two ends were meant for each other; None: not enough to say anything.
@@ -112,16 +115,17 @@ class LooseEnds:
         alone, source = not self._is_connected(instance), self._is_source(giver)
         if how == SLIP and (loose or alone or not _is_plural(end.name, other.name)):
             return Severity.WARNING
-        doubtful = end.type.startswith(_GENERIC) or any(each.declared.startswith("~") and not each.applied for each in (end, other))
+        private = any(each.declared.startswith("~") and not each.applied for each in (end, other))
+        doubtful = private or end.type.startswith(_GENERIC)
         if how == NAMESPACE:
             same = loose and end.declared == other.declared
             sure = same or (source and (loose or (offers and alone)))
-            return Severity.WARNING if sure and not doubtful else Severity.INFO if loose or alone else None
+            return Severity.WARNING if sure and not doubtful else Severity.INFO if alone or (loose and not private) else None
         if how == WORDS and offers and alone and source and not doubtful:
             return Severity.WARNING
         if not how:
             return Severity.INFO if alone and not doubtful and (source if offers else loose) else None
-        return Severity.INFO if alone or loose else None
+        return Severity.INFO if alone or (loose and source) else None
 
     def _is_source(self, instance: Instance) -> bool:
         """Whether the node only publishes or serves, one thing or two: a driver, a controller, a keyboard."""

@@ -11,6 +11,7 @@ RELATIONS = (SLIP, NAMESPACE, WORDS, SIBLING)
 """The relations that may be a mistake, the closest first."""
 _SHORTEST_SLIP = 4
 _SHORTEST_WORD = 3
+_NO_DIGITS = dict.fromkeys(map(ord, "0123456789"))
 _SEPARATORS = re.compile("[/_]")
 
 
@@ -20,7 +21,8 @@ def relation(left: str, right: str) -> str:
     ``slip``: one letter apart (a digit is no letter: it tells robots and cameras apart). ``namespace``: the same last part, and the
     namespace of one is the other's without something, as in ``/ns/x`` and ``/x``, or ``/a/b/x`` and ``/a/x``. ``words``: namespaces so
     related or equal, and the last part of one begins or ends with that of the other, as in ``radius_cmd_vel``. ``sibling``: the
-    same last part in other namespaces. ``twin``: they differ in numbers only or in a mark such as ``_l`` and ``_r``, as those of two robots or cameras do. Empty: none of these.
+    same last part in other namespaces. ``twin``: they differ in numbers only or in a mark such as ``_l`` and ``_r``, as those of two
+    robots or cameras do. Empty: none of these.
     """
     if left == right:
         return ""
@@ -31,10 +33,8 @@ def relation(left: str, right: str) -> str:
     if last == end:
         if _is_within(outer, other) or _is_within(other, outer):
             return NAMESPACE
-        if one_slip(left, (right,)) and _digits(left) == _digits(right):
-            return SLIP
-        return SIBLING
-    if min(len(last), len(end)) >= _SHORTEST_SLIP and one_slip(left, (right,)) and _digits(left) == _digits(right):
+        return SLIP if _is_slip(left, right) else SIBLING
+    if min(len(last), len(end)) >= _SHORTEST_SLIP and _is_slip(left, right):
         return SLIP
     if _is_within(outer, other) or _is_within(other, outer):
         words, more = sorted((last.split("_"), end.split("_")), key=len)
@@ -57,9 +57,15 @@ def _differ_in_a_mark(left: str, right: str) -> bool:
     return all(word == other or max(len(word), len(other)) < _SHORTEST_WORD for word, other in zip(words, others, strict=True))
 
 
+def _is_slip(left: str, right: str) -> bool:
+    if abs(len(left) - len(right)) > 1 or len(set(left).symmetric_difference(right)) > len("-_Aa"):
+        return False  # said at once, since most names are nothing alike
+    return _digits(left) == _digits(right) and one_slip(left, (right,)) is not None
+
+
 def _digits(name: str) -> str:
     return "".join(filter(str.isdigit, name))
 
 
 def _letters(name: str) -> str:
-    return "".join(char for char in name if not char.isdigit())
+    return name.translate(_NO_DIGITS)

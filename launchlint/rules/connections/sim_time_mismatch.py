@@ -35,7 +35,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.graph.connections import ConnectionGraph, Endpoint
+from launchlint.graph.connections import ConnectionGraph, Endpoint, Instance
 from launchlint.model import ParameterSetting
 from launchlint.rules.connections.places import owners
 from launchlint.rules.params.values import is_certain
@@ -64,13 +64,18 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
 def _without_clock(setting: ParameterSetting, clocks: list[Endpoint], graph: ConnectionGraph) -> Iterator[Finding | Fine]:
     if clocks or not is_certain(setting):
         yield RULE.fine(setting.origin)
+        known = owners(graph)
+        yield from (RULE.fine(_args(known[id(endpoint)])) for endpoint in clocks)
         return
     players = [instance for instance in graph.instances if instance.program == _PLAYER and instance.certain]
     others = [instance for instance in graph.instances if instance.program != _PLAYER]
-    if players and "args" not in players[0].node.unknown:
+    unsure = not graph.launch.complete or any(instance.may_have_more("publishers") for instance in others)
+    if unsure or not others or any("args" in player.node.unknown for player in players):
+        yield RULE.fine(setting.origin)
+    elif players:
         player = players[0]
         yield RULE.at(
-            Origin(player.node.attributes.get("args", player.node.origin.place), player.node.origin.step),
+            _args(player),
             f"{PARAM} is true, and {player.name} plays its bag without --clock",
             severity=Severity.INFO,
             label="publishes no clock",
@@ -78,7 +83,7 @@ def _without_clock(setting: ParameterSetting, clocks: list[Endpoint], graph: Con
             notes=("without a clock the time stays zero, unless the bag itself holds /clock",),
             help="add --clock to its args",
         )
-    elif not graph.may_offer("topic", CLOCK) and others:
+    else:
         yield RULE.at(
             setting.origin,
             f"{PARAM} is true, and no node of this launch publishes {CLOCK}",
@@ -86,6 +91,11 @@ def _without_clock(setting: ParameterSetting, clocks: list[Endpoint], graph: Con
             label="time stays zero without a clock",
             help="start what publishes the clock (rosbag play --clock, a simulator), or do not set the param here",
         )
+
+
+def _args(player: Instance) -> Origin:
+    """Where it is said how a bag is played."""
+    return Origin(player.node.attributes.get("args", player.node.origin.place), player.node.origin.step)
 
 
 def _unused_clock(setting: ParameterSetting | None, clocks: list[Endpoint], graph: ConnectionGraph) -> Iterator[Finding]:
@@ -102,7 +112,7 @@ def _unused_clock(setting: ParameterSetting | None, clocks: list[Endpoint], grap
         if not endpoint.certain:
             continue
         yield RULE.at(
-            Origin(instance.node.attributes.get("args", instance.node.origin.place), instance.node.origin.step),
+            _args(instance),
             f"{endpoint.node} publishes {CLOCK}, and {PARAM} is {'not set' if setting is None else 'false'}: no node uses it",
             label="nobody uses this clock",
             related=() if setting is None else ((setting.origin.place, "set here"),),

@@ -68,24 +68,26 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     missed: dict[tuple[str, int, str], list[_Miss]] = {}
     fine: dict[tuple[str, int], Origin] = {}
     for instance in view.graph.instances:
+        if not instance.node.remaps and not instance.namer.remappings:
+            continue
         names = own_names(instance, view.library)
         table = instance.namer.remappings.values()
-        acting = {(id(applied.rule.remap)) for applied in table if applied.rule.remap is not None}
+        acting = set() if names is None else {id(applied.rule.remap) for applied in table}
         for remap in instance.node.remaps:
-            unseen = not view.launch.complete and not _is_own(instance, remap)
-            if names is None or id(remap) not in acting or unseen:
+            if id(remap) not in acting or not (view.launch.complete or _is_own(instance, remap)):
                 fine[_key(remap.origin)] = remap.origin
-        for applied in table if names is not None else ():
-            assert names is not None
+        if names is None:
+            continue
+        for applied in table:
             remap_or_none = applied.rule.remap
             if remap_or_none is not None:
-                origin = remap_or_none.origin
+                origin, topic = remap_or_none.origin, ""
             else:
                 origin = Origin(instance.node.attributes.get("args", instance.node.origin.place), instance.node.origin.step)
+                topic = f"{instance.name} {applied.rule.source}"
             if applied.source == applied.target:
                 continue  # the rule of remaps to themselves speaks about it
             if not _has(instance, names, applied):
-                topic = "" if remap_or_none is not None else f"{instance.name} {applied.rule.source}"
                 missed.setdefault((*_key(origin), topic), []).append(_Miss(origin, instance, applied, names))
             elif remap_or_none is not None:
                 fine[_key(origin)] = origin

@@ -22,6 +22,5 @@ subscribers = [
 services = [rospy.Service(name, Empty, lambda _: EmptyResponse()) for name in ("reset", "~calibrate", "/all_stop")]
 if rospy.get_param("~loud", False):
     publishers.append(rospy.Publisher("shout", String, queue_size=1))
-for word in rospy.get_param("~topics", []):
-    subscribers.append(rospy.Subscriber(word, String, print))
+subscribers.extend(rospy.Subscriber(word, String, print) for word in rospy.get_param("~topics", []))
 rospy.spin()

@@ -1,0 +1,37 @@
+"""Which names on the graph may have been meant for each other."""
+
+from __future__ import annotations
+
+import pytest
+
+from launchlint.rules.connections.near_names import NAMESPACE, SIBLING, SLIP, TWIN, WORDS, relation
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "expected"),
+    [
+        ("/scan", "/scan", ""),
+        ("/scan", "/front/scan", NAMESPACE),
+        ("/a/b/scan", "/a/scan", NAMESPACE),
+        ("/a/scan", "/b/a/scan", NAMESPACE),
+        ("/front_laser/scan", "/rear_laser/scan", SIBLING),
+        ("/front/scan", "/frnt/scan", SLIP),
+        ("/cmd_vel", "/cmd_ve", SLIP),
+        ("/cmd_vel", "/cmd-vel", SLIP),
+        ("/odom", "/Odom", SLIP),
+        ("/tf", "/rf", TWIN),
+        ("/robot1/scan", "/robot2/scan", TWIN),
+        ("/camera1/image", "/camera/image", TWIN),
+        ("/pos_x", "/pos_y", TWIN),
+        ("/camera_l/image", "/camera_r/image", TWIN),
+        ("/radius_cmd_vel", "/turtle1/cmd_vel", WORDS),
+        ("/cmd_vel_radius", "/cmd_vel", WORDS),
+        ("/image_raw", "/image", WORDS),
+        ("/a/image_raw", "/b/image", ""),
+        ("/my_cmd_vel", "/cmd_vel_mux", ""),
+        ("/odom", "/scan", ""),
+    ],
+)
+def test_relation(left: str, right: str, expected: str) -> None:
+    assert relation(left, right) == expected
+    assert relation(right, left) == expected
