@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 from pathlib import Path
@@ -56,3 +57,14 @@ def test_every_controller_of_the_parade_is_there_executable_and_installed() -> N
 def test_scripts_compile() -> None:
     for script in sorted(PACKAGE.rglob("*.py")):
         compile(script.read_text(encoding="utf-8"), str(script), "exec")
+
+
+def test_the_library_says_what_the_scripts_publish() -> None:
+    library = json.loads((PACKAGE / "library.json").read_text(encoding="utf-8"))
+    executables = library["packages"]["turtle_parade"]["executables"]
+    assert sorted(executables) == sorted(script.name for script in (PACKAGE / "scripts").iterdir())
+    for name, program in executables.items():
+        (publisher,) = program["variants"]["default"]["publishers"]
+        path, line = publisher["evidence"][0]["at"].removeprefix("turtle_parade/").split(":")
+        assert path == f"scripts/{name}"
+        assert f'"{publisher["name"]}"' in (PACKAGE / path).read_text(encoding="utf-8").splitlines()[int(line) - 1]

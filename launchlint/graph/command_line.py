@@ -66,9 +66,9 @@ def plain_value(text: str) -> Any:
         return text.lower() == "true"
     whole = text.lstrip("+-")
     if whole.isdecimal():
-        return int(text) if len(text) - len(whole) <= 1 else text
+        return int(text) if len(text) - len(whole) <= 1 and text.isascii() else text
     try:
-        return float(text)
+        return float(text) if text.isascii() and "_" not in text and text == text.strip() else text
     except ValueError:
         return text
 

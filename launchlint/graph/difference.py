@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from launchlint.graph.connections import HUBS
+from launchlint.graph.partners import Partners
 from launchlint.graph.topology import Connection, Topology, TopologyChannel, TopologyNode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 MOST_PARTNERS = 5
 """Names of partners that are kept for a lost or gained link."""
@@ -14,7 +20,7 @@ Key = tuple[str, str, str]
 
 
 class NodeChange(NamedTuple):
-    """A node of one name that is another program, runs in another process, or is known otherwise."""
+    """A node of one name that is another program, runs in another process, is known otherwise, or is (not) started by default any more."""
 
     before: TopologyNode
     after: TopologyNode
@@ -28,7 +34,7 @@ class ChannelChange(NamedTuple):
 
 
 class ConnectionChange(NamedTuple):
-    """What one node says or hears under one name of its code, and that is now something else on the graph."""
+    """What one node says or hears under one name of its code, and that has another name, type or condition now."""
 
     before: Connection
     after: Connection
@@ -37,15 +43,27 @@ class ConnectionChange(NamedTuple):
 class Link(NamedTuple):
     """A node that had partners on a channel and has none any more (lost), or the reverse (gained).
 
-    ``connection`` is what the node says or hears now, or what it did where that is gone; ``kind`` and ``name`` are the channel on which
-    the partners were, ``partners`` their names, at most :data:`MOST_PARTNERS`, ``total`` how many there were.
+    Args:
+        node: its name; it runs before and after.
+        role: publisher, subscriber, server, client, action server or action client.
+        kind: of the channel on which the partners are (gained) or were (lost).
+        name: of that channel.
+        partners: their names, at most :data:`MOST_PARTNERS`.
+        total: how many there are.
+        before: what the node said or heard under this name of its code; None: nothing.
+        after: the same, now.
+        by_default: it holds for the default configuration only; in some other one nothing changed.
     """
 
-    connection: Connection
+    node: str
+    role: str
     kind: str
     name: str
     partners: tuple[str, ...]
     total: int
+    before: Connection | None
+    after: Connection | None
+    by_default: bool = False
 
 
 class Difference(NamedTuple):
@@ -73,21 +91,20 @@ class Difference(NamedTuple):
 
 
 def difference(before: Topology, after: Topology) -> Difference:
-    """What changed. Places, evidence and conditions do not count; linear in the size of both."""
-    old_nodes, new_nodes = ({node.name: node for node in each.nodes} for each in (before, after))
+    """What changed. Places and evidence do not count, nor do params; linear in the size of both."""
     old_channels, new_channels = ({(each.kind, each.name): each for each in graph.channels} for graph in (before, after))
+    nodes_added, nodes_removed, node_pairs = _compared(
+        _grouped(before.nodes, lambda node: node.name), _grouped(after.nodes, lambda node: node.name), _node_identity(before),
+        _node_identity(after),
+    )  # fmt: skip
     old, new = _by_name(before), _by_name(after)
-    added, removed, changed = _connections(old, new)
+    added, removed, pairs = _compared(old, new, _connection_identity(before), _connection_identity(after))
     return Difference(
         before,
         after,
-        tuple(new_nodes[name] for name in sorted(new_nodes) if name not in old_nodes),
-        tuple(old_nodes[name] for name in sorted(old_nodes) if name not in new_nodes),
-        tuple(
-            NodeChange(old_nodes[name], new_nodes[name])
-            for name in sorted(old_nodes)
-            if name in new_nodes and _identity(old_nodes[name]) != _identity(new_nodes[name])
-        ),
+        nodes_added,
+        nodes_removed,
+        tuple(NodeChange(*pair) for pair in node_pairs),
         tuple(new_channels[key] for key in sorted(new_channels) if key not in old_channels),
         tuple(old_channels[key] for key in sorted(old_channels) if key not in new_channels),
         tuple(
@@ -97,71 +114,102 @@ def difference(before: Topology, after: Topology) -> Difference:
         ),
         added,
         removed,
-        changed,
-        _links(before, after, new),
-        _links(after, before, old),
+        tuple(ConnectionChange(*pair) for pair in pairs),
+        _links(before, after),
+        tuple(link._replace(before=link.after, after=link.before) for link in _links(after, before)),
         _has_new_unknown(before, after),
     )
 
 
-def _identity(node: TopologyNode) -> tuple[str, ...]:
-    return (node.program, node.kind, node.host, node.knowledge)
+def is_default(item: TopologyNode | Connection, topology: Topology) -> bool:
+    """Whether something is there where the launch file is started without further args."""
+    return not item.only or topology.configurations[0] in item.only
 
 
-def _by_name(topology: Topology) -> dict[Key, list[Connection]]:
+def _node_identity(topology: Topology) -> Callable[[TopologyNode], Any]:
+    return lambda node: (node.program, node.kind, node.host, node.knowledge, is_default(node, topology))
+
+
+def _connection_identity(topology: Topology) -> Callable[[Connection], Any]:
+    """Name and type, and whether it is there by default whenever its node is: what holds for all of the node is told of the node."""
+    running = {node.name for node in topology.nodes if is_default(node, topology)}
+    return lambda each: (each.name, each.type, is_default(each, topology) or each.node not in running)
+
+
+def _by_name(topology: Topology) -> Mapping[Key, list[Connection]]:
     """Connections by node, role and the name in the node's code."""
-    found: dict[Key, list[Connection]] = {}
-    for connection in topology.connections:
-        found.setdefault((connection.node, connection.role, connection.declared), []).append(connection)
+    return _grouped(topology.connections, lambda each: (each.node, each.role, each.declared))
+
+
+def _grouped(items: Iterable[Any], key: Callable[[Any], Any]) -> Mapping[Any, list[Any]]:
+    found: dict[Any, list[Any]] = {}
+    for item in items:
+        found.setdefault(key(item), []).append(item)
     return found
 
 
-def _connections(
-    old: Mapping[Key, list[Connection]], new: Mapping[Key, list[Connection]]
-) -> tuple[tuple[Connection, ...], tuple[Connection, ...], tuple[ConnectionChange, ...]]:
-    added: list[Connection] = []
-    removed: list[Connection] = []
-    changed: list[ConnectionChange] = []
+def _compared(
+    old: Mapping[Any, Sequence[Any]],
+    new: Mapping[Any, Sequence[Any]],
+    old_identity: Callable[[Any], Any],
+    new_identity: Callable[[Any], Any],
+) -> tuple[tuple[Any, ...], tuple[Any, ...], tuple[tuple[Any, Any], ...]]:
+    """What is new, what is gone, and pairs of what changed: what has one key and is not the same."""
+    added: list[Any] = []
+    removed: list[Any] = []
+    changed: list[tuple[Any, Any]] = []
     for key in sorted({*old, *new}):
-        before = {(each.name, each.type): each for each in old.get(key, ())}
-        after = {(each.name, each.type): each for each in new.get(key, ())}
+        before = {old_identity(each): each for each in old.get(key, ())}
+        after = {new_identity(each): each for each in new.get(key, ())}
         gone = [before[each] for each in sorted(before) if each not in after]
         come = [after[each] for each in sorted(after) if each not in before]
         pairs = min(len(gone), len(come))
-        changed.extend(ConnectionChange(*pair) for pair in zip(gone[:pairs], come[:pairs], strict=True))
+        changed.extend(zip(gone[:pairs], come[:pairs], strict=True))
         removed.extend(gone[pairs:])
         added.extend(come[pairs:])
     return tuple(added), tuple(removed), tuple(changed)
 
 
-def _links(before: Topology, after: Topology, new: Mapping[Key, list[Connection]]) -> tuple[Link, ...]:
-    """Who had partners before, still runs after, and has none any more."""
-    sides = _sides(before)
-    now = _sides(after)
-    hidden = {(each.kind, each.name) for each in before.channels if each.hub or each.plumbing}
+def _links(before: Topology, after: Topology) -> tuple[Link, ...]:
+    """Who had partners before, still runs after, and has none any more: in all configurations together, then in the default one."""
+    found = {_what(link): link for link in _lost(before, after)}
+    if len(before.configurations) > 1 or len(after.configurations) > 1:
+        for link in _lost(_default(before), _default(after)):
+            found.setdefault(_what(link), link._replace(by_default=True))
+    return tuple(found[key] for key in sorted(found))
+
+
+def _what(link: Link) -> tuple[str, ...]:
+    return (link.node, link.role, link.kind, link.name)
+
+
+def _default(topology: Topology) -> Topology:
+    """The default configuration alone."""
+    return topology._replace(
+        configurations=topology.configurations[:1],
+        nodes=tuple(node._replace(only=()) for node in topology.nodes if is_default(node, topology)),
+        connections=tuple(each._replace(only=()) for each in topology.connections if is_default(each, topology)),
+    )
+
+
+def _lost(before: Topology, after: Topology) -> Iterator[Link]:
+    then = Partners(before._replace(connections=tuple(each for each in before.connections if each.certain)))
+    now = Partners(after)
+    new = _by_name(after)
+    same_name = _grouped(after.connections, lambda each: (each.node, each.role, each.name))
+    plumbing = {(each.kind, each.name) for each in before.channels if each.plumbing}
     running = {node.name for node in after.nodes}
-    lost = []
-    for key, connections in _by_name(before).items():
-        for connection in connections:
-            channel = (connection.kind, connection.name)
-            if not connection.certain or connection.action or channel in hidden or connection.node not in running:
-                continue
-            others = sorted(sides.get((*channel, not connection.offers), set()) - {connection.node})
-            if not others:
-                continue
-            still = new.get(key, ())
-            if any(now.get((each.kind, each.name, not each.offers), set()) - {each.node} for each in still):
-                continue
-            lost.append(Link(still[0] if still else connection, *channel, tuple(others[:MOST_PARTNERS]), len(others)))
-    return tuple(sorted(lost))
-
-
-def _sides(topology: Topology) -> dict[tuple[str, str, bool], set[str]]:
-    """Channel and side (offers or uses) → the nodes there."""
-    found: dict[tuple[str, str, bool], set[str]] = {}
-    for connection in topology.connections:
-        found.setdefault((connection.kind, connection.name, connection.offers), set()).add(connection.node)
-    return found
+    for each in before.connections:
+        if not each.certain or each.action or each.name in HUBS or (each.kind, each.name) in plumbing or each.node not in running:
+            continue
+        partners = then.of(each, MOST_PARTNERS)
+        if not partners:
+            continue
+        still: Sequence[Connection] = new.get((each.node, each.role, each.declared), ())
+        here: Sequence[Connection] = same_name.get((each.node, each.role, each.name), ())
+        if not any(now.count(connection) for connection in (*still, *here)):
+            after_all = still[0] if still else here[0] if here else None
+            yield Link(each.node, each.role, each.kind, each.name, tuple(partners), then.count(each), each, after_all)
 
 
 def _has_new_unknown(before: Topology, after: Topology) -> bool:
@@ -170,4 +218,4 @@ def _has_new_unknown(before: Topology, after: Topology) -> bool:
 
 
 def _unknown(nodes: Iterable[TopologyNode]) -> Iterable[TopologyNode]:
-    return (node for node in nodes if node.knowledge == "unknown" or node.open)
+    return (node for node in nodes if node.knowledge == "unknown" or any(category != "params" for category, _ in node.open))

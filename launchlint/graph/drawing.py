@@ -1,7 +1,7 @@
-"""What a picture of a topology shows: boxes in boxes, and arrows between them; collapsed until it can be read.
+"""What a picture of a topology shows: boxes in boxes, and arrows between them; folded until it can be read.
 
-Topics with one publisher or one subscriber are arrows from node to node; others are a box of their own, so that p publishers and s
-subscribers make p + s arrows. Namespaces are folded into one box each, the deepest first, until the arrows are few enough.
+A channel with one box at one of its ends is drawn as arrows from box to box; another one is a box of its own, so that p publishers and s
+subscribers make p + s arrows. Of two topologies only what changed is drawn, with what it is connected to.
 """
 
 from __future__ import annotations
@@ -9,16 +9,23 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from launchlint.graph.containment import namespaces_of
 from launchlint.graph.difference import Difference
-from launchlint.graph.topology import Connection, Topology
+from launchlint.graph.folding import Tree
+from launchlint.graph.presence import Part, Presence, changed, whole
+from launchlint.graph.topology import Topology, TopologyNode
 
 BUNDLE = 3
 """From so many names on, an arrow says their number instead."""
+LONELY = 4
+"""So many nodes of one namespace without any connection become one box."""
 
 
 class Box(NamedTuple):
-    """A node, a namespace (open, or folded with ``members`` nodes in it) or a channel. ``mark`` is added, removed, changed or empty."""
+    """A node, a channel, a namespace (open, or folded), or ``others``: nodes without connections.
+
+    ``members`` is the number of nodes in a folded one, ``unknown`` says whether nothing is known of what it (or all of them) does;
+    ``mark`` is added, removed, changed or empty.
+    """
 
     id: str
     parent: str
@@ -42,9 +49,9 @@ class Arrow(NamedTuple):
     mark: str = ""
 
     @property
-    def label(self) -> str:
+    def shown(self) -> tuple[str, ...]:
         """The names, or how many there are."""
-        return ", ".join(self.labels) if len(self.labels) < BUNDLE else f"{len(self.labels)} {self.kind}s"
+        return self.labels if len(self.labels) < BUNDLE else (f"{len(self.labels)} {self.kind}s",)
 
 
 class Drawing(NamedTuple):
@@ -55,157 +62,207 @@ class Drawing(NamedTuple):
     left_out: str
 
 
-def draw(topology: Topology, most_arrows: int | None = None, changes: Difference | None = None, *, dangling: bool = False) -> Drawing:
-    """The drawing of a topology with at most ``most_arrows`` arrows and boxes; with ``changes`` what is new or gone is marked.
+class _End(NamedTuple):
+    """A box at one side of a channel: when it is there (a bit for each configuration, of before and of after), and whether for certain."""
 
-    ``dangling``: channels that nobody else uses are boxes, too.
+    when: int
+    certain: bool
+
+
+_Ends = tuple[list[tuple[str, _End]], list[tuple[str, _End]]]
+
+
+def draw(topology: Topology, most: int | None = None, changes: Difference | None = None, *, dangling: bool = False) -> Drawing:
+    """The drawing of a topology with at most ``most`` arrows and as many boxes; with ``changes``, of what is new or gone.
+
+    ``dangling``: channels that nobody else uses are boxes, too. Without ``most`` nothing is folded.
     """
-    marks = _Marks(changes)
-    union = topology if changes is None else _union(changes.before, changes.after)
-    deepest = max((len(namespaces_of(node)) for node in union.nodes), default=0)
-    drawing = Drawing((), (), "")
-    for depth in range(deepest, -1, -1):
-        drawing = _at_depth(union, depth, deepest, marks, dangling)
-        if most_arrows is None or max(len(drawing.arrows), len(drawing.boxes)) <= most_arrows:
-            return drawing
-    assert most_arrows is not None
-    return _cut(drawing, most_arrows)
+    if changes is None:
+        presence = Presence(topology)
+        picture = _Picture(whole(topology, presence, dangling=dangling), presence)
+    else:
+        presence = Presence(changes.before, changes.after)
+        picture = _Picture(changed(changes, presence, dangling=dangling), presence)
+    if most is None:
+        return picture.drawn(picture.tree.namespaces, gather=False)
+    order = picture.tree.order(picture.lonely, LONELY, most)
+    drawing = picture.drawn(order)
+    if len(drawing.arrows) > most:
+        fits, too_many = 0, len(order)
+        while too_many - fits > 1:
+            middle = (fits + too_many) // 2
+            if len(picture.drawn(order[:middle]).arrows) <= most:
+                fits = middle
+            else:
+                too_many = middle
+        drawing = picture.drawn(order[:fits])
+    return drawing if max(len(drawing.arrows), len(drawing.boxes)) <= most else _cut(drawing, most)
 
 
-class _Marks:
-    """Which nodes and connections changed."""
+class _Picture:
+    """A topology made ready for being drawn at different levels of detail."""
 
-    def __init__(self, changes: Difference | None) -> None:
-        self.nodes: dict[str, str] = {}
-        self.connections: dict[tuple[str, str, str, str], str] = {}
-        if changes is None:
-            return
-        self.nodes.update((node.name, "added") for node in changes.nodes_added)
-        self.nodes.update((node.name, "removed") for node in changes.nodes_removed)
-        self.nodes.update((change.after.name, "changed") for change in changes.nodes_changed)
-        for mark, connections in (
-            ("removed", (*changes.connections_removed, *(each.before for each in changes.connections_changed))),
-            ("added", (*changes.connections_added, *(each.after for each in changes.connections_changed))),
-        ):
-            self.connections.update((_key(connection), mark) for connection in connections)
+    def __init__(self, part: Part, presence: Presence) -> None:
+        self._part = part
+        self._presence = presence
+        self._nodes = {node.name: node for node in part.topology.nodes}
+        self._sides: dict[tuple[str, str], _Ends] = {}
+        for when, each in part.connections:
+            if each.node in self._nodes:
+                self._sides.setdefault((each.kind, each.name), ([], []))[not each.offers].append((each.node, _End(when, each.certain)))
+        connected = set(part.marks)
+        for channel, (offers, uses) in self._sides.items():
+            names = {name for name, _ in (*offers, *uses)}
+            if channel in part.alone or (offers and uses and len(names) > 1):
+                connected |= names
+        self.lonely = frozenset(self._nodes.keys() - connected)
+        self.tree = Tree(self._nodes.values())
 
-    def of(self, *connections: Connection) -> str:
-        """The mark of an arrow between these."""
-        found = {self.connections.get(_key(connection), "") for connection in connections} - {""}
-        return "removed" if "removed" in found else "added" if found else ""
+    def drawn(self, opened: Iterable[str], *, gather: bool = True) -> Drawing:
+        """The drawing with these namespaces open, all others folded."""
+        boxes: dict[str, Box] = {}
+        box_of: dict[str, str] = {}
+        open_ = frozenset(opened)
+        alone: dict[str, list[TopologyNode]] = {}
+        for name, node in self._nodes.items():
+            path, folded = self.tree.visible(node.namespace, open_)
+            parent = ""
+            for namespace in path:
+                key = f"namespace {namespace}"
+                if key not in boxes:
+                    boxes[key] = Box(key, parent, "namespace", self.tree.label(namespace), "")
+                parent = key
+            if folded:
+                box_of[name] = key = f"folded {folded}"
+                known = boxes.get(key) or Box(key, parent, "folded", self.tree.label(folded), "", unknown=True)
+                mark = "changed" if known.mark or name in self._part.marks else ""
+                unknown = known.unknown and node.knowledge == "unknown"
+                boxes[key] = known._replace(members=known.members + 1, unknown=unknown, mark=mark)
+            elif gather and name in self.lonely:
+                alone.setdefault(parent, []).append(node)
+            else:
+                box_of[name] = self._add_node(boxes, node, parent)
+        for parent, nodes in alone.items():
+            if len(nodes) < LONELY:
+                for node in nodes:
+                    self._add_node(boxes, node, parent)
+            else:
+                unknown_ones = sum(node.knowledge == "unknown" for node in nodes)
+                detail = f"{unknown_ones} of them unknown" if unknown_ones else ""
+                label = f"{len(nodes)} nodes without known connections"
+                key = f"others {parent}"
+                boxes[key] = Box(key, parent, "others", label, detail, len(nodes), unknown_ones == len(nodes))
+        arrows = self._arrows(boxes, box_of)
+        folded_away = sum(box.members for box in boxes.values() if box.kind == "folded")
+        said = [f"{_number(self._part.unchanged)} did not change and are not shown"] if self._part.unchanged else []
+        said += [f"{_number(folded_away)} are folded into their namespaces"] if folded_away else []
+        return Drawing(tuple(boxes[key] for key in sorted(boxes)), arrows, "; ".join(said))
 
+    def _add_node(self, boxes: dict[str, Box], node: TopologyNode, parent: str) -> str:
+        key = f"node {node.name}"
+        unknown, conditional = node.knowledge == "unknown", bool(node.only or node.conditions)
+        label = node.name.rpartition("/")[2]
+        boxes[key] = Box(key, parent, "node", label, node.program, 0, unknown, conditional, self._part.marks.get(node.name, ""))
+        return key
 
-def _key(connection: Connection) -> tuple[str, str, str, str]:
-    return (connection.node, connection.role, connection.kind, connection.name)
+    def _arrows(self, boxes: dict[str, Box], box_of: Mapping[str, str]) -> tuple[Arrow, ...]:
+        presence = self._presence
+        found: dict[tuple[str, str, str, bool, str], dict[str, None]] = {}
 
+        def arrow(source: str, target: str, kind: str, label: str, when: int, certain: bool) -> None:
+            if kind != "topic":
+                source, target = target, source
+            conditional = not certain or not presence.is_always(when)
+            found.setdefault((source, target, kind, conditional, presence.mark(when)), {})[label] = None
 
-def _union(before: Topology, after: Topology) -> Topology:
-    """What is in either, the newer one where it is in both."""
-    nodes = {node.name: node for node in (*before.nodes, *after.nodes)}
-    connections = {_key(connection): connection for connection in (*before.connections, *after.connections)}
-    channels = {(channel.kind, channel.name): channel for channel in (*before.channels, *after.channels)}
-    return after._replace(
-        nodes=tuple(nodes[key] for key in sorted(nodes)),
-        connections=tuple(connections[key] for key in sorted(connections)),
-        channels=tuple(channels[key] for key in sorted(channels)),
-    )
-
-
-def _at_depth(topology: Topology, depth: int, deepest: int, marks: _Marks, dangling: bool) -> Drawing:
-    boxes: dict[str, Box] = {}
-    box_of: dict[str, str] = {}
-    for node in topology.nodes:
-        around = namespaces_of(node)
-        parent = ""
-        for namespace in around[:depth]:
-            key = f"namespace {namespace}"
-            boxes.setdefault(key, Box(key, parent, "namespace", namespace, ""))
-            parent = key
-        if len(around) > depth:
-            key = f"folded {around[depth]}"
-            known = boxes.get(key) or Box(key, parent, "folded", around[depth], "")
-            mark = "changed" if marks.nodes.get(node.name) or known.mark else ""
-            boxes[key] = known._replace(members=known.members + 1, mark=mark)
-        else:
-            key = f"node {node.name}"
-            label = node.name.rpartition("/")[2]
-            unknown, conditional = node.knowledge == "unknown", bool(node.only or node.conditions)
-            boxes[key] = Box(key, parent, "node", label, node.program, 0, unknown, conditional, marks.nodes.get(node.name, ""))
-        box_of[node.name] = key
-    arrows = _arrows(topology, boxes, box_of, marks, dangling)
-    folded = sum(box.members for box in boxes.values())
-    left_out = f"{folded} nodes are folded into their namespaces" if depth < deepest else ""
-    return Drawing(tuple(boxes[key] for key in sorted(boxes)), arrows, left_out)
-
-
-def _arrows(topology: Topology, boxes: dict[str, Box], box_of: Mapping[str, str], marks: _Marks, dangling: bool) -> tuple[Arrow, ...]:
-    sides: dict[tuple[str, str], tuple[list[Connection], list[Connection]]] = {}
-    for connection in topology.connections:
-        if connection.node in box_of:
-            sides.setdefault((connection.kind, connection.name), ([], []))[not connection.offers].append(connection)
-    found: dict[tuple[str, str, str, bool, str], list[str]] = {}
-
-    def arrow(source: str, target: str, kind: str, label: str, *why: Connection) -> None:
-        conditional = any(each.only or not each.certain for each in why)
-        found.setdefault((source, target, kind, conditional, marks.of(*why)), []).append(label)
-
-    for (kind, name), (offers, uses) in sorted(sides.items()):
-        givers, takers = _by_box(offers, box_of), _by_box(uses, box_of)
-        if not dangling and (not givers or not takers or (set(givers) == set(takers) and len(givers) == 1)):
-            continue
-        if len(givers) == 1 or len(takers) == 1:
-            for giver, first in givers.items():
-                for taker, second in takers.items():
-                    if giver != taker:
-                        ends = (giver, taker) if kind == "topic" else (taker, giver)
-                        arrow(*ends, kind, name, first, second)
-            if givers and takers:
+        for (kind, name), (offers, uses) in sorted(self._sides.items()):
+            givers, takers = _by_box(offers, box_of), _by_box(uses, box_of)
+            if not givers or not takers:
+                if (kind, name) not in self._part.alone:
+                    continue
+            elif len(givers) == 1 or len(takers) == 1:
+                for giver, first in givers.items():
+                    for taker, second in takers.items():
+                        if giver != taker and first.when & second.when:
+                            arrow(giver, taker, kind, name, first.when & second.when, first.certain and second.certain)
                 continue
-        key = f"{kind} {name}"
-        boxes[key] = Box(key, "", kind, name, "", conditional=not givers or not takers)
-        for box, why in givers.items():
-            arrow(*((box, key) if kind == "topic" else (key, box)), kind, "", why)
-        for box, why in takers.items():
-            arrow(*((key, box) if kind == "topic" else (box, key)), kind, "", why)
-    return tuple(
-        Arrow(source, target, kind, tuple(label for label in labels if label), conditional, mark)
-        for (source, target, kind, conditional, mark), labels in sorted(found.items())
-    )
+            key = f"{kind} {name}"
+            given, taken = _together(givers), _together(takers)
+            mark = presence.mark(given & taken or given | taken)
+            parent = _around([*givers, *takers], boxes)
+            boxes[key] = Box(key, parent, kind, name, "", conditional=not givers or not takers, mark=mark)
+            for box, end in givers.items():
+                arrow(box, key, kind, "", end.when & taken or end.when, end.certain)
+            for box, end in takers.items():
+                arrow(key, box, kind, "", end.when & given or end.when, end.certain)
+        return tuple(
+            Arrow(source, target, kind, tuple(label for label in labels if label), conditional, mark)
+            for (source, target, kind, conditional, mark), labels in sorted(found.items())
+        )
 
 
-def _by_box(connections: Iterable[Connection], box_of: Mapping[str, str]) -> dict[str, Connection]:
-    """The boxes of these connections, each with one of them."""
-    found: dict[str, Connection] = {}
-    for connection in connections:
-        found.setdefault(box_of[connection.node], connection)
+def _by_box(ends: Iterable[tuple[str, _End]], box_of: Mapping[str, str]) -> dict[str, _End]:
+    found: dict[str, _End] = {}
+    for name, end in ends:
+        box = box_of[name]
+        known = found.get(box)
+        found[box] = end if known is None else _End(known.when | end.when, known.certain or end.certain)
     return found
+
+
+def _around(keys: Iterable[str], boxes: Mapping[str, Box]) -> str:
+    """The innermost box that holds all of these."""
+    common: list[str] | None = None
+    for start in dict.fromkeys(boxes[key].parent for key in keys):
+        outward = []
+        at = start
+        while at:
+            outward.append(at)
+            at = boxes[at].parent
+        inward = outward[::-1]
+        common = inward if common is None else [one for one, other in zip(common, inward, strict=False) if one == other]
+    return common[-1] if common else ""
+
+
+def _together(ends: Mapping[str, _End]) -> int:
+    when = 0
+    for end in ends.values():
+        when |= end.when
+    return when
+
+
+def _number(count: int) -> str:
+    return f"{count} node{'' if count == 1 else 's'}"
 
 
 def _cut(drawing: Drawing, most: int) -> Drawing:
     """The part of a drawing that fits: changed arrows first, then those between the busiest boxes."""
+    by_id = {box.id: box for box in drawing.boxes}
     busy: dict[str, int] = {}
     for arrow in drawing.arrows:
         for end in (arrow.source, arrow.target):
             busy[end] = busy.get(end, 0) + 1
-    ranked = sorted(drawing.arrows, key=lambda arrow: (not arrow.mark, -busy[arrow.source] - busy[arrow.target], arrow))
     arrows: list[Arrow] = []
     kept: set[str] = set()
-    for arrow in ranked:
-        if len(arrows) < most and len(kept | {arrow.source, arrow.target}) <= most:
+
+    def keep(*keys: str) -> bool:
+        wanted: set[str] = set()
+        for key in keys:
+            while key and key not in kept and key not in wanted:
+                wanted.add(key)
+                key = by_id[key].parent
+        if len(kept) + len(wanted) > most:
+            return False
+        kept.update(wanted)
+        return True
+
+    for arrow in sorted(drawing.arrows, key=lambda each: (not each.mark, -busy[each.source] - busy[each.target], each)):
+        if len(arrows) < most and keep(arrow.source, arrow.target):
             arrows.append(arrow)
-            kept |= {arrow.source, arrow.target}
-    by_id = {box.id: box for box in drawing.boxes}
-    for box in drawing.boxes:
-        if len(kept) >= most:
+    for box in sorted(drawing.boxes, key=lambda each: (not each.mark, each.kind != "node", each.id)):
+        if len(kept) >= most or not box.mark:
             break
-        if box.mark:
-            kept.add(box.id)
-    inside = set(kept)
-    for key in kept:
-        parent = by_id[key].parent
-        while parent:
-            inside.add(parent)
-            parent = by_id[parent].parent
-    boxes = tuple(box for box in drawing.boxes if box.id in inside)
-    gone = f"{len(drawing.arrows) - len(arrows)} arrows and {len(drawing.boxes) - len(boxes)} boxes are left out"
-    return Drawing(boxes, tuple(sorted(arrows)), f"{drawing.left_out}; {gone}" if drawing.left_out else gone)
+        keep(box.id)
+    gone = f"{len(drawing.arrows) - len(arrows)} arrows and {len(drawing.boxes) - len(kept)} boxes are left out"
+    left_out = f"{drawing.left_out}; {gone}" if drawing.left_out else gone
+    return Drawing(tuple(box for box in drawing.boxes if box.id in kept), tuple(sorted(arrows)), left_out)

@@ -1,7 +1,7 @@
 """The topology as a networkx multigraph, for other programs and for algorithms that networkx has.
 
-Nodes are ``("node", name)``, ``("topic", name)``, ``("service", …)``, ``("action", …)`` and ``("param", …)``. Edges point the way the data
-goes: publisher → topic → subscriber, client → service → server, param → reader. The edge's attributes say why it exists.
+Vertices are ``("node", name)``, ``("topic", name)``, ``("service", …)``, ``("action", …)`` and ``("param", …)``. Edges point the way the data
+goes: publisher → topic → subscriber, client → service → server, param → reader. The edge's attributes say why it exists; its key is unique.
 """
 
 from __future__ import annotations
@@ -10,6 +10,8 @@ from launchlint.graph.topology import Connection, Topology
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     import networkx
 
     Key = tuple[str, str]
@@ -30,15 +32,15 @@ def multigraph(topology: Topology) -> networkx.MultiDiGraph[Key]:
             (channel.kind, channel.name), kind=channel.kind, name=channel.name, type=" ".join(channel.types), hub=channel.hub,
             plumbing=channel.plumbing,
         )  # fmt: skip
-    for connection in topology.connections:
+    for number, connection in enumerate(topology.connections):
         here, there = ("node", connection.node), (connection.kind, connection.name)
         towards = connection.offers == (connection.kind == "topic")  # a service's data comes from its clients
         source, target = (here, there) if towards else (there, here)
-        graph.add_edge(source, target, key=connection.role, **_why(connection))
+        graph.add_edge(source, target, key=f"connection{number}", **_why(connection))
     for param in topology.params:
         graph.add_node(("param", param.name), kind="param", name=param.name, value=param.value, place=param.place)
         for reader in param.readers:
-            graph.add_edge(("param", param.name), ("node", reader), key="reader", role="reader")
+            graph.add_edge(("param", param.name), ("node", reader), key=f"param{graph.number_of_edges()}", role="reader")
     return graph
 
 
@@ -58,8 +60,28 @@ def _why(connection: Connection) -> dict[str, str | bool]:
 
 
 def graphml(topology: Topology) -> str:
-    """The multigraph as GraphML, with names like ``topic /scan`` for its nodes."""
+    """The multigraph as GraphML, with names like ``topic /scan`` for its vertices.
+
+    What XML cannot hold, and what nobody can see, is written as in Python: ``\\x1b``; a backslash as two.
+    """
     import networkx
 
-    graph = networkx.relabel_nodes(multigraph(topology), lambda key: f"{key[0]} {key[1]}")
+    graph: networkx.MultiDiGraph[str] = networkx.MultiDiGraph(entry=_plain(topology.entry))
+    original = multigraph(topology)
+    for (kind, name), attributes in original.nodes(data=True):
+        graph.add_node(_plain(f"{kind} {name}"), **_all_plain(attributes))
+    for source, target, key, attributes in original.edges(keys=True, data=True):
+        graph.add_edge(*(_plain(" ".join(end)) for end in (source, target)), key=_plain(key), **_all_plain(attributes))
     return "".join(f"{line}\n" for line in networkx.generate_graphml(graph))
+
+
+def _all_plain(attributes: dict[str, Any]) -> dict[str, Any]:
+    return {name: _plain(value) if isinstance(value, str) else value for name, value in attributes.items()}
+
+
+def _plain(text: str) -> str:
+    if text.isprintable() and "\\" not in text:
+        return text
+    return "".join(
+        each if each.isprintable() and each != "\\" else each.encode("unicode_escape", "surrogatepass").decode("ascii") for each in text
+    )

@@ -25,12 +25,10 @@ class Parameters:
         setting = self._settings.get(name)
         if setting is not None:
             return _plain(setting.value)
-        below = self._names_below(name)
-        if below:
-            return self._tree(name, below)
-        if self._more and any(name.startswith(f"{namespace}/") or namespace.startswith(f"{name}/") for namespace in self._more):
+        if any(f"{name}/".startswith(f"{namespace}/") or namespace.startswith(f"{name}/") for namespace in self._more):
             return UNKNOWN
-        return self._inside(name)
+        below = self._names_below(name)
+        return self._tree(name, below) if below else self._inside(name)
 
     def setting(self, name: str) -> ParameterSetting | None:
         """How the param itself is set."""

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from typing import NamedTuple
 
-from launchlint.graph.topology import Connection, Container, Topology, TopologyNode
+from launchlint.graph.topology import Connection, Container, Topology, TopologyNode, TopologyParam
 
 KINDS = ("topic", "service", "action", "param")
 
@@ -58,12 +58,15 @@ def select(topology: Topology, selection: Selection) -> Topology:
         nodes = _kept(nodes, {connection.node for connection in connections})
     used = {(connection.kind, connection.name) for connection in connections}
     names = None if nodes is topology.nodes else {node.name for node in nodes}
-    params = topology.params if "param" in selection.kinds else ()
+    params: Iterable[TopologyParam] = topology.params if "param" in selection.kinds else ()
+    if names is not None:
+        params = [param._replace(readers=tuple(reader for reader in param.readers if reader in names)) for param in params]
+        params = [param for param in params if param.readers]
     return topology._replace(
         nodes=nodes,
         connections=tuple(connections),
         channels=tuple(channel for channel in topology.channels if (channel.kind, channel.name) in used),
-        params=tuple(param for param in params if names is None or not names.isdisjoint(param.readers)),
+        params=tuple(params),
         containers=_containers(topology, nodes),
     )
 

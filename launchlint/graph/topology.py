@@ -39,8 +39,8 @@ class Container(NamedTuple):
 class TopologyNode(NamedTuple):
     """A node. ``container`` is the id of the innermost group or include around it (empty: none); other fields are those of Instance.
 
-    Several may have one name: alternatives of which one runs, or a mistake. ``conditions`` are the ``if`` and ``unless`` it stands under, as written; ``only`` the configurations in which it exists (args as on
-    the command line), empty where it is in all of them.
+    Several may have one name: alternatives of which one runs, or a mistake. ``conditions`` are the ``if`` and ``unless`` it stands under,
+    as written; ``only`` the configurations in which it exists (args as on the command line), empty where it is in all of them.
     """
 
     name: str

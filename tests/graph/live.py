@@ -1,12 +1,13 @@
 """Start a launch file for real, on loopback only, and read the graph that its nodes make.
 
-The nodes are those of Debian's packages and the few of ``live_ws``. Each launch file gets a master of its own on a free port, and is
-ended by killing every process that carries its mark in the environment: roslaunch puts each node into a session of its own, so no group holds all.
+The nodes are those of Debian's packages and the few of ``live_ws``. Each launch file gets a master of its own on a free port, and is ended
+by killing every process that carries its mark in the environment: roslaunch puts each node into a session of its own, no group holds all.
 """
 
 from __future__ import annotations
 
 import contextlib
+import http.client
 import os
 import re
 import signal
@@ -66,6 +67,12 @@ class Running(NamedTuple):
     master: xmlrpc.client.ServerProxy
     process: subprocess.Popen[bytes]
     log: Path
+    environment: dict[str, str]
+    more: list[subprocess.Popen[bytes]]
+
+    def start(self, command: list[str], variables: dict[str, str]) -> None:
+        """Start one more process with the same master and the same end."""
+        self.more.append(_start(command, {**self.environment, **variables}, self.log))
 
 
 class Live(NamedTuple):
@@ -125,26 +132,32 @@ def started(
     """Run a command that gets the port of its master; at the end nothing of it is left, whatever happens."""
     scratch.mkdir(parents=True, exist_ok=True)
     port, mark, log = free_port(), uuid.uuid4().hex, scratch / "output.txt"
-    with open(log, "wb") as output:
-        process = subprocess.Popen(
-            command(port),
-            env=environment(scratch, mark, port),
-            cwd=scratch,
+    variables = environment(scratch, mark, port)
+    processes = [_start(command(port), variables, log)]
+    try:
+        with xmlrpc.client.ServerProxy(f"http://127.0.0.1:{port}") as master:
+            yield Running(master, processes[0], log, variables, processes)
+    finally:
+        _kill(processes, mark)
+
+
+def _start(command: list[str], variables: dict[str, str], log: Path) -> subprocess.Popen[bytes]:
+    with open(log, "ab") as output:
+        return subprocess.Popen(
+            command,
+            env=variables,
+            cwd=log.parent,
             stdin=subprocess.DEVNULL,
             stdout=output,
             stderr=subprocess.STDOUT,
             start_new_session=True,
         )
-    try:
-        with xmlrpc.client.ServerProxy(f"http://127.0.0.1:{port}") as master:
-            yield Running(master, process, log)
-    finally:
-        _kill(process, mark)
 
 
-def _kill(process: subprocess.Popen[bytes], mark: str) -> None:
-    process.kill()  # first, so that it starts no node anew
-    process.wait()
+def _kill(processes: list[subprocess.Popen[bytes]], mark: str) -> None:
+    for process in processes:
+        process.kill()  # roslaunch before its nodes, so that it starts none anew
+        process.wait()
     deadline = time.monotonic() + 10
     while (alive := list(_marked(mark))) and time.monotonic() < deadline:
         for each in alive:
@@ -164,7 +177,7 @@ def _marked(mark: str) -> Iterator[int]:
 
 
 def run(launch: Path, scratch: Path, is_complete: Callable[[frozenset[Edge]], bool]) -> Live:
-    """Start ``launch`` and wait until its graph no longer changes; ``is_complete`` says of a graph whether all that is expected is in it."""
+    """Start ``launch`` and wait until its graph no longer changes; ``is_complete`` says of a graph whether it has all that is expected."""
     with started(lambda port: ["/usr/bin/roslaunch", "-p", str(port), str(launch)], scratch) as running:
         edges = settle(running, is_complete)
         return Live(edges, types_of(running.master) if edges else {}, running.log.read_text(encoding="utf-8", errors="replace"))
@@ -175,10 +188,9 @@ def settle(running: Running, is_complete: Callable[[frozenset[Edge]], bool]) -> 
     start = changed = time.monotonic()
     edges: frozenset[Edge] = frozenset()
     while (now := time.monotonic()) - start < LIMIT and running.process.poll() is None:
-        with contextlib.suppress(OSError, xmlrpc.client.Error):
-            found = state(running.master)
-            if found != edges:
-                edges, changed = found, now
+        found = state_or_nothing(running.master)
+        if found != edges:
+            edges, changed = found, now
         if edges and now - changed > (QUIET if is_complete(edges) else PATIENCE):
             break
         time.sleep(0.1)
@@ -195,6 +207,14 @@ def state(master: xmlrpc.client.ServerProxy) -> frozenset[Edge]:
         for node in nodes
         if not IGNORED.fullmatch(name)
     )
+
+
+def state_or_nothing(master: xmlrpc.client.ServerProxy) -> frozenset[Edge]:
+    """What the master knows now; nothing where it does not answer yet."""
+    try:
+        return state(master)
+    except (OSError, http.client.HTTPException, xmlrpc.client.Error):
+        return frozenset()
 
 
 def plain(name: str) -> str:

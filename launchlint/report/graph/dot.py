@@ -6,21 +6,26 @@ from launchlint.graph.difference import Difference
 from launchlint.graph.drawing import Arrow, Box, draw
 from launchlint.graph.topology import Topology
 
+LONGEST_LABEL = 1_000
+
 _COLOURS = {"added": "#1a7f37", "removed": "#cf222e", "changed": "#9a6700"}
 
 
-def render(topology: Topology, changes: Difference | None = None, *, dangling: bool = False) -> str:
-    """All of it, nothing folded, in the DOT language."""
+def render(topology: Topology, changes: Difference | None = None, *, title: str = "", dangling: bool = False) -> str:
+    """All of it, nothing folded, in the DOT language; what changed is coloured, what is gone is dashed."""
     drawing = draw(topology, None, changes, dangling=dangling)
-    ids = {box.id: f"n{number}" for number, box in enumerate(drawing.boxes)}
+    ids = {box.id: f"n{number}" for number, box in enumerate(drawing.boxes, 1)}
     children: dict[str, list[Box]] = {}
     for box in drawing.boxes:
         children.setdefault(box.parent, []).append(box)
     lines = ["digraph connections {", "  rankdir=LR;", '  node [shape=box, fontname="sans-serif"];', '  edge [fontname="sans-serif"];']
+    caption = "; ".join(filter(None, (title, drawing.left_out)))
+    if caption:
+        lines.append(f"  label={_quoted(caption)};")
     waiting: list[tuple[Box | None, int]] = [(box, 1) for box in reversed(children.get("", ()))]
     while waiting:
         each, depth = waiting.pop()
-        blanks = "  " * min(depth, 20)
+        blanks = "  " * min(depth, 12)
         if each is None:
             lines.append(f"{blanks}}}")
         elif each.kind == "namespace":
@@ -29,16 +34,17 @@ def render(topology: Topology, changes: Difference | None = None, *, dangling: b
             waiting.extend((inner, depth + 1) for inner in reversed(children.get(each.id, ())))
         else:
             lines.append(f"{blanks}{ids[each.id]} [{_attributes(each)}];")
-    lines += [f"  {ids[arrow.source]} -> {ids[arrow.target]} [{_arrow(arrow)}];" for arrow in drawing.arrows]
+    for arrow in drawing.arrows:
+        attributes = _arrow(arrow)
+        lines.append(f"  {ids[arrow.source]} -> {ids[arrow.target]}{f' [{attributes}]' if attributes else ''};")
     return "\n".join([*lines, "}"]) + "\n"
 
 
 def _attributes(box: Box) -> str:
-    is_channel = box.kind in ("topic", "service", "action")
-    found = [f"label={_quoted(box.label if is_channel else box.label + chr(10) + box.detail)}"]
-    if is_channel:
+    found = [f"label={_quoted(box.label, box.detail)}"]
+    if box.kind in ("topic", "service", "action"):
         found.append("shape=ellipse")
-    if box.unknown or box.conditional:
+    if box.unknown or box.conditional or box.mark == "removed":
         found.append(f'style="{"dotted" if box.unknown else "dashed"}"')
     if box.mark:
         found.append(f'color="{_COLOURS[box.mark]}", penwidth=3')
@@ -46,15 +52,23 @@ def _attributes(box: Box) -> str:
 
 
 def _arrow(arrow: Arrow) -> str:
-    found = [f"label={_quoted(arrow.label)}"] if arrow.labels else []
-    if arrow.kind != "topic" or arrow.conditional:
-        found.append(f'style="{"dashed" if arrow.kind == "service" or arrow.conditional else "bold"}"')
+    found = [f"label={_quoted(*arrow.shown)}"] if arrow.labels else []
+    if arrow.kind == "service" or arrow.conditional or arrow.mark == "removed":
+        found.append('style="dashed"')
+    elif arrow.kind == "action":
+        found.append('style="bold"')
     if arrow.mark:
         found.append(f'color="{_COLOURS[arrow.mark]}", penwidth=3')
     return ", ".join(found)
 
 
-def _quoted(text: str) -> str:
-    """A DOT string that is text only: none of Graphviz's own escapes, no HTML."""
-    shown = "".join(each if each.isprintable() or each == "\n" else "\ufffd" for each in text)
-    return '"' + shown.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
+def _quoted(*lines: str) -> str:
+    """A DOT string that is text only, in these lines: none of Graphviz's own escapes, no HTML, no character references."""
+    shown = (line if len(line) <= LONGEST_LABEL else f"{line[: LONGEST_LABEL - 1]}…" for line in lines if line)
+    return '"' + "\\n".join("".join(_harmless(each) for each in line) for line in shown) + '"'
+
+
+def _harmless(character: str) -> str:
+    if character in '\\"':
+        return f"\\{character}"
+    return "&amp;" if character == "&" else character if character.isprintable() else "\ufffd"

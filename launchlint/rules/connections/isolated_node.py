@@ -41,7 +41,8 @@ from launchlint.rules.view import GraphView
 
 RULE = Rule("LL618", "isolated-node", Severity.INFO)
 
-_CONNECTING = frozenset({"/tf", "/tf_static"})
+_TRANSFORMS = frozenset({"/tf", "/tf_static"})
+"""Who has transforms, or wants some, is connected to all the others that do."""
 _CALLS = ("client", "action client")
 """A node that only calls services, as those that load controllers do: whether they are there is told for each of them (LL614)."""
 _CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions")
@@ -50,9 +51,9 @@ _CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions")
 def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look at every node whose interface is known."""
     graph = view.graph
-    connected = {instance.name for instance in graph.instances if _is_connected(instance, graph)}
+    talking = {instance.name for instance in graph.instances if _talks(instance, graph)}
     for instance in graph.instances:
-        if instance.name in connected or len(connected) < 2 or not _is_isolated(instance, graph):
+        if instance.name in talking or len(talking) < 2 or not _is_isolated(instance, graph):
             yield RULE.fine(node_origin(instance))
         else:
             does = sorted({endpoint.name for endpoint in _own(instance) if endpoint.certain and not endpoint.action})
@@ -69,15 +70,13 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
 def _own(instance: Instance) -> Iterator[Endpoint]:
     """The endpoints that can connect it to somebody."""
     for endpoint in instance.endpoints:
-        if (endpoint.name not in HUBS or endpoint.name in _CONNECTING) and not endpoint.is_plumbing:
+        if endpoint.name not in HUBS and not endpoint.is_plumbing:
             yield endpoint
 
 
-def _is_connected(instance: Instance, graph: ConnectionGraph) -> bool:
-    """Whether somebody else certainly uses what it offers, or offers what it uses."""
+def _talks(instance: Instance, graph: ConnectionGraph) -> bool:
+    """Whether somebody else uses what it offers, or offers what it uses."""
     for endpoint in _own(instance):
-        if endpoint.name in _CONNECTING:
-            return True
         channel = graph.channels[endpoint.kind, endpoint.name]
         if any(other.node != endpoint.node for other in (channel.uses if endpoint.role in OFFERS else channel.offers)):
             return True
@@ -87,6 +86,8 @@ def _is_connected(instance: Instance, graph: ConnectionGraph) -> bool:
 def _is_isolated(instance: Instance, graph: ConnectionGraph) -> bool:
     """Whether nothing unknown could be its partner."""
     own = list(_own(instance))
+    if any(endpoint.name in _TRANSFORMS for endpoint in instance.endpoints):
+        return False
     if (
         all(endpoint.role in _CALLS for endpoint in own)
         or not instance.certain

@@ -128,7 +128,7 @@ class LooseEnds:
         return Severity.INFO if alone or (loose and source) else None
 
     def _is_source(self, instance: Instance) -> bool:
-        """Whether the node only publishes or serves, one thing or two: a driver, a controller, a keyboard."""
+        """Whether the node only publishes or serves, and takes nothing from others: a driver, a controller, a keyboard."""
         more = any(instance.may_have_more(each) for each in ("subscribers", "clients", "actions"))
         ends = [each for each in instance.endpoints if not each.is_plumbing and each.name not in HUBS]
         return not more and all(each.role in OFFERS for each in ends)

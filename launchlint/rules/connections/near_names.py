@@ -58,9 +58,13 @@ def _differ_in_a_mark(left: str, right: str) -> bool:
 
 
 def _is_slip(left: str, right: str) -> bool:
-    if abs(len(left) - len(right)) > 1 or len(set(left).symmetric_difference(right)) > len("-_Aa"):
-        return False  # said at once, since most names are nothing alike
-    return _digits(left) == _digits(right) and one_slip(left, (right,)) is not None
+    if abs(len(left) - len(right)) > 1 or _digits(left) != _digits(right):
+        return False
+    # Most names are nothing alike, which is said at once: after one slip one of the two halves still agrees.
+    half = min(len(left), len(right)) // 2 - 1
+    if left[:half].casefold() != right[:half].casefold() and left[-half:].casefold() != right[-half:].casefold():
+        return False
+    return one_slip(left, (right,)) is not None
 
 
 def _digits(name: str) -> str:

@@ -1,9 +1,10 @@
 """A node waits for a topic that nobody publishes, while the launch file has a publisher that was probably meant.
 
 A launch file is often only a part of a robot, so that a topic without a publisher is no mistake by itself. It is told where another
-node publishes the same type under a name so near that one of the two is wrong: a letter apart, or the same name in another namespace,
-where that publisher in turn reaches nobody, or where the waiting node is connected to nothing else. Where only the type
-speaks for it, or the names are less alike, it is an info. Nothing is said while a node that is not known may be the publisher.
+node publishes the same type under a name so near that one of the two is wrong: a letter apart, or in another namespace while
+that publisher in turn reaches nobody, and both nodes call the topic the same or the publisher does nothing but publish. Where the
+names are less alike, or a node that waits in vain for everything finds one single topic of its type, it is an info. Nothing is
+said while a node that is not known may be the publisher.
 
 ## Why it matters
 

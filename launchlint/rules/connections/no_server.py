@@ -1,8 +1,9 @@
 """A node calls a service or an action that nobody serves, while the launch file has a server that was probably meant.
 
 It is told where another node serves the same type under a name that is a letter apart, or under the same name in another
-namespace. Where only the type speaks for it, or the names are less alike, it is an info. Nothing is said while a node
-that is not known may be the server, and of a service that no node of the launch serves in any form: it may run elsewhere.
+namespace where nobody calls it. Where the names are less alike, or the type says little (those of `std_srvs`), it is an info.
+Nothing is said while a node that is not known may be the server, and nothing of a service of a type that no node of the
+launch serves: it may run elsewhere.
 
 ## Why it matters
 

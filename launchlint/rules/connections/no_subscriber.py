@@ -1,9 +1,9 @@
 """A node publishes a topic that nobody subscribes to, while the launch file has a subscriber that was probably meant.
 
-Topics without a subscriber are common and no mistake. It is told where a node subscribes to the same type under a name that is a
-letter apart, or where the publishing node is connected to nothing else and its name differs by a namespace or a word: then
-it is a warning. It is an info where only the type speaks for it. Where both ends meet nobody, the rule
-[no-publisher](LL612.md) speaks. Nothing is said while a node that is not known may be the subscriber.
+Topics without a subscriber are common and no mistake. It is a warning where a node subscribes to the same type under a name that
+is a letter apart; or where the publishing node does nothing but publish, reaches nobody at all, and the name that somebody
+subscribes to differs by a namespace or a word. It is an info where only the type speaks for it. Where both ends meet nobody, the
+rule no-publisher (LL612) speaks. Nothing is said while a node that is not known may be the subscriber.
 
 ## Why it matters
 

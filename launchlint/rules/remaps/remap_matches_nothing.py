@@ -196,7 +196,8 @@ def _help(miss: _Miss, written: str) -> str:
             return f'the name of the node is {what}: write from="{found}"'
     if len(spelled) > _MOST_CANDIDATES:
         return ""
-    near = closest(source, spelled) or _same_end(source, spelled)
+    own = {full: name for full, name in spelled.items() if full not in names.derived}
+    near = closest(source, own) or _same_end(source, own)
     return "" if near is None else f'did you mean from="{spelled[near]}"?'
 
 

@@ -1,0 +1,421 @@
+"""What the files of a program declare: classes, functions, variables, names of types, macros and included messages."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from launchlint.extract.cpp.spelled_type import UNTYPED, Type, parse_type
+from launchlint.extract.cpp.syntax import Node
+
+_SCOPES = frozenset(
+    ("translation_unit", "declaration_list", "linkage_specification", "preproc_if", "preproc_ifdef", "preproc_else", "preproc_elif")
+    + ("preproc_elifdef", "ERROR", "access_specifier", "field_declaration_list", "friend_declaration")
+)
+_WRAPPERS = ("pointer_declarator", "reference_declarator", "parenthesized_declarator", "array_declarator", "init_declarator", "attributed_declarator")
+_DEEPEST = 60
+_MESSAGE = re.compile(r"(\w+)/(\w+)\.h")
+
+
+class Parameter(NamedTuple):
+    """A parameter of a function; ``shared`` says that it is a reference or a pointer."""
+
+    name: str
+    type: Type
+    shared: bool
+    default: Node | None
+
+
+class Function:
+    """A function with its body, or without one where only its prototype is known.
+
+    ``name`` is qualified; ``scope`` is the namespace or class that names in it are looked up from.
+    """
+
+    __slots__ = ("body", "initialisers", "line", "name", "owner", "parameters", "path", "relevant", "returns", "scope", "template")
+
+    def __init__(self, name: str, scope: str, parameters: tuple[Parameter, ...], returns: Type, node: Node, path: str, template: tuple[str, ...]) -> None:
+        self.name = name
+        self.scope = scope
+        self.parameters = parameters
+        self.returns = returns
+        self.body = node.field("body")
+        self.initialisers = node.child("field_initializer_list")
+        self.path = path
+        self.line = node.line
+        self.template = template
+        self.owner = ""
+        self.relevant: bool | None = None
+
+    @property
+    def last(self) -> str:
+        """Its name without the scope."""
+        return self.name.rpartition("::")[2]
+
+    def __repr__(self) -> str:
+        return f"Function({self.name}, {self.path}:{self.line})"
+
+
+class Field(NamedTuple):
+    """A member variable, or a variable of a namespace."""
+
+    type: Type
+    initial: Node | None
+    scope: str
+    path: str
+    constant: bool
+    array: bool = False
+    pointer: bool = False
+
+
+class Class:
+    """A class or struct."""
+
+    __slots__ = ("bases", "fields", "name", "path", "scope", "template")
+
+    def __init__(self, name: str, scope: str, bases: tuple[Type, ...], template: tuple[str, ...], path: str) -> None:
+        self.name = name
+        self.scope = scope
+        self.bases = bases
+        self.template = template
+        self.fields: dict[str, Field] = {}
+        self.path = path
+
+
+class Declarations:
+    """Everything that the files of one program declare, by qualified name (``ns::Class::member``)."""
+
+    def __init__(self) -> None:
+        self.classes: dict[str, Class] = {}
+        self.functions: dict[str, list[Function]] = {}
+        self.variables: dict[str, Field] = {}
+        self.aliases: dict[str, tuple[Type, str]] = {}
+        self.namespaces: dict[str, str] = {}
+        self.used: dict[str, None] = {}
+        self.macros: dict[str, str] = {}
+        self.calls: dict[str, tuple[tuple[str, ...], str]] = {}
+        self.constants: dict[str, Node | None] = {}
+        self.messages: dict[str, None] = {}
+        self._owned: list[Function] = []
+
+    # -- reading ------------------------------------------------------------------------------------------------------
+
+    def read(self, root: Node, path: str) -> None:
+        """Add what a file declares."""
+        self._scope(root.children, "", path, (), 0)
+
+    def _scope(self, nodes: Iterable[Node], scope: str, path: str, template: tuple[str, ...], depth: int) -> None:
+        if depth > _DEEPEST:
+            return
+        for node in nodes:
+            self._declaration(node, scope, path, template, depth)
+
+    def _declaration(self, node: Node, scope: str, path: str, template: tuple[str, ...], depth: int) -> None:
+        kind = node.kind
+        if kind == "function_definition" or kind == "inline_method_definition":
+            self._types_in(node, scope, path, depth)
+            self._function(node, node.field("declarator"), scope, path, template)
+        elif kind in ("declaration", "field_declaration"):
+            self._types_in(node, scope, path, depth, template)
+            self._variables(node, scope, path, template)
+        elif kind in ("class_specifier", "struct_specifier", "union_specifier"):
+            self._class(node, scope, path, template, depth)
+        elif kind == "namespace_definition":
+            name = node.field("name")
+            body = node.field("body")
+            inner = joined(scope, _spelled(name).replace(" ", "")) if name else scope
+            if body:
+                self._scope(body.children, inner, path, (), depth + 1)
+        elif kind == "template_declaration":
+            names = _template(node.field("parameters"))
+            self._scope([each for each in node.children if each.kind != "template_parameter_list"], scope, path, template + names, depth + 1)
+        elif kind == "type_definition":
+            self._types_in(node, scope, path, depth)
+            named = node.field("type")
+            for declarator in node.fields.get("declarator", []):
+                name = name_of(declarator)
+                if named and name and joined(scope, name) not in self.classes:
+                    self.aliases.setdefault(joined(scope, name), (parse_type(_type_text(named)), scope))
+        elif kind == "alias_declaration":
+            name, named = node.field("name"), node.field("type")
+            if name and named:
+                self.aliases.setdefault(joined(scope, name.text), (parse_type(named.text), scope))
+        elif kind == "using_declaration":
+            self._using(node, scope)
+        elif kind == "namespace_alias_definition":
+            name = node.field("name")
+            others = [each for each in node.children if each is not name]
+            if name and others:
+                self.namespaces.setdefault(joined(scope, name.text), others[-1].text.removeprefix("::"))
+        elif kind == "enum_specifier":
+            self._enum(node, scope)
+        elif kind == "preproc_def":
+            name, value = node.field("name"), node.field("value")
+            if name and value:
+                self.macros.setdefault(name.text, value.text.strip())
+        elif kind == "preproc_function_def":
+            name, value, parameters = node.field("name"), node.field("value"), node.field("parameters")
+            if name and value and parameters:
+                self.calls.setdefault(name.text, (tuple(each.text for each in parameters.children), value.text.replace("\\\n", " ")))
+        elif kind == "preproc_include":
+            where = node.field("path")
+            match = _MESSAGE.fullmatch(where.text.strip('<>"')) if where else None
+            if match:
+                self.messages[f"{match[1]}/{match[2]}"] = None
+        elif kind in _SCOPES:
+            if kind == "preproc_if" and _is_zero(node.field("condition")):
+                rest = node.field("alternative")
+                self._scope([rest] if rest else [], scope, path, template, depth + 1)
+            else:
+                self._scope(node.children, scope, path, template, depth + 1)
+
+    def _types_in(self, node: Node, scope: str, path: str, depth: int, template: tuple[str, ...] = ()) -> None:
+        named = node.field("type")
+        if named and named.kind in ("class_specifier", "struct_specifier", "enum_specifier", "union_specifier"):
+            if named.field("name") is None and named.kind != "enum_specifier":
+                declarator = node.field("declarator")
+                name = name_of(declarator) if declarator else ""
+                # A struct without a name is called by what is declared with it.
+                self._class(named, scope, path, template, depth, name)
+            else:
+                self._declaration(named, scope, path, template, depth + 1)
+
+    def _class(self, node: Node, scope: str, path: str, template: tuple[str, ...], depth: int, called: str = "") -> None:
+        name, body = node.field("name"), node.field("body")
+        if body is None or (name is None and not called):
+            return
+        plain = _without_arguments(name.text) if name else called
+        qualified = joined(scope, plain)
+        bases: list[Type] = []
+        clause = node.child("base_class_clause")
+        for each in clause.children if clause else ():
+            if each.kind in ("type_identifier", "qualified_identifier", "template_type"):
+                bases.append(parse_type(each.text))
+        found = self.classes.setdefault(qualified, Class(qualified, scope, tuple(bases), template, path))
+        if bases and not found.bases:
+            found.bases = tuple(bases)
+        self._scope(body.children, qualified, path, (), depth + 1)
+
+    def _enum(self, node: Node, scope: str) -> None:
+        name, body = node.field("name"), node.field("body")
+        for each in body.children if body else ():
+            named = each.field("name")
+            if named:
+                self.constants.setdefault(joined(scope, named.text), each.field("value"))
+                if name:
+                    self.constants.setdefault(joined(joined(scope, name.text), named.text), each.field("value"))
+
+    def _using(self, node: Node, scope: str) -> None:
+        named = node.children[-1] if node.children else None
+        if named is None:
+            return
+        text = named.text.removeprefix("::")
+        if "namespace" in node.text.split(named.text)[0].split():
+            self.used[text] = None
+        else:
+            self.aliases.setdefault(joined(scope, text.rpartition("::")[2]), (Type(text), ""))
+
+    def _variables(self, node: Node, scope: str, path: str, template: tuple[str, ...]) -> None:
+        named = node.field("type")
+        declarators = node.fields.get("declarator", [])
+        if not named:
+            # A constructor or destructor has no type.
+            for declarator in declarators:
+                self._function(node, declarator, scope, path, template)
+            return
+        initials = node.fields.get("default_value", [])
+        shared = _type_text(named)
+        constant = any(each.kind == "type_qualifier" and each.text in ("const", "constexpr") for each in node.children)
+        for declarator in declarators:
+            function = _function_declarator(declarator)
+            if function is not None:
+                if declarator.kind == "init_declarator" or _is_pointer_to_function(function):
+                    self._variable(declarator, parse_type(shared), None, scope, path, constant)
+                else:
+                    self._function(node, declarator, scope, path, template)
+                continue
+            # The initial value of a field stands behind its declarator.
+            initial = next((each for each in initials if _between(node, declarator, each)), None)
+            self._variable(declarator, parse_type(shared) if shared else UNTYPED, initial, scope, path, constant)
+
+    def _variable(self, declarator: Node, type_: Type, initial: Node | None, scope: str, path: str, constant: bool) -> None:
+        name = name_of(declarator)
+        if declarator.kind == "init_declarator":
+            initial = declarator.field("value")
+        if not name:
+            return
+        if not type_.name and not initial:
+            return
+        if not type_.name and joined(scope, name) in self.classes:
+            type_ = Type(joined(scope, name))
+        qualified = joined(scope, name)
+        array = _is_array(declarator)
+        found = Field(type_, initial, scope, path, constant, array, is_pointer(declarator))
+        owner = self.classes.get(scope)
+        if owner is not None:
+            owner.fields.setdefault(name, found)
+        elif qualified not in self.variables or self.variables[qualified].initial is None:
+            self.variables[qualified] = found
+
+    def _function(self, node: Node, declarator: Node | None, scope: str, path: str, template: tuple[str, ...]) -> None:
+        function = _function_declarator(declarator)
+        named = function.field("declarator") if function else None
+        if function is None or named is None:
+            return
+        name = _without_arguments(named.text).replace(" ", "")
+        if not name or name.startswith(("~", "operator")) or "::~" in name:
+            return
+        returns = node.field("type")
+        parameters = parameters_of(function.field("parameters"))
+        qualified = joined(scope, name.removeprefix("::"))
+        found = Function(qualified, qualified.rpartition("::")[0], parameters, parse_type(returns.text) if returns else UNTYPED, node, path, template)
+        self._owned.append(found)
+
+    def finish(self) -> None:
+        """Say which class each function belongs to, now that all classes are known."""
+        for function in self._owned:
+            owner = function.scope
+            if owner and owner not in self.classes:
+                for used in self.used:
+                    if joined(used, owner) in self.classes:
+                        owner = joined(used, owner)
+                        break
+                else:
+                    owner = self._by_alias(owner)
+            if owner in self.classes:
+                function.owner = owner
+                function.scope = owner
+                function.name = joined(owner, function.last)
+            self.functions.setdefault(function.name, []).append(function)
+        self._owned = []
+
+    def _by_alias(self, owner: str) -> str:
+        for start, full in self.namespaces.items():
+            if owner.startswith(start + "::") and full + owner[len(start) :] in self.classes:
+                return full + owner[len(start) :]
+        return owner
+
+
+def joined(scope: str, name: str) -> str:
+    """``name`` in ``scope``."""
+    return f"{scope}::{name}" if scope and name else scope or name
+
+
+def name_of(declarator: Node | None) -> str:
+    """The name that a declarator declares."""
+    for _ in range(_DEEPEST):
+        if declarator is None:
+            return ""
+        inner = declarator.field("declarator")
+        if inner is None and declarator.kind in _WRAPPERS and declarator.children:
+            inner = declarator.children[-1]
+        if inner is None:
+            return _without_arguments(declarator.text).replace(" ", "") if declarator.kind in _NAMES else ""
+        declarator = inner
+    return ""
+
+
+_NAMES = ("identifier", "field_identifier", "type_identifier", "qualified_identifier", "destructor_name", "operator_name", "template_function")
+
+
+def parameters_of(node: Node | None) -> tuple[Parameter, ...]:
+    """The parameters of a parameter list."""
+    found: list[Parameter] = []
+    for each in node.children if node else ():
+        if each.kind not in ("parameter_declaration", "optional_parameter_declaration", "variadic_parameter_declaration"):
+            continue
+        named, declarator = each.field("type"), each.field("declarator")
+        if named is None or (named.text == "void" and declarator is None):
+            continue
+        shared = False
+        inner = declarator
+        for _ in range(_DEEPEST):
+            if inner is None:
+                break
+            shared = shared or inner.kind in ("pointer_declarator", "reference_declarator", "abstract_reference_declarator", "abstract_pointer_declarator")
+            inner = inner.field("declarator") or (inner.children[-1] if inner.kind == "reference_declarator" and inner.children else None)
+        found.append(Parameter(name_of(declarator), parse_type(named.text), shared, each.field("default_value")))
+    return tuple(found)
+
+
+def _function_declarator(declarator: Node | None) -> Node | None:
+    for _ in range(_DEEPEST):
+        if declarator is None or declarator.kind == "function_declarator":
+            return declarator
+        if declarator.kind not in _WRAPPERS or declarator.kind == "init_declarator":
+            return None
+        declarator = declarator.field("declarator") or (declarator.children[-1] if declarator.children else None)
+    return None
+
+
+def _is_pointer_to_function(function: Node) -> bool:
+    inner = function.field("declarator")
+    return inner is not None and inner.kind == "parenthesized_declarator"
+
+
+def is_pointer(declarator: Node | None) -> bool:
+    """Whether it declares a pointer or a reference."""
+    for _ in range(_DEEPEST):
+        if declarator is None:
+            return False
+        if declarator.kind in ("pointer_declarator", "reference_declarator"):
+            return True
+        declarator = declarator.field("declarator")
+    return False
+
+
+def _is_array(declarator: Node | None) -> bool:
+    for _ in range(_DEEPEST):
+        if declarator is None:
+            return False
+        if declarator.kind == "array_declarator":
+            return True
+        declarator = declarator.field("declarator")
+    return False
+
+
+def _between(node: Node, declarator: Node, initial: Node) -> bool:
+    """Whether ``initial`` is the first thing behind ``declarator``."""
+    children = node.children
+    position = next((at for at, each in enumerate(children) if each is declarator), -1)
+    return 0 <= position < len(children) - 1 and children[position + 1] is initial
+
+
+def _template(node: Node | None) -> tuple[str, ...]:
+    names: list[str] = []
+    for each in node.children if node else ():
+        name = each.field("name") or each.field("declarator") or (each.children[-1] if each.children else None)
+        names.append(name.text if name else "")
+    return tuple(names)
+
+
+def _type_text(node: Node) -> str:
+    if node.kind in ("class_specifier", "struct_specifier", "enum_specifier", "union_specifier"):
+        name = node.field("name")
+        return name.text if name else ""
+    return node.text
+
+
+def _without_arguments(text: str) -> str:
+    """``a::B<T>::c`` as ``a::B::c``."""
+    if "<" not in text:
+        return text
+    level = 0
+    kept: list[str] = []
+    for char in text:
+        if char == "<":
+            level += 1
+        elif char == ">":
+            level -= 1
+        elif level == 0:
+            kept.append(char)
+    return "".join(kept)
+
+
+def _spelled(node: Node) -> str:
+    return node.text
+
+
+def _is_zero(condition: Node | None) -> bool:
+    return condition is not None and condition.text.strip() in ("0", "false")

@@ -1,0 +1,85 @@
+"""The files of a program: its sources, and those headers that are found beside them or in the given directories."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections import OrderedDict
+from collections.abc import Sequence
+
+from launchlint.extract.cpp.syntax import Node, parse
+from launchlint.workspace.reading import LARGEST_FILE, read_bytes
+
+_MOST_FILES = 600
+_MOST_BYTES = 12 << 20
+_INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]{1,300})[>"]', re.MULTILINE)
+_MOST_KEPT = 200
+
+_kept: OrderedDict[tuple[str, int, int], Node] = OrderedDict()
+
+
+class File:
+    """One file that was read: ``path`` relative to the root, with its tree."""
+
+    __slots__ = ("path", "root")
+
+    def __init__(self, path: str, root: Node) -> None:
+        self.path = path
+        self.root = root
+
+
+def read_files(sources: Sequence[str], include_directories: Sequence[str], root: str) -> tuple[list[File], list[str]]:
+    """The files in the order they are met, included ones before those that include them; and what could not be read, each with the reason."""
+    found: list[File] = []
+    problems: list[str] = []
+    seen: set[str] = set()
+    total = 0
+    pending: list[tuple[str, Node | None]] = [(each, None) for each in reversed(list(dict.fromkeys(sources)))]
+    while pending:
+        path, tree = pending.pop()
+        if tree is not None:
+            found.append(File(_relative(path, root), tree))
+            continue
+        real = os.path.realpath(path)
+        if real in seen:
+            continue
+        seen.add(real)
+        if len(seen) > _MOST_FILES or total > _MOST_BYTES:
+            problems.append("the program has too many files to read them all")
+            break
+        try:
+            data = read_bytes(path, LARGEST_FILE)
+        except OSError as error:
+            problems.append(f"{_relative(path, root)} cannot be read: {error.strerror or error}")
+            continue
+        total += len(data)
+        pending.append((path, _tree(path, data)))
+        included = [_found(match[2].decode("utf-8", "replace"), match[1] == b'"', path, include_directories) for match in _INCLUDE.finditer(data)]
+        pending += [(each, None) for each in reversed(included) if each is not None]
+    return found, problems
+
+
+def _tree(path: str, data: bytes) -> Node:
+    key = (os.path.realpath(path), len(data), hash(data))
+    if key in _kept:
+        _kept.move_to_end(key)
+        return _kept[key]
+    tree = parse(data)
+    _kept[key] = tree
+    if len(_kept) > _MOST_KEPT:
+        _kept.popitem(last=False)
+    return tree
+
+
+def _found(name: str, quoted: bool, includer: str, directories: Sequence[str]) -> str | None:
+    if "\0" in name or os.path.isabs(name):
+        return None
+    for directory in [os.path.dirname(includer), *directories] if quoted else directories:
+        path = os.path.normpath(os.path.join(directory, name))
+        if os.path.isfile(path):
+            return path
+    return None
+
+
+def _relative(path: str, root: str) -> str:
+    return os.path.relpath(path, root).replace(os.sep, "/")

@@ -1,0 +1,238 @@
+"""Which class or message a name stands for, and what a topic is called in a namespace."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from launchlint.extract.cpp.declarations import Class, Declarations, joined
+from launchlint.extract.cpp.frame import Frame
+from launchlint.extract.cpp.spelled_type import POINTERS, UNTYPED, Type
+from launchlint.extract.cpp.values import UNKNOWN, Either, Number, Text, Value, choices, plain
+
+_MOST_STEPS = 24
+_POINTER_ENDS = ("ConstPtr", "Ptr", "ConstSharedPtr", "SharedPtr", "const_ptr", "Type", "WPtr")
+_PARTS_OF_SERVICE = ("Request", "Response", "RequestType", "ResponseType")
+_NAME = re.compile(r"[A-Za-z]\w*")
+_ANY_MESSAGE = frozenset(("topic_tools::ShapeShifter", "ShapeShifter", "RosIntrospection::ShapeShifter", "rosbag::MessageInstance"))
+_CLOUDS = ("pcl::PointCloud", "pcl::PCLPointCloud2", "pcl::PointCloudXYZ")
+_OTHER_MESSAGES = {"cv_bridge::CvImage": "sensor_msgs/Image", "PointCloud2": "sensor_msgs/PointCloud2"}
+
+NODE_NAME = "\x01"
+"""Stands for the full name of the node in a template that is not finished."""
+NODE_NAMESPACE = "\x02"
+"""Stands for the namespace of the node, without a slash behind it."""
+ANY = "{any}"
+
+class Names:
+    """Looks names of types up in what a program declares."""
+
+    def __init__(self, declarations: Declarations) -> None:
+        self.declarations = declarations
+
+    def scopes(self, scope: str) -> Iterator[str]:
+        """``scope`` and those around it, then the namespaces that are used; a class's base classes after the class."""
+        seen: set[str] = set()
+        current = scope
+        while True:
+            if current not in seen:
+                seen.add(current)
+                yield current
+            for base in self.bases(current):
+                if base.name not in seen:
+                    seen.add(base.name)
+                    yield base.name
+            if not current:
+                break
+            current = current.rpartition("::")[0]
+        for used in self.declarations.used:
+            if used not in seen:
+                yield used
+
+    def bases(self, name: str) -> list[Class]:
+        """The base classes of a class, as far as they are declared, nearest first."""
+        found: list[Class] = []
+        pending = [name]
+        seen: set[str] = set()
+        while pending and len(seen) < 100:
+            declared = self.declarations.classes.get(pending.pop(0))
+            if declared is None or declared.name in seen:
+                continue
+            seen.add(declared.name)
+            if declared.name != name:
+                found.append(declared)
+            for base in declared.bases:
+                pending.append(self._class_name(base.name, declared.scope) or base.name)
+        return found
+
+    def _class_name(self, name: str, scope: str) -> str | None:
+        current = scope
+        while True:
+            if joined(current, name) in self.declarations.classes:
+                return joined(current, name)
+            if not current:
+                break
+            current = current.rpartition("::")[0]
+        return next((joined(used, name) for used in self.declarations.used if joined(used, name) in self.declarations.classes), None)
+
+    def resolve(self, type_: Type, frame: Frame, scope: str | None = None) -> Type:
+        """``type_`` with its full name, smart pointers and aliases looked through; template arguments resolved, too."""
+        start = frame.scope if scope is None else scope
+        for _ in range(_MOST_STEPS):
+            if not type_.name:
+                return type_
+            if type_.name in POINTERS and type_.arguments:
+                type_ = type_.arguments[0]
+                continue
+            following = self._step(type_, frame, start)
+            if following is None:
+                break
+            type_, start = following
+        arguments = tuple(self.resolve(each, frame, scope) if each.arguments or each.name else each for each in type_.arguments[:6])
+        return type_._replace(arguments=arguments)
+
+    def _step(self, type_: Type, frame: Frame, scope: str) -> tuple[Type, str] | None:
+        """One alias looked through; None where there is nothing left to do."""
+        first, separator, rest = type_.name.partition("::")
+        bound = frame.alias(first)
+        if bound is not None and bound.name != type_.name:
+            if separator:
+                return (Type(f"{bound.name}::{rest}") if not bound.arguments else bound._replace(member=rest)), scope
+            return (bound if not type_.arguments else bound), scope
+        declarations = self.declarations
+        for around in self.scopes(scope):
+            full = joined(around, type_.name)
+            if full in declarations.classes:
+                found = type_._replace(name=full)
+                if type_.member:
+                    inner = joined(full, type_.member)
+                    if inner in declarations.aliases or inner in declarations.classes:
+                        return Type(inner), full
+                return None if full == type_.name else (found, "")
+            if full in declarations.aliases:
+                named, where = declarations.aliases[full]
+                if named.name not in (type_.name, full):
+                    if type_.member:
+                        named = named._replace(member=type_.member) if named.arguments else Type(joined(named.name, type_.member))
+                    return named, where
+            if separator:
+                head = joined(around, first)
+                if head in declarations.namespaces:
+                    return type_._replace(name=joined(declarations.namespaces[head], rest)), ""
+                if head in declarations.aliases:
+                    named, where = declarations.aliases[head]
+                    if named.name not in (first, head):
+                        return (Type(joined(named.name, rest), type_.arguments) if not named.arguments else named._replace(member=rest)), where
+        return None
+
+    def declared(self, type_: Type) -> Class | None:
+        """The class that a resolved type is."""
+        return self.declarations.classes.get(type_.name)
+
+    def message(self, type_: Type, frame: Frame, service: bool = False) -> str:
+        """``pkg/Type`` of a message type (or of a service, also by its request); empty where it is none that is known."""
+        resolved = self.resolve(type_, frame)
+        for _ in range(4):
+            if resolved.name in ("ros::MessageEvent", "ros::ServiceEvent", "ros::ServiceSpec") and resolved.arguments:
+                resolved = self.resolve(resolved.arguments[0], frame)
+        name = resolved.name
+        if name in _ANY_MESSAGE:
+            return "*"
+        if name.startswith(_CLOUDS):
+            return "sensor_msgs/PointCloud2"
+        parts = [part.strip() for part in name.split("::")]
+        if resolved.arguments and resolved.member and resolved.member not in _POINTER_ENDS:
+            parts.append(resolved.member)
+        while len(parts) > 1 and (parts[-1] in _POINTER_ENDS or (service and parts[-1] in _PARTS_OF_SERVICE)):
+            parts.pop()
+        if name in _OTHER_MESSAGES or "::".join(parts) in _OTHER_MESSAGES:
+            return _OTHER_MESSAGES["::".join(parts)]
+        if parts[0].startswith(_CLOUDS):
+            return "sensor_msgs/PointCloud2"
+        return self._message(parts, service)
+
+    def _message(self, parts: list[str], service: bool) -> str:
+        last = parts[-1].removesuffix("_")
+        known = self.declarations.messages
+        if not all(_NAME.fullmatch(part) for part in parts) or joined("::".join(parts[:-1]), parts[-1]) in self.declarations.classes:
+            return ""
+        spellings = [last]
+        if service:
+            spellings += [last.removesuffix(end) for end in ("Request", "Response") if last.endswith(end)][:1]
+        else:
+            spellings += [last.removesuffix(end) for end in ("ConstPtr", "Ptr") if last.endswith(end)]
+        for spelling in reversed(spellings):
+            if len(parts) == 2 and f"{parts[0]}/{spelling}" in known:
+                return f"{parts[0]}/{spelling}"
+        if len(parts) == 2 and parts[0] not in ("std", "boost", "ros", "Eigen", "cv", "pcl", "tf", "tf2"):
+            return f"{parts[0]}/{spellings[-1]}"
+        if len(parts) == 1:
+            for spelling in reversed(spellings):
+                for used in self.declarations.used:
+                    if f"{used}/{spelling}" in known:
+                        return f"{used}/{spelling}"
+        return f"{parts[0]}/{last}" if len(parts) == 2 and f"{parts[0]}/{last}" in ("tf/tfMessage", "tf/FrameGraph") else ""
+
+def braced(text: str) -> str:
+    """Plain text as a template."""
+    return text.replace("{", "{{").replace("}", "}}").replace(NODE_NAME, "").replace(NODE_NAMESPACE, "")
+
+def together(first: Value, second: Value) -> Value:
+    """Two texts, one behind the other."""
+    if isinstance(first, Either) or isinstance(second, Either):
+        from launchlint.extract.cpp.values import both, either
+
+        found = [(both(a, b), together(left, right)) for a, left in choices(first)[:4] for b, right in choices(second)[:4]]
+        return either(found)
+    return Text(template(first) + template(second))
+
+def template(value: Value) -> str:
+    """What ``value`` puts into a text."""
+    if isinstance(value, Text):
+        return value.template
+    if isinstance(value, Number):
+        return plain(value) or ANY
+    return ANY
+
+def in_namespace(namespace: str, name: str) -> str:
+    """A name as a node handle of ``namespace`` makes it (ros::NodeHandle::resolveName)."""
+    if name.startswith(("/", "~", NODE_NAME, NODE_NAMESPACE)) or not namespace:
+        return name
+    if not name:
+        return namespace
+    if namespace == "~":
+        return f"~{name}"
+    return f"{namespace.rstrip('/')}/{name}"
+
+def below(namespace: str, name: str) -> str:
+    """The namespace of a node handle made of another one and a name."""
+    if name.startswith("~"):
+        return "~" + name[1:].lstrip("/")
+    return in_namespace(namespace, name)
+
+def finished(name: str) -> str:
+    """A name as the library format has it: the node's own name in front is ``~``, doubled and last slashes are gone."""
+    name = name.replace("/" + NODE_NAME, NODE_NAME).replace("/" + NODE_NAMESPACE, NODE_NAMESPACE)
+    if name.startswith(NODE_NAME):
+        rest = name[1:]
+        name = "~" + rest.lstrip("/") if not rest or rest.startswith("/") else "{node}" + rest
+    elif name.startswith(NODE_NAMESPACE):
+        name = name[1:].lstrip("/")
+    elif name.startswith("~" + NODE_NAME):
+        name = "~" + name[2:].lstrip("/")
+    name = name.replace(NODE_NAME, ANY).replace(NODE_NAMESPACE, ANY)
+    name = re.sub(r"/{2,}", "/", name).replace("~/", "~")
+    while ANY + ANY in name:
+        name = name.replace(ANY + ANY, ANY)
+    return name.rstrip("/") if len(name) > 1 else name
+
+def full_name(namespace: str) -> str:
+    """What ros::NodeHandle::getNamespace() gives, unfinished."""
+    if namespace.startswith("/"):
+        return namespace
+    if namespace.startswith("~"):
+        rest = namespace[1:].lstrip("/")
+        return NODE_NAME + ("/" + rest if rest else "")
+    return NODE_NAMESPACE + ("/" + namespace if namespace else "")
+
+__all__ = ["UNKNOWN", "UNTYPED", "Names"]

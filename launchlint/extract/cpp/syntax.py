@@ -1,0 +1,216 @@
+"""C++ source as a plain tree: what tree-sitter reads, without comments and punctuation, each node with its line.
+
+A file is parsed whole and never preprocessed: both sides of every ``#if`` are in the tree. What tree-sitter cannot make sense of is an
+``ERROR`` node; macros that would make one of sound code are blanked out beforehand, line numbers unchanged.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+from launchlint.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from tree_sitter import Parser, Tree
+
+_MOST_NODES = 1_500_000
+_DEEPEST = 400
+
+_BLANKED = re.compile(
+    r"^[ \t]*(?:PLUGINLIB_\w+|NODELET_\w+|EIGEN_MAKE_ALIGNED_\w+|Q_(?:OBJECT|PROPERTY|ENUMS|INTERFACES|DECLARE\w*)|GZ_REGISTER_\w+|ROS_DEPRECATED"
+    r"|POINT_CLOUD_REGISTER_POINT_STRUCT|BOOST_CLASS_EXPORT\w*|CLASS_LOADER_\w+)\b",
+    re.MULTILINE,
+)
+_EXPORTED = re.compile(r"\b(?:class|struct)[ \t]+([A-Z][A-Z0-9_]+(?:\([^()\n]*\))?)(?=[ \t]+[A-Za-z_]\w*[ \t\n]*(?:final[ \t]*)?[:{\n])")
+_SLOTS = re.compile(r"\b(?:public|private|protected)[ \t]+(Q_SLOTS|slots)[ \t]*:|^[ \t]*(Q_SIGNALS|signals)[ \t]*:", re.MULTILINE)
+_ATTRIBUTE = re.compile(r"__attribute__[ \t]*\(\([^()\n]*(?:\([^()\n]*\)[^()\n]*)*\)\)|\bROS_FORCE_INLINE\b|\b__forceinline\b|\bROS_DEPRECATED\b")
+_EACH = re.compile(r"\b(?:BOOST_|Q_)?FOREACH[ \t]*\(|\bforeach[ \t]*\(|\bQ_FOREACH[ \t]*\(")
+
+
+class Node:
+    """One node: ``kind`` as the grammar calls it, its named ``children`` in order, ``fields`` by the grammar's names, ``line`` from 1."""
+
+    __slots__ = ("_end", "_source", "_start", "children", "fields", "kind", "line")
+
+    def __init__(self, kind: str, line: int, source: bytes, start: int, end: int) -> None:
+        self.kind = kind
+        self.line = line
+        self.children: list[Node] = []
+        self.fields: dict[str, list[Node]] = {}
+        self._source = source
+        self._start = start
+        self._end = end
+
+    @property
+    def text(self) -> str:
+        """Its source text."""
+        return self._source[self._start : self._end].decode("utf-8", "replace")
+
+    @property
+    def size(self) -> int:
+        """The length of its source text in bytes."""
+        return self._end - self._start
+
+    def field(self, name: str) -> Node | None:
+        """The first node that the grammar calls ``name`` in this one."""
+        found = self.fields.get(name)
+        return found[0] if found else None
+
+    def child(self, *kinds: str) -> Node | None:
+        """The first child of one of these kinds."""
+        return next((each for each in self.children if each.kind in kinds), None)
+
+    def walk(self) -> list[Node]:
+        """This node and all below it, in the order of the source."""
+        found: list[Node] = []
+        pending = [self]
+        while pending:
+            node = pending.pop()
+            found.append(node)
+            pending.extend(reversed(node.children))
+        return found
+
+    def __repr__(self) -> str:
+        return f"Node({self.kind}, {self.line}, {self.text[:40]!r})"
+
+
+@lru_cache(maxsize=1)
+def _parser() -> Parser:
+    try:
+        import tree_sitter
+        import tree_sitter_cpp
+    except ImportError as error:
+        raise UsageError(
+            "C++ is read with tree-sitter, which is not installed here: pip install 'launchlint[extract]', and try again. "
+            "Python sources are read without it."
+        ) from error
+    return tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language()))
+
+
+def parse(source: bytes) -> Node:
+    """The tree of a file. What is nested too deeply, or more than there is room for, is left out.
+
+    Raises:
+        UsageError: tree-sitter is not installed.
+    """
+    source = _readable(source)
+    return _converted(_parser().parse(source), source)
+
+
+@lru_cache(maxsize=2048)
+def parse_expression(text: str) -> Node | None:
+    """The tree of one expression, as the value of a macro."""
+    source = b"auto x = " + text.encode("utf-8", "replace") + b";"
+    root = _converted(_parser().parse(source), source)
+    declaration = root.child("declaration")
+    declarator = declaration.field("declarator") if declaration else None
+    return declarator.field("value") if declarator else None
+
+
+@lru_cache(maxsize=512)
+def parse_statements(text: str) -> Node | None:
+    """The tree of some statements, as the value of a macro."""
+    source = b"void f() { " + text.encode("utf-8", "replace") + b"; }"
+    root = _converted(_parser().parse(source), source)
+    function = root.child("function_definition")
+    return function.field("body") if function else None
+
+
+def _converted(tree: Tree, source: bytes) -> Node:
+    cursor = tree.walk()
+    first = cursor.node
+    root = Node("translation_unit", 1, source, 0, len(source))
+    if first is None or not cursor.goto_first_child():
+        return root
+    parents = [root]
+    count = 0
+    while True:
+        found = cursor.node
+        name = cursor.field_name
+        kept = found is not None and (found.is_named or name is not None) and found.type != "comment"
+        descended = False
+        if kept and found is not None and count < _MOST_NODES:
+            count += 1
+            node = Node(found.type, found.start_point[0] + 1, source, found.start_byte, found.end_byte)
+            parent = parents[-1]
+            if found.is_named:
+                parent.children.append(node)
+            if name is not None:
+                parent.fields.setdefault(name, []).append(node)
+            if len(parents) < _DEEPEST and cursor.goto_first_child():
+                parents.append(node)
+                descended = True
+        if descended:
+            continue
+        while not cursor.goto_next_sibling():
+            if len(parents) == 1 or not cursor.goto_parent():
+                return root
+            parents.pop()
+
+
+def _readable(source: bytes) -> bytes:
+    """``source`` with what the grammar stumbles over blanked out, of the same number of lines."""
+    text = source.decode("utf-8", "replace").replace("\r\n", "\n").replace("\r", "\n").replace("\0", " ")
+    text = _BLANKED.sub(lambda match: " " * len(match[0]), _calls_blanked(text))
+    text = _EXPORTED.sub(lambda match: match[0].replace(match[1], " " * len(match[1]), 1), text)
+    text = _SLOTS.sub(lambda match: "public:" if match[2] else match[0].replace(match[1], ""), text)
+    text = _ATTRIBUTE.sub(lambda match: " " * len(match[0]), text)
+    return _loops(text).encode()
+
+
+def _calls_blanked(text: str) -> str:
+    """Macro calls that stand where a declaration would, without their arguments."""
+    parts: list[str] = []
+    at = 0
+    for match in _BLANKED.finditer(text):
+        if match.start() < at:
+            continue
+        end = match.end()
+        while end < len(text) and text[end] in " \t":
+            end += 1
+        if end < len(text) and text[end] == "(":
+            closing = _closing(text, end)
+            if closing is None:
+                continue
+            end = closing + 1
+            while end < len(text) and text[end] in " \t;":
+                end += 1
+        parts += [text[at : match.start()], re.sub(r"[^\n]", " ", text[match.start() : end])]
+        at = end
+    return "".join([*parts, text[at:]])
+
+
+def _loops(text: str) -> str:
+    """``BOOST_FOREACH(a, b)`` as ``for(a : b)``."""
+    parts: list[str] = []
+    at = 0
+    for match in _EACH.finditer(text):
+        if match.start() < at:
+            continue
+        comma = _closing(text, match.end() - 1, ",")
+        if comma is None:
+            continue
+        parts += [text[at : match.start()], "for (", text[match.end() : comma], " : "]
+        at = comma + 1
+    return "".join([*parts, text[at:]])
+
+
+def _closing(text: str, start: int, wanted: str = ")") -> int | None:
+    """Where the parenthesis opened at ``start`` closes (or a comma inside it stands), at most 4,000 characters on."""
+    level = 0
+    angle = 0
+    for position in range(start, min(len(text), start + 4000)):
+        char = text[position]
+        if char in "([{":
+            level += 1
+        elif char in ")]}":
+            level -= 1
+            if level == 0:
+                return position if wanted == ")" else None
+        elif wanted == "," and char in "<>":
+            angle += 1 if char == "<" else -1
+        elif char == wanted and level == 1 and angle <= 0:
+            return position
+    return None

@@ -1,0 +1,99 @@
+"""Which file an ``import`` reads: modules beside a script, and those of the packages that were given.
+
+catkin puts the directories that ``setup.py`` names on the path (``package_dir={'': 'src'}`` nearly always), rosbuild ``src``.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable
+
+from launchlint.workspace.reading import read_bytes
+
+_PACKAGE_DIR = re.compile(r"""package_dir\s*=\s*\{\s*['"]{2}\s*:\s*['"]([\w./-]*)['"]""")
+_GENERATED = frozenset(("msg", "srv", "cfg"))
+
+
+class ModuleFinder:
+    """Modules of the packages whose directories are given, by name.
+
+    Args:
+        directories: directories of packages, those that win first.
+    """
+
+    __slots__ = ("_found", "_roots")
+
+    def __init__(self, directories: Iterable[str]) -> None:
+        self._roots: dict[str, tuple[str, ...]] = {each: () for each in directories}
+        self._found: dict[tuple[str, str], str | None] = {}
+        for each in self._roots:
+            self._roots[each] = _roots(each)
+
+    def find(self, name: str, beside: str, package: str) -> str | None:
+        """The file of module ``name`` (dotted) for a script in the directory ``beside`` of the package at ``package``; None where there is none.
+
+        A module of the own package is preferred to one of the same name in another.
+        """
+        parts = name.split(".")
+        if not all(part.isidentifier() for part in parts) or len(parts) > 20:
+            return None
+        relative = os.path.join(*parts)
+        own = self._roots.get(package) or (_roots(package) if package else ())
+        for root in dict.fromkeys((beside, *own)):
+            found = self._look(root, relative)
+            if found is not None:
+                return found
+        if len(parts) > 1 and parts[1] in _GENERATED:
+            return None
+        for roots in self._roots.values():
+            for root in roots:
+                found = self._look(root, relative)
+                if found is not None:
+                    return found
+        return None
+
+    def configuration(self, package: str, name: str) -> str | None:
+        """The ``.cfg`` file that makes ``package.cfg.<name>Config``."""
+        for directory in self._roots:
+            if os.path.basename(directory) == package:
+                for below in ("cfg", ""):
+                    path = os.path.join(directory, below, f"{name}.cfg")
+                    if os.path.isfile(path):
+                        return path
+        return None
+
+    def _look(self, root: str, relative: str) -> str | None:
+        key = (root, relative)
+        if key not in self._found:
+            path = os.path.join(root, relative)
+            candidates = (os.path.join(path, "__init__.py"), path + ".py")
+            self._found[key] = next((each for each in candidates if os.path.isfile(each)), None)
+            if self._found[key] is None and os.path.isdir(path) and os.sep not in relative and _has_python(path):
+                self._found[key] = path + os.sep
+        return self._found[key]
+
+
+def _has_python(directory: str) -> bool:
+    """Whether a directory without ``__init__.py`` may be meant as a package."""
+    try:
+        return any(name.endswith(".py") for name in os.listdir(directory)) and not os.path.isfile(os.path.join(directory, "package.xml"))
+    except OSError:
+        return False
+
+
+def _roots(directory: str) -> tuple[str, ...]:
+    """Directories of a package that are on Python's path."""
+    roots = ["src"]
+    try:
+        match = _PACKAGE_DIR.search(read_bytes(os.path.join(directory, "setup.py")).decode("utf-8", "replace"))
+    except OSError:
+        match = None
+    if match is not None:
+        roots.insert(0, match[1] or ".")
+    found = []
+    for each in dict.fromkeys(roots):
+        path = os.path.normpath(os.path.join(directory, each))
+        if os.path.isdir(path) and (path + os.sep).startswith(directory.rstrip(os.sep) + os.sep):
+            found.append(path)
+    return tuple(found)

@@ -1,0 +1,227 @@
+"""Strings that are partly known, and the names they make."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+
+from launchlint.extract.python.values import (
+    LONGEST_TEXT,
+    MISSING,
+    MOST_ALTERNATIVES,
+    NAMESPACE,
+    NODE,
+    UNKNOWN,
+    Choice,
+    Handle,
+    Param,
+    Text,
+    Value,
+    alternatives,
+    choice,
+    conjunction,
+)
+
+ANY = "{any}"
+_ANYS = re.compile(r"(?:\{any\}){2,}")
+_PLAIN = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*|~|/", re.ASCII)
+_LITERAL = re.compile(r"[\w/~]*", re.ASCII)
+_PARAM = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*", re.ASCII)
+_ONLY_SLOT = re.compile(r"\{(?:[^{}]|\{[^{}]*\})*\}")
+_FORMAT = re.compile(r"%(?:\((?P<key>[^()]*)\))?(?P<flags>[#0\- +]*)(?P<width>\d+|\*)?(?P<precision>\.\d+)?[hlL]?(?P<kind>[diouxXeEfFgGcrsa%])")
+
+
+def escaped(text: str) -> str:
+    """A plain string as a template."""
+    return text.replace("{", "{{").replace("}", "}}") if "{" in text or "}" in text else text
+
+
+def template(value: Value) -> str:
+    """The template of what ``str()`` makes of a value (not of a choice)."""
+    if isinstance(value, str):
+        return escaped(value)
+    if isinstance(value, Text):
+        return value.template
+    if isinstance(value, bool) or value is None:
+        return str(value)
+    if isinstance(value, (int, float)):
+        return _number(value)
+    if isinstance(value, Param):
+        return _param(value)
+    return ANY
+
+
+def _number(value: float) -> str:
+    try:
+        return str(value)
+    except ValueError:  # too many digits to be written
+        return ANY
+
+
+def _param(value: Param) -> str:
+    if not _PARAM.fullmatch(value.name):
+        return ANY
+    if value.default is MISSING or value.default is None:
+        return f"{{param:{value.name}}}"
+    inner = ANY if isinstance(value.default, Choice) else template(value.default)
+    if NODE in inner or NAMESPACE in inner or "}}" in inner.replace("{any}", "") or len(inner) > 200:
+        inner = ANY
+    return f"{{param:{value.name}|{inner}}}"
+
+
+def text(template_: str) -> Value:
+    """A value for a template: a plain string where nothing in it is open."""
+    if len(template_) > LONGEST_TEXT:
+        return UNKNOWN
+    template_ = _ANYS.sub(ANY, template_)
+    if template_ == ANY:
+        return UNKNOWN
+    if NODE in template_ or NAMESPACE in template_ or "{" in template_.replace("{{", ""):
+        return Text(template_)
+    return template_.replace("{{", "{").replace("}}", "}")
+
+
+def distribute(make: Callable[..., Value], *values: Value) -> Value:
+    """``make`` of every combination of what ``values`` can be."""
+    if not any(isinstance(each, Choice) for each in values):
+        return make(*values)
+    combined: list[tuple[tuple[str, ...], tuple[Value, ...]]] = [((), ())]
+    for value in values:
+        combined = [((*known, condition), (*taken, each)) for known, taken in combined for condition, each in alternatives(value)]
+        if len(combined) > MOST_ALTERNATIVES:
+            return UNKNOWN
+    return choice([(conjunction(conditions), make(*taken)) for conditions, taken in combined])
+
+
+def joined(parts: Sequence[Value]) -> Value:
+    """Strings one behind the other."""
+    return distribute(lambda *each: text("".join(template(part) for part in each)), *parts)
+
+
+def percent(pattern: str, values: Sequence[Value], mapping: dict[str, Value] | None) -> Value:
+    """``pattern % values``; ``mapping`` where the pattern takes keys."""
+    parts: list[Value] = []
+    at, used = 0, 0
+    for match in _FORMAT.finditer(pattern):
+        parts.append(pattern[at : match.start()])
+        at = match.end()
+        if match["kind"] == "%":
+            parts.append("%")
+        elif match["width"] == "*":
+            return UNKNOWN
+        elif match["key"] is not None:
+            parts.append(_formatted((mapping or {}).get(match["key"], UNKNOWN), match[0].replace(f"({match['key']})", ""), percent=True))
+        else:
+            parts.append(_formatted(values[used] if used < len(values) else UNKNOWN, match[0], percent=True))
+            used += 1
+    parts.append(pattern[at:])
+    return joined(parts)
+
+
+def _formatted(value: Value, how: str, *, percent: bool) -> Value:
+    """One value in a format of its own."""
+    if how in ("%s", ""):
+        return value if isinstance(value, (Choice, Param, Text, str)) else text(template(value))
+    if isinstance(value, (int, float, str)) and len(how) <= 8 and not re.search(r"\d{4}", how):
+        try:
+            return how % value if percent else format(value, how)
+        except (TypeError, ValueError, OverflowError):
+            return UNKNOWN
+    return value if how in ("%d", "%i", "d", "s") and isinstance(value, (Param, Text)) else UNKNOWN
+
+
+def braces(pattern: str, positional: Sequence[Value], keywords: dict[str, Value]) -> Value:
+    """``pattern.format(*positional, **keywords)``."""
+    from string import Formatter
+
+    parts: list[Value] = []
+    automatic = 0
+    try:
+        for literal, field, spec, conversion in Formatter().parse(pattern):
+            parts.append(literal)
+            if field is None:
+                continue
+            value: Value = UNKNOWN
+            if field == "":
+                value = positional[automatic] if automatic < len(positional) else UNKNOWN
+                automatic += 1
+            elif field.isdecimal() and len(field) < 4:
+                value = positional[int(field)] if int(field) < len(positional) else UNKNOWN
+            else:
+                value = keywords.get(field, UNKNOWN)
+            parts.append(UNKNOWN if conversion == "r" else _formatted(value, spec or "", percent=False))
+    except ValueError:
+        return UNKNOWN
+    return joined(parts)
+
+
+def interpolated(value: Value, spec: str, conversion: int) -> Value:
+    """A value in an f-string."""
+    return UNKNOWN if conversion == ord("r") else _formatted(value, spec, percent=False)
+
+
+def path_joined(parts: Sequence[Value]) -> Value:
+    """``os.path.join``."""
+
+    def join(*pieces: Value) -> Value:
+        result = ""
+        for piece in pieces:
+            each = template(piece)
+            result = each if each.startswith(("/", NODE, NAMESPACE)) or not result else result.removesuffix("/") + "/" + each
+        return text(result)
+
+    return distribute(join, *parts)
+
+
+def ros_joined(namespace: Value, name: Value) -> Value:
+    """``rosgraph.names.ns_join(ns, name)``."""
+
+    def join(outer: Value, inner: Value) -> Value:
+        start, end = template(outer), template(inner)
+        if end.startswith(("/", "~", NODE, NAMESPACE)) or not start:
+            return text(end)
+        return text(start + end if start == "~" or start.endswith(("/", NAMESPACE)) else f"{start}/{end}")
+
+    return distribute(join, namespace, name)
+
+
+def ros_name(value: Value) -> str:
+    """The name that a value makes when a program gives it to rospy, spelled as in the library format (``{any}`` where nothing is known).
+
+    rospy.names.canonicalize_name: slashes in a row count as one, and none is left at the end.
+    """
+    if isinstance(value, Handle):
+        return ANY
+    spelled = template(value)
+    if len(spelled) > LONGEST_TEXT:
+        return ANY
+    if spelled.startswith("/" + NODE):
+        spelled = spelled[1:]
+    if spelled.startswith("/" + NAMESPACE):
+        spelled = spelled[1:]
+    if spelled.startswith("/{remap:"):
+        spelled = spelled[1:]
+    if spelled.startswith(NODE):
+        rest = spelled[len(NODE) :]
+        spelled = "~" + rest.lstrip("/") if not rest or rest[0] == "/" else "{node}" + rest
+    elif spelled.startswith(NAMESPACE):
+        spelled = spelled[len(NAMESPACE) :].lstrip("/") or ANY
+    spelled = spelled.replace(NODE, ANY).replace(NAMESPACE, ANY)
+    spelled = re.sub(r"/{2,}", "/", _ANYS.sub(ANY, spelled))
+    if spelled.startswith("~/"):
+        spelled = "~" + spelled[2:]
+    if len(spelled) > 1:
+        spelled = spelled.removesuffix("/")
+    if "{" not in spelled and "}" not in spelled:
+        return spelled if _PLAIN.fullmatch(spelled) else ANY
+    rest = spelled
+    for _ in range(20):
+        rest, count = re.subn(r"\{[^{}]*\}", "", rest)
+        if not count:
+            break
+    return spelled if _LITERAL.fullmatch(rest) and "~" not in rest[1:] else ANY
+
+
+def is_only_slot(template_: str) -> bool:
+    """Whether a template is one slot and nothing else."""
+    return _ONLY_SLOT.fullmatch(template_) is not None

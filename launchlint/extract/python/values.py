@@ -1,0 +1,266 @@
+"""What an expression of a followed program stands for.
+
+Python's own ``str``, ``int``, ``float``, ``bool``, ``bytes`` and ``None`` stand for themselves; everything else is one of the classes here.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    import ast
+    from collections.abc import Iterator
+
+Value = Any
+"""A value as described above; the classes here are told apart with ``isinstance``."""
+
+NODE = "\ue000"
+"""In a :class:`Text`: the node's own resolved name, ``/namespace/name``."""
+NAMESPACE = "\ue001"
+"""In a :class:`Text`: the node's namespace as rospy.get_namespace gives it, with a slash at its end."""
+
+MOST_ALTERNATIVES = 8
+MOST_ITEMS = 256
+LONGEST_TEXT = 1_000
+
+
+class Text(NamedTuple):
+    """A string of which parts come from outside: ``template`` is spelled as in the library format, with :data:`NODE` and the like."""
+
+    template: str
+
+
+class Unknown:
+    """Any value at all."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return "UNKNOWN"
+
+
+UNKNOWN = Unknown()
+
+
+class Param(NamedTuple):
+    """The value of a param. ``default`` is :data:`MISSING` where reading it without one fails."""
+
+    name: str
+    default: Value
+
+
+class Missing:
+    """No value: a variable that is not set, a default that is not given."""
+
+    __slots__ = ()
+
+
+MISSING = Missing()
+
+
+class Seq:
+    """A list, tuple or set. Its content is in a mapping, so that changing it can be taken back: ``items`` and whether that is ``complete``."""
+
+    __slots__ = ("content",)
+
+    def __init__(self, items: list[Value], complete: bool = True) -> None:
+        self.content: dict[Any, Any] = {"items": items[:MOST_ITEMS], "complete": complete and len(items) <= MOST_ITEMS}
+
+    @property
+    def items(self) -> list[Value]:
+        """The items that are known, in order."""
+        items: list[Value] = self.content["items"]
+        return items
+
+    @property
+    def complete(self) -> bool:
+        """Whether there are no others."""
+        return bool(self.content["complete"])
+
+
+class Map:
+    """A dict with constant keys; ``content`` as for :class:`Seq`, with ``entries``."""
+
+    __slots__ = ("content",)
+
+    def __init__(self, entries: dict[Any, Value], complete: bool = True) -> None:
+        self.content: dict[Any, Any] = {"entries": entries, "complete": complete}
+
+    @property
+    def entries(self) -> dict[Any, Value]:
+        """What is known of it."""
+        entries: dict[Any, Value] = self.content["entries"]
+        return entries
+
+    @property
+    def complete(self) -> bool:
+        """Whether there is nothing else in it."""
+        return bool(self.content["complete"])
+
+
+class Argv(NamedTuple):
+    """``sys.argv`` from ``offset`` on."""
+
+    offset: int
+
+
+class Scope:
+    """Variables of a module, function or class, and where to look further."""
+
+    __slots__ = ("module", "outer", "shared", "variables")
+
+    def __init__(self, module: Module, outer: Scope | None) -> None:
+        self.module = module
+        self.outer = outer
+        self.variables: dict[Any, Any] = {}
+        self.shared: dict[str, Scope] = {}
+
+
+class Module:
+    """A module whose source is followed. ``stars`` are the names of modules from which everything was imported and cannot be followed."""
+
+    __slots__ = ("imports_rospy", "name", "path", "scope", "stars", "tree")
+
+    def __init__(self, name: str, path: str, tree: ast.Module | None) -> None:
+        self.name = name
+        self.path = path
+        self.tree = tree
+        self.scope = Scope(self, None)
+        self.stars: list[str] = []
+        self.imports_rospy = False
+
+
+class Function(NamedTuple):
+    """A function or lambda with the scope it was made in; ``owner`` is the class whose body it stands in."""
+
+    node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
+    scope: Scope
+    defaults: tuple[Value, ...]
+    keyword_defaults: tuple[tuple[str, Value], ...]
+    owner: Class | None = None
+    kind: str = ""
+
+
+class Class:
+    """A class with its attributes and bases, in the order in which they are searched."""
+
+    __slots__ = ("attributes", "bases", "name", "scope")
+
+    def __init__(self, name: str, bases: list[Value], scope: Scope) -> None:
+        self.name = name
+        self.bases = bases
+        self.scope = scope
+        self.attributes = scope.variables
+
+    def ancestors(self) -> Iterator[Value]:
+        """Itself and everything it inherits from, each once; bounded."""
+        pending: list[Value] = [self]
+        seen: list[Value] = []
+        while pending and len(seen) < 50:
+            here = pending.pop(0)
+            if any(here is each for each in seen):
+                continue
+            seen.append(here)
+            yield here
+            if isinstance(here, Class):
+                pending += here.bases
+
+
+class Instance:
+    """An object of a followed class."""
+
+    __slots__ = ("attributes", "type")
+
+    def __init__(self, type_: Class) -> None:
+        self.type = type_
+        self.attributes: dict[Any, Any] = {}
+
+
+class Bound(NamedTuple):
+    """A method of an object: a followed function, or the name of a method of a built-in or recognised value."""
+
+    receiver: Value
+    function: Value
+
+
+class Super(NamedTuple):
+    """``super()``: the attributes of ``receiver`` behind those of the class ``after``."""
+
+    after: Class
+    receiver: Value
+
+
+class External(NamedTuple):
+    """Something of a module that is not followed, by its full name: ``rospy.Publisher``."""
+
+    name: str
+
+
+class Handle:
+    """What a recognised call made: a publisher, a parser of arguments. ``state`` holds what its methods need."""
+
+    __slots__ = ("kind", "state")
+
+    def __init__(self, kind: str, state: dict[Any, Any]) -> None:
+        self.kind = kind
+        self.state = state
+
+
+class MessageClass(NamedTuple):
+    """A message, service or action class by its type name, ``package/Type``."""
+
+    type: str
+
+
+class Partial(NamedTuple):
+    """``functools.partial``."""
+
+    function: Value
+    positional: tuple[Value, ...]
+    keywords: tuple[tuple[str, Value], ...]
+
+
+class Choice(NamedTuple):
+    """One of several values, each with the condition under which it is that one (empty: not known)."""
+
+    alternatives: tuple[tuple[str, Value], ...]
+
+
+def alternatives(value: Value) -> tuple[tuple[str, Value], ...]:
+    """The values that ``value`` can be, with conditions; one without condition where there is no choice."""
+    return value.alternatives if isinstance(value, Choice) else (("", value),)
+
+
+def choice(options: list[tuple[str, Value]]) -> Value:
+    """One of ``options``; flattened, the same value once."""
+    flat: list[tuple[str, Value]] = []
+    for condition, value in options:
+        for inner, each in alternatives(value):
+            if each is MISSING:
+                continue
+            both = conjunction((condition, inner))
+            for at, (known, other) in enumerate(flat):
+                if same(other, each):
+                    flat[at] = ("" if not known or not both or known != both else known, other)
+                    break
+            else:
+                flat.append((both, each))
+    if not flat:
+        return MISSING
+    if len(flat) == 1:
+        return flat[0][1]
+    return UNKNOWN if len(flat) > MOST_ALTERNATIVES else Choice(tuple(flat))
+
+
+def same(one: Value, other: Value) -> bool:
+    """Whether two values are the same thing."""
+    if one is other:
+        return True
+    simple = (str, int, float, bool, bytes, type(None), Text, External, MessageClass, Argv)
+    return type(one) is type(other) and isinstance(one, simple) and bool(one == other)
+
+
+def conjunction(conditions: tuple[str, ...] | list[str]) -> str:
+    """All of several conditions as text, each once."""
+    return " and ".join(dict.fromkeys(each for each in conditions if each))
