@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import os
-import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 from launchlint.check.entry import EntryChecker
@@ -13,8 +12,6 @@ from launchlint.evaluate.configurations import configurations
 from launchlint.evaluate.launch import evaluate
 from launchlint.graph.connect import connect
 from launchlint.graph.connections import ConnectionGraph
-from launchlint.workspace.repository import repository_root
-from launchlint.workspace.revision import unpack
 
 
 def graphs_of(checker: EntryChecker, request: EntryRequest, *, every_configuration: bool) -> list[ConnectionGraph]:
@@ -29,11 +26,12 @@ def graphs_of(checker: EntryChecker, request: EntryRequest, *, every_configurati
 class Revision:
     """A git revision that was put into a directory: the same files at other places.
 
-    ``checker`` checks there as ``options`` say; shown paths are the same as of the working tree.
+    ``checker`` checks there as ``options`` say; shown paths are the same as of the working tree. Libraries and the configuration are those
+    of today: what is compared is what the launch files start.
     """
 
     def __init__(self, options: Options, repository: str, directory: str) -> None:
-        self._repository = repository
+        self._repository = os.path.realpath(repository)
         self._directory = directory
         root = self.place(options.root)
         os.makedirs(root, exist_ok=True)
@@ -43,22 +41,25 @@ class Revision:
     def place(self, path: str) -> str:
         """Where a file or directory of the working tree is at the revision; absolute. What lies outside the repository stays."""
         path = os.path.abspath(path)
+        relative = self._relative(path)
+        if relative is None:  # through a link to the repository
+            relative = self._relative(os.path.join(os.path.realpath(os.path.dirname(path)), os.path.basename(path)))
+        return path if relative is None else os.path.normpath(os.path.join(self._directory, relative))
+
+    def _relative(self, path: str) -> str | None:
         relative = os.path.relpath(path, self._repository)
-        outside = relative == os.pardir or relative.startswith(os.pardir + os.sep)
-        return path if outside else os.path.normpath(os.path.join(self._directory, relative))
+        return None if relative == os.pardir or relative.startswith(os.pardir + os.sep) else relative
 
     def back(self, path: str) -> str:
         """The file of the working tree (as people see it) that a file of the revision is."""
-        return os.path.relpath(os.path.join(self._repository, os.path.relpath(path, self._directory)))
+        return os.path.relpath(os.path.join(self._repository, os.path.relpath(path, self._directory)), os.path.realpath(os.curdir))
 
-    def requests(self, requests: Sequence[EntryRequest]) -> Mapping[str, EntryRequest]:
-        """The entry files that are there at the revision, by the path they have in the working tree."""
-        found: dict[str, EntryRequest] = {}
-        for request in requests:
-            there = self.place(request.at)
-            if os.path.isfile(there):
-                found[request.at] = request._replace(file=there, at=there)
-        return found
+    def request(self, request: EntryRequest) -> EntryRequest | None:
+        """The same entry file at the revision; None where it is not there, or not in the repository."""
+        there = self.place(request.at)
+        if there == os.path.abspath(request.at) or not os.path.isfile(there):
+            return None
+        return request._replace(file=there, at=there)
 
 
 @contextmanager
@@ -68,7 +69,13 @@ def revision(options: Options, name: str, start: str = os.curdir) -> Iterator[Re
     Raises:
         UsageError: there is no such revision, or no git.
     """
-    repository = repository_root(start)
+    import tempfile
+
+    from launchlint.workspace.repository import repository_root
+    from launchlint.workspace.revision import resolve, unpack
+
+    repository = repository_root(os.path.realpath(start))
+    resolve(repository, name)
     with tempfile.TemporaryDirectory(prefix="launchlint-") as directory:
         directory = os.path.realpath(directory)
         unpack(repository, name, directory)

@@ -1,7 +1,8 @@
 """The topology as a networkx multigraph, for other programs and for algorithms that networkx has.
 
-Vertices are ``("node", name)``, ``("topic", name)``, ``("service", …)``, ``("action", …)`` and ``("param", …)``. Edges point the way the data
-goes: publisher → topic → subscriber, client → service → server, param → reader. The edge's attributes say why it exists; its key is unique.
+Vertices are ``("node", name)``, ``("topic", name)``, ``("service", …)``, ``("action", …)`` and ``("param", …)``. Edges point the way the
+data goes: publisher → topic → subscriber, client → service → server, param → reader. The attributes of an edge say why it exists, its key
+is its own.
 """
 
 from __future__ import annotations
@@ -60,9 +61,9 @@ def _why(connection: Connection) -> dict[str, str | bool]:
 
 
 def graphml(topology: Topology) -> str:
-    """The multigraph as GraphML, with names like ``topic /scan`` for its vertices.
+    r"""The multigraph as GraphML, with names like ``topic /scan`` for its vertices.
 
-    What XML cannot hold, and what nobody can see, is written as in Python: ``\\x1b``; a backslash as two.
+    What XML cannot hold, and what nobody can see, is written as in Python: ``\x1b``; a backslash as two.
     """
     import networkx
 

@@ -1,36 +1,86 @@
 """The files of a git revision, put into a directory: to look at what was before.
 
-Only ``git rev-parse``, ``ls-tree`` and ``cat-file`` are run: they read objects, and run neither hooks nor filters of the repository.
+Only ``git rev-parse``, ``ls-tree`` and ``cat-file`` are run: they read objects, and run neither hooks nor filters of the repository. What
+git stores is written as it is stored: line ends are not converted, and files kept in LFS stay pointers.
 """
 
 from __future__ import annotations
 
 import os
 import subprocess
+import tempfile
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from launchlint.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import IO
 
 LARGEST_FILE = 4 << 20
 """Bytes; a larger file is made empty: nothing that launchlint reads is so large."""
 MOST_FILES = 200_000
+MOST_BYTES = 1 << 30
+"""Bytes that are written in all; what comes later is made empty."""
+LONGEST_ERROR = 500
+MOST_NESTED = 8
+"""Submodules in submodules that are followed."""
 
-_LINK, _FILE = "120000", ("100644", "100755", "100664")
+_LINK, _MODULE, _FILES = "120000", "160000", ("100644", "100755", "100664")
+_NEVER_READ = (
+    ".3ds .7z .a .avi .bag .bin .blend .bmp .bz2 .dae .dds .db .db3 .dwg .exr .fbx .gif .glb .gltf .gz .h5 .hdf5 .hdr .ico .iv .jar .jpeg"
+    " .jpg .kml .mp3 .mp4 .mtl .npy .npz .o .obj .ogg .onnx .ovf .pb .pbm .pcd .pdf .pgm .ply .png .ppm .pt .pth .so .step .stl .stp .svg"
+    " .tar .tga .tgz .tif .tiff .wav .wbt .webm .webp .wrl .xz .zip"
+)
+_WITHOUT_CONTENT = frozenset(_NEVER_READ.split())
+"""Ends of names of which it is enough to know that the file is there: meshes, maps, pictures, recordings."""
+_NOT_OURS = frozenset(
+    {"GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_OBJECT_DIRECTORY", "GIT_COMMON_DIR", "GIT_NAMESPACE", "GIT_PREFIX"}
+)
+"""What git tells its hooks: of the repository of the commit, which need not be the one that is looked at."""
+
+
+class _Entry(NamedTuple):
+    mode: str
+    object: str
+    size: int
+    path: str
+
+    @property
+    def has_content(self) -> bool:
+        """Whether what is in it is needed."""
+        return self.mode == _LINK or (self.size <= LARGEST_FILE and os.path.splitext(self.path)[1].lower() not in _WITHOUT_CONTENT)
 
 
 def resolve(repository: str, revision: str) -> str:
-    """The commit that ``revision`` names.
+    """The commit that ``revision`` names in the repository at the directory ``repository``.
 
     Raises:
-        UsageError: there is none, or no git.
+        UsageError: there is none, or no git, or no repository.
     """
-    given = f"{revision}^{{commit}}"
-    done = _git(repository, ["rev-parse", "--verify", "--quiet", "--end-of-options", given])
+    if not os.path.exists(os.path.join(repository, ".git")):
+        raise UsageError(f"{repository} is not in a git repository: there is no revision {revision} of it to compare with")
+    done = _git(repository, ["rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}"])
     commit = done.stdout.decode("ascii", "replace").strip()
     if done.returncode or not commit:
-        reason = " ".join(done.stderr.decode("utf-8", "replace").split()) or "git knows no such commit, branch or tag here"
-        raise UsageError(f"{revision!r} is no revision of {repository}: {reason}; in CI, fetch it first (git fetch --depth=1 origin …)")
+        raise UsageError(f"{revision} is no revision of the git repository {repository}: {_reason(done.stderr) or _hint(revision)}")
     return commit
+
+
+def _hint(revision: str) -> str:
+    if ".." in revision:
+        first, _, second = revision.partition("..")
+        return f"that is a range; give its ends as two words: {first or 'HEAD'} {second.lstrip('.') or 'HEAD'}"
+    return (
+        "git knows no such commit, branch or tag; a shallow clone (the default in CI) lacks most of them: git fetch --depth=1 origin BRANCH"
+        " gets one, and FETCH_HEAD is its name then"
+    )
+
+
+def _reason(errors: bytes) -> str:
+    """What git says, in one line."""
+    return " ".join(errors.decode("utf-8", "replace").removeprefix("fatal: ").split())[:LONGEST_ERROR]
 
 
 def is_revision(repository: str, revision: str) -> bool:
@@ -42,78 +92,147 @@ def is_revision(repository: str, revision: str) -> bool:
 
 
 def unpack(repository: str, revision: str, directory: str) -> None:
-    """Write the files of ``revision`` below ``directory``, which is empty. Links that lead out of it are left out, and submodules.
+    """Write the files of ``revision`` below ``directory``, which is empty.
+
+    Left out are links that lead out of it. Large files, and those whose content is never read, are there but empty. A submodule is
+    unpacked from its own repository in the working tree, where there is one that has its commit.
 
     Raises:
         UsageError: there is no such revision, or git fails.
     """
-    commit = resolve(repository, revision)
+    links: list[str] = []
+    _unpack(repository, resolve(repository, revision), revision, directory, links, MOST_NESTED)
+    root = os.path.realpath(directory)
+    for link in links:
+        if not os.path.realpath(link).startswith(root + os.sep):
+            os.unlink(link)
+
+
+def _unpack(repository: str, commit: str, revision: str, directory: str, links: list[str], depth: int) -> None:
     listed = _git(repository, ["ls-tree", "-r", "-z", "--long", "--full-tree", commit])
     if listed.returncode:
-        raise UsageError(f"git cannot list {revision!r}: {listed.stderr.decode('utf-8', 'replace').strip()}")
-    entries = list(_entries(listed.stdout))
+        raise UsageError(f"git cannot list the files of {revision}: {_reason(listed.stderr)}")
+    entries = [entry for entry in _entries(listed.stdout) if _is_harmless(entry.path)]
     if len(entries) > MOST_FILES:
-        raise UsageError(f"{revision!r} has more than {MOST_FILES} files")
-    small = [entry for entry in entries if entry[2] <= LARGEST_FILE]
-    contents = _contents(repository, [name for _, name, _, _ in small])
-    data = dict(zip((path for _, _, _, path in small), contents, strict=True))
-    for mode, _, _, path in entries:
-        _place(directory, path, mode, data.get(path, b""))
+        raise UsageError(f"{revision} has more than {MOST_FILES} files, too many to compare with")
+    read: list[_Entry] = []
+    left = MOST_BYTES
+    for entry in entries:
+        if entry.mode != _MODULE:
+            left -= entry.size if entry.has_content else 0
+            if entry.has_content and left >= 0:
+                read.append(entry)
+            else:
+                _write(directory, entry, b"")
+    for entry, content in zip(read, _contents(repository, [each.object for each in read]), strict=True):
+        if entry.mode != _LINK:
+            _write(directory, entry, content)
+        elif _link(directory, entry.path, os.fsdecode(content)):
+            links.append(os.path.join(directory, entry.path))
+    for entry in (each for each in entries if each.mode == _MODULE):
+        module = os.path.join(repository, entry.path)
+        at_home = os.path.realpath(module) == os.path.join(os.path.realpath(repository), entry.path)
+        if depth and at_home and os.path.exists(os.path.join(module, ".git")):
+            try:
+                _unpack(module, entry.object, revision, os.path.join(directory, entry.path), links, depth - 1)
+            except UsageError:
+                continue  # its commit is not here: the packages in it are then not known, which makes nobody wrong
 
 
-def _entries(listing: bytes) -> Iterator[tuple[str, str, int, str]]:
-    """Mode, object, size and path of each file and link."""
+def _entries(listing: bytes) -> Iterator[_Entry]:
+    """The files, links and submodules of a listing; links last, so that none of them stands in the way of a file."""
+    links: list[_Entry] = []
     for line in listing.split(b"\0"):
-        if not line:
-            continue
         facts, _, path = line.partition(b"\t")
-        mode, _, name, size = facts.decode("ascii").split()
-        if mode in _FILE or mode == _LINK:
-            yield mode, name, int(size), os.fsdecode(path)
+        words = facts.decode("ascii", "replace").split()
+        if len(words) != 4 or words[0] not in (_LINK, _MODULE, *_FILES):
+            continue
+        entry = _Entry(words[0], words[2], int(words[3]) if words[3].isdecimal() else 0, os.fsdecode(path))
+        if entry.mode == _LINK:
+            links.append(entry)
+        else:
+            yield entry
+    yield from links
+
+
+def _is_harmless(path: str) -> bool:
+    """Whether a path of a tree stays below the directory it is written to, and makes no repository there."""
+    parts = path.split("/")
+    return not any(part in ("", ".", "..") or part.lower() == ".git" for part in parts)
 
 
 def _contents(repository: str, names: Sequence[str]) -> Iterator[bytes]:
-    """The contents of objects, in order."""
+    """The contents of objects, in order, one at a time."""
     if not names:
         return
-    done = _git(repository, ["cat-file", "--batch"], "".join(f"{name}\n" for name in names).encode())
-    output = done.stdout
-    at = 0
-    for name in names:
-        end = output.index(b"\n", at)
-        words = output[at:end].split()
-        if len(words) != 3:
-            raise UsageError(f"git cannot read the object {name}: is this a shallow or partial clone?")
-        size = int(words[2])
-        yield output[end + 1 : end + 1 + size]
-        at = end + 1 + size + 1
+    with tempfile.TemporaryFile() as wanted:
+        wanted.write("".join(f"{name}\n" for name in names).encode("ascii"))
+        wanted.seek(0)
+        process = _start(repository, ["cat-file", "--batch"], wanted)
+        assert process.stdout is not None
+        try:
+            for name in names:
+                words = process.stdout.readline().split()
+                if len(words) != 3 or not words[2].isdigit():
+                    raise UsageError(f"git cannot read the object {name}: is this a partial clone? git fetch --refetch gets all of it")
+                content = process.stdout.read(int(words[2]))
+                process.stdout.read(1)
+                yield content
+        finally:
+            process.stdout.close()
+            process.kill()
+            process.wait()
 
 
-def _place(directory: str, path: str, mode: str, data: bytes) -> None:
-    parts = path.split("/")
-    if ".." in parts or path.startswith("/") or ".git" in (part.lower() for part in parts):
-        return
-    target = os.path.join(directory, *parts)
-    if os.path.realpath(os.path.dirname(target)) != os.path.normpath(os.path.join(os.path.realpath(directory), *parts[:-1])):
-        return  # a link stands in the way
-    os.makedirs(os.path.dirname(target), exist_ok=True)
-    if mode == _LINK:
-        goal = os.fsdecode(data)
-        inside = os.path.normpath(os.path.join(os.path.dirname(path), goal))
-        if not os.path.isabs(goal) and not inside.startswith("..") and "\0" not in goal:
-            os.symlink(goal, target)
-        return
-    with open(target, "wb") as file:
-        file.write(data)
-    if mode == "100755":
-        os.chmod(target, 0o755)
-
-
-def _git(repository: str, words: Sequence[str], given: bytes = b"") -> subprocess.CompletedProcess[bytes]:
-    environment = {**os.environ, "GIT_TERMINAL_PROMPT": "0", "GIT_OPTIONAL_LOCKS": "0", "LC_ALL": "C", "GIT_NO_LAZY_FETCH": "1"}
+def _write(directory: str, entry: _Entry, content: bytes) -> None:
+    target = os.path.join(directory, entry.path)
     try:
-        return subprocess.run(
-            ["git", "-C", repository, "-c", "core.fsmonitor=false", *words], input=given, capture_output=True, check=False, env=environment
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        with open(target, "wb") as file:
+            file.write(content)
+        if entry.mode == "100755":
+            os.chmod(target, 0o755)
+    except (FileExistsError, NotADirectoryError, IsADirectoryError):
+        return  # a tree made by hand, with a file and a directory of one name
+    except OSError as error:
+        if len(os.path.basename(target)) < 256:
+            raise UsageError(f"a file of the revision cannot be written to {directory}: {error.strerror}") from None
+
+
+def _link(directory: str, path: str, goal: str) -> bool:
+    """Make a link that leads to somewhere in ``directory``; whether that was done."""
+    if os.path.isabs(goal) or "\0" in goal or not goal:
+        return False
+    target = os.path.join(directory, path)
+    try:
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        os.symlink(goal, target)
+    except OSError:
+        return False
+    return True
+
+
+def _git(repository: str, words: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
+    process = _start(repository, words, None)
+    output, errors = process.communicate()
+    return subprocess.CompletedProcess(words, process.returncode, output, errors)
+
+
+def _start(repository: str, words: Sequence[str], given: IO[bytes] | None) -> subprocess.Popen[bytes]:
+    """Start git there. Whatever the repository's own configuration says, it talks to no other machine and starts no other program."""
+    environment = {name: value for name, value in os.environ.items() if name not in _NOT_OURS}
+    environment.update(
+        GIT_TERMINAL_PROMPT="0", GIT_OPTIONAL_LOCKS="0", GIT_NO_LAZY_FETCH="1", GIT_ALLOW_PROTOCOL="none", GIT_NO_REPLACE_OBJECTS="1",
+        GIT_CEILING_DIRECTORIES=os.path.dirname(repository), LC_ALL="C",
+    )  # fmt: skip
+    command = ["git", "-C", repository, "-c", "core.fsmonitor=false", "-c", "safe.bareRepository=explicit", *words]
+    try:
+        return subprocess.Popen(
+            command,
+            stdin=subprocess.DEVNULL if given is None else given,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE if given is None else subprocess.DEVNULL,
+            env=environment,
         )
     except OSError as error:
-        raise UsageError(f"git cannot be run: {error.strerror or error}; revisions can only be compared where git is installed") from None
+        raise UsageError(f"git cannot be run: {error.strerror or error}; revisions can be compared only where git is installed") from None

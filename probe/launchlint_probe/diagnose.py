@@ -9,16 +9,19 @@ Problem = Dict[str, str]
 
 DETAIL = 300
 """Characters of output that a problem quotes."""
+MOST_PRINTED = 64 * 1024 * 1024
+"""Bytes of output; what prints more is stopped."""
 
 
 class Outcome:
     """What is known when a node has been stopped. ``code`` is its exit status, None where it did not end by itself."""
 
-    def __init__(self, facts: Facts, output: str, code: Optional[int], timed_out: bool, devices: List[str], printed: int) -> None:
+    def __init__(self, facts: Facts, output: str, code: Optional[int], timed_out: bool, busy: bool, devices: List[str], printed: int) -> None:
         self.facts = facts
         self.output = output
         self.code = code
         self.timed_out = timed_out
+        self.busy = busy
         self.devices = devices
         self.printed = printed
 
@@ -32,9 +35,10 @@ _SIGNS = (
     ("display-required", r"(?im)^.*?((?:cannot|could not|couldn't|unable to) (?:open|connect to) (?:X )?display[^\n]*|no display name[^\n]*"
                          r"|could not load the Qt platform plugin[^\n]*|GLX[^\n]*|TclError[^\n]*)"),
     ("device-missing", r"(?im)^.*?((?:cannot|could not|couldn't|failed to|unable to|error) ?(?:open|connect|access)[^\n]*(?:/dev/[^\s'\"]+|port|device|camera|usb)"
-                       r"[^\n]*|no such file or directory:? ?'?/dev/[^\n]*|no (?:devices?|cameras?) [^\n]*found[^\n]*)"),
+                       r"[^\n]*|wait[^\n]*/dev/[^\n]*|no such file or directory:? ?'?/dev/[^\n]*|no (?:devices?|cameras?) [^\n]*found[^\n]*)"),
     ("file-missing", r"(?im)^.*?((?:no such file or directory|file not found|could not (?:open|load) file)[^\n]*)"),
     ("network", r"(?im)^.*?((?:connection refused|network is unreachable|name or service not known|temporary failure in name resolution)[^\n]*)"),
+    ("error-logged", r"(?m)^(?:\x1b\[[0-9;]*m)*\[(?:FATAL|ERROR)\] ?(?:\[[^\]\n]*\] ?)*:? ?([^\n]+)"),
     ("exception", r"(?m)^(?:terminate called[^\n]*\n\s*what\(\):\s*([^\n]+)|(\w*(?:Error|Exception): [^\n]+))"),
 )
 _COMPILED = tuple((code, re.compile(pattern)) for code, pattern in _SIGNS)
@@ -51,19 +55,27 @@ def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
     problems = []  # type: List[Problem]
     waits = sorted(name for name in facts.lookups if not any(name == served for _, served in facts.services))
     if facts.overflow:
-        problems.append(_problem("too-many-names", "it made up names without end"))
-    if outcome.printed > 64 * 1024 * 1024:
+        return "failed", [_problem("too-many-names", "it made up names without end")]
+    if outcome.printed > MOST_PRINTED:
         problems.append(_problem("too-much-output", "it printed without end"))
     if outcome.code is None:
+        waiting = [_problem("waits-for-service", name) for name in waits]
         if registered:
-            problems.extend(_problem("waits-for-service", name) for name in waits)
-            return "ok", problems
-        for device in outcome.devices:
-            problems.append(_problem("waits-for-device", device))
-        problems.extend(_signs(outcome.output)[:1])
-        problems.append(_problem("timed-out", "it was stopped before it registered anything") if contacted
-                        else _problem("silent", "it never contacted the master"))
-        return ("failed" if contacted or outcome.devices or len(problems) > 1 else "not-a-node"), problems
+            if outcome.timed_out and not outcome.printed > MOST_PRINTED:
+                problems.append(_problem("never-quiet", "there was still something new when it was stopped: there may be more"))
+            return "ok", problems + waiting
+        problems.extend(waiting)
+        signs = _signs(outcome.output)[:1]
+        if not signs:
+            signs = [_problem("waits-for-device", device) for device in outcome.devices]
+        problems.extend(signs)
+        if outcome.busy and not problems:
+            problems.append(_problem("busy", "it was still computing when it was stopped; a larger `limit` may help"))
+        known = bool(problems)
+        if outcome.timed_out:
+            problems.append(_problem("timed-out", "it was stopped before it registered anything") if contacted
+                            else _problem("silent", "it never contacted the master"))
+        return ("failed" if contacted or known else "not-a-node"), problems
     signs = _signs(outcome.output)
     problems.extend(signs[:2])
     if outcome.code:
@@ -93,6 +105,13 @@ def _signs(output: str) -> List[Problem]:
     return found
 
 
+_PASSING = ((re.compile(r"\b0x[0-9a-f]{4,}"), "0x…"), (re.compile(r"\b1[5-9]\d{8}(?:\.\d+)?\b"), "…"), (re.compile(r"launchlint_(?:ns|node)\b/?"), ""),
+            (re.compile(r"(?<=127\.0\.0\.1:)\d+|(?<=localhost:)\d+|(?<=pid )\d+|(?<=\[)\d{9,}[.\d]*(?=\])"), "…"))
+"""What is different each time: addresses, times, ports."""
+
+
 def _problem(code: str, detail: str) -> Problem:
+    for pattern, stand_in in _PASSING:
+        detail = pattern.sub(stand_in, detail)
     shown = "".join(each if each.isprintable() else " " for each in detail.strip())
     return {"code": code, "detail": shown[:DETAIL]}

@@ -1,5 +1,6 @@
 """From recorded facts to an interface in the library format: kinds of names, actions, params; what every node has is left out."""
 
+import json
 import re
 from typing import Any, Dict, List, Optional, Tuple
 
@@ -20,8 +21,11 @@ _INFRASTRUCTURE = re.compile(
 _ACTION_TYPES = {"status": "actionlib_msgs/GoalStatusArray", "cancel": "actionlib_msgs/GoalID"}
 
 
-def spelled(name: str) -> str:
-    """A recorded name as the node's code says it: relative, ``~private`` or ``/global``, with what changes from run to run left open."""
+def spelled(name: str, tokens: Optional[Dict[str, str]] = None) -> str:
+    """A recorded name as the node's code says it: relative, ``~private`` or ``/global``, with what changes from run to run left open.
+
+    ``tokens`` maps words that the probe gave the node in its arguments and params to the templates that stand for them.
+    """
     if name == FULL:
         own = "~"
     elif name.startswith(FULL + "/"):
@@ -32,7 +36,10 @@ def spelled(name: str) -> str:
         own = name
     own = own.replace("{", "{{").replace("}", "}}")
     own = _ANONYMOUS.sub("{any}", own)
-    return own.replace(NODE, "{node}").replace(NAMESPACE[1:], "{any}")
+    own = own.replace(NODE, "{node}").replace(NAMESPACE[1:], "{any}")
+    for token in sorted(tokens or (), key=len, reverse=True):
+        own = own.replace(token, (tokens or {})[token])
+    return own
 
 
 def is_infrastructure(name: str) -> bool:
@@ -40,49 +47,76 @@ def is_infrastructure(name: str) -> bool:
     return _INFRASTRUCTURE.fullmatch(name) is not None
 
 
-def interface(facts: Facts, headers: Dict[str, Dict[str, str]], services: Dict[str, Dict[str, str]], woken: Dict[str, str],
-              reconfigure: Dict[str, Dict[str, Any]], given: Dict[str, Any], run: str) -> Dict[str, List[Entry]]:
-    """The interface of a node.
+class Harvest:
+    """What was learnt of a node besides the recorded calls.
 
     Args:
-        facts: what was recorded.
         headers: topic → header of a connection to its publisher.
         services: service → header of its answer to a probe.
         woken: names that appeared only after somebody subscribed → ``subscriber``.
         reconfigure: full name of a param → what dynamic_reconfigure says of it.
         given: full names of params that the probe itself set.
-        run: what the evidence says of this run.
+        tokens: words that the probe gave the node → templates, see :func:`spelled`.
     """
-    evidence = [{"by": "dynamic", "run": run}]
+
+    def __init__(self, headers: Dict[str, Dict[str, str]], services: Dict[str, Dict[str, str]], woken: Dict[str, str],
+                 reconfigure: Dict[str, Dict[str, Any]], given: Dict[str, Any], tokens: Dict[str, str]) -> None:
+        self.headers = headers
+        self.services = services
+        self.woken = woken
+        self.reconfigure = reconfigure
+        self.given = given
+        self.tokens = tokens
+
+
+def interface(facts: Facts, harvest: Harvest) -> Dict[str, List[Entry]]:
+    """The interface of a node, as the library format has it but for the evidence."""
     publishers = {name: kind for (_, name), (kind, _) in facts.publishers.items() if not is_infrastructure(name)}
     subscribers = {name: kind for (_, name), (kind, _) in facts.subscribers.items() if not is_infrastructure(name)}
     actions = _take_actions(publishers, subscribers)
     found = {
-        "publishers": [_topic(name, kind, headers.get(name), woken, evidence) for name, kind in publishers.items()],
-        "subscribers": [_topic(name, kind, None, woken, evidence) for name, kind in subscribers.items()],
-        "services": [
-            _typed(name, services.get(name, {}), evidence) for _, name in facts.services if not is_infrastructure(name)
-        ],
+        "publishers": [_topic(name, kind, harvest.headers.get(name), harvest.woken) for name, kind in publishers.items()],
+        "subscribers": [_topic(name, kind, None, harvest.woken) for name, kind in subscribers.items()],
+        "services": [_typed(name, harvest.services.get(name, {})) for _, name in facts.services if not is_infrastructure(name)],
         "clients": [
-            {"name": spelled(name), "evidence": evidence}
+            {"name": name}
             for name in facts.lookups
             if not is_infrastructure(name) and not any(name == served for _, served in facts.services)
         ],
-        "actions": [dict(each, evidence=evidence) for each in actions],
-        "params": _params(facts, reconfigure, given, evidence),
+        "actions": actions,
+        "params": _params(facts, harvest.reconfigure, harvest.given),
     }  # type: Dict[str, List[Entry]]
-    return {category: _sorted(entries) for category, entries in found.items() if entries}
+    return {category: _sorted(entries, harvest.tokens) for category, entries in found.items() if entries}
 
 
-def _sorted(entries: List[Entry]) -> List[Entry]:
+def per_node(facts: Facts) -> List[Entry]:
+    """What each node of a launch file publishes, subscribes and serves, by its name; names are relative to the namespace of the launch file."""
+    found = {}  # type: Dict[str, Dict[str, List[Entry]]]
+    for category, table in (("publishers", facts.publishers), ("subscribers", facts.subscribers), ("services", facts.services)):
+        for (caller, name), (kind, _) in list(table.items()):
+            if is_infrastructure(name) or is_infrastructure(caller) or caller == "/rosout":
+                continue
+            entry = {"name": spelled(name)}
+            if category != "services" and kind:
+                entry["type"] = kind
+            found.setdefault(spelled(caller), {}).setdefault(category, []).append(entry)
+    nodes = []
+    for caller in {spelled(each) for each in facts.nodes if each != "/rosout" and not is_infrastructure(each)} | set(found):
+        node = {category: sorted(entries, key=lambda each: each["name"]) for category, entries in found.get(caller, {}).items()}  # type: Dict[str, Any]
+        nodes.append(dict(node, name=caller))
+    return sorted(nodes, key=lambda node: node["name"])
+
+
+def _sorted(entries: List[Entry], tokens: Dict[str, str]) -> List[Entry]:
     unique = {}  # type: Dict[Tuple[str, str], Entry]
     for entry in entries:
+        entry = dict(entry, name=spelled(entry["name"], tokens))
         unique.setdefault((entry["name"], entry.get("role", "")), entry)
     return [unique[key] for key in sorted(unique)]
 
 
-def _topic(name: str, kind: str, header: Optional[Dict[str, str]], woken: Dict[str, str], evidence: List[Dict[str, str]]) -> Entry:
-    entry = {"name": spelled(name)}  # type: Entry
+def _topic(name: str, kind: str, header: Optional[Dict[str, str]], woken: Dict[str, str]) -> Entry:
+    entry = {"name": name}  # type: Entry
     if kind:
         entry["type"] = kind
     if header and header.get("md5sum", "*") != "*" and header.get("type") == kind:
@@ -91,17 +125,15 @@ def _topic(name: str, kind: str, header: Optional[Dict[str, str]], woken: Dict[s
         entry["latched"] = True
     if name in woken:
         entry["when"] = woken[name]
-    entry["evidence"] = evidence
     return entry
 
 
-def _typed(name: str, header: Dict[str, str], evidence: List[Dict[str, str]]) -> Entry:
-    entry = {"name": spelled(name)}  # type: Entry
+def _typed(name: str, header: Dict[str, str]) -> Entry:
+    entry = {"name": name}  # type: Entry
     if header.get("type"):
         entry["type"] = header["type"]
     if header.get("md5sum", "*") != "*":
         entry["md5"] = header["md5sum"]
-    entry["evidence"] = evidence
     return entry
 
 
@@ -118,7 +150,7 @@ def _take_actions(publishers: Dict[str, str], subscribers: Dict[str, str]) -> Li
             others = {"cancel": out, "status": into, "feedback": into, "result": into}
             types = dict(_ACTION_TYPES, feedback=action + "Feedback", result=action + "Result")
             if all(table.get("{}/{}".format(base, each)) == types[each] for each, table in others.items()):
-                found.append({"name": spelled(base), "type": action, "role": role})
+                found.append({"name": base, "type": action, "role": role})
                 del out[name]
                 for each, table in others.items():
                     del table["{}/{}".format(base, each)]
@@ -128,12 +160,21 @@ def _take_actions(publishers: Dict[str, str], subscribers: Dict[str, str]) -> Li
 _KINDS = {bool: "bool", int: "int", float: "double", str: "str", list: "list", dict: "dict"}
 
 
-def _params(facts: Facts, reconfigure: Dict[str, Dict[str, Any]], given: Dict[str, Any], evidence: List[Dict[str, str]]) -> List[Entry]:
+def _is_plain(value: Any) -> bool:
+    """Whether JSON can hold a value: a node may set dates, or numbers without end."""
+    try:
+        json.dumps(value, allow_nan=False)
+        return True
+    except (TypeError, ValueError, RecursionError):
+        return False
+
+
+def _params(facts: Facts, reconfigure: Dict[str, Dict[str, Any]], given: Dict[str, Any]) -> List[Entry]:
     names = [name for name in facts.reads if not is_infrastructure(name)]
     names += [name for name in reconfigure if name not in facts.reads]
     entries = []
     for name in names:
-        entry = {"name": spelled(name)}  # type: Entry
+        entry = {"name": name}  # type: Entry
         known = reconfigure.get(name)
         written = facts.writes.get(name)
         if known:
@@ -141,9 +182,12 @@ def _params(facts: Facts, reconfigure: Dict[str, Dict[str, Any]], given: Dict[st
         elif written is not None and name not in given and type(written) in _KINDS:
             entry["type"] = _KINDS[type(written)]
             entry["default"] = written
-        entry["evidence"] = evidence
+        for key in ("default", "min", "max"):
+            if key in entry and not _is_plain(entry[key]):
+                del entry[key]
         entries.append(entry)
     for name in facts.searches:
+        # Looked for in the node's own namespace first, then upward: relative, as where the search ends.
         if not name.startswith("/") and not is_infrastructure("/" + name):
-            entries.append({"name": spelled(name), "evidence": evidence})
+            entries.append({"name": "{}/{}".format(NAMESPACE, name)})
     return entries

@@ -1,32 +1,94 @@
-"""The processes of one node: all that carry its mark in their environment, whoever their parent is by now."""
+"""The processes of one node: all that carry its mark in their environment or are in its session, whoever their parent is by now."""
 
+import ctypes
 import os
 import signal
 import time
-from typing import Dict, List
+from typing import Dict, List, Set, Tuple
 
 MARK = "LAUNCHLINT_PROBE_MARK"
 
+_STATE, _PARENT, _SESSION, _USER_TIME, _SYSTEM_TIME = 0, 1, 3, 11, 12
+"""Fields of ``/proc/PID/stat`` behind the name (proc(5))."""
+_SET_CHILD_SUBREAPER = 36
+"""Of prctl(2)."""
 
-def marked(mark: str) -> List[int]:
-    """The ids of all processes with this mark, itself excluded. A process may leave its session and its parent, not its environment."""
+
+def adopt() -> None:
+    """From now on orphans below this process become its children: none can get away by forking twice."""
+    try:
+        ctypes.CDLL(None).prctl(_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+    except (OSError, AttributeError):  # no Linux: marks must do
+        return
+
+
+def _fields(process: int) -> List[str]:
+    with open("/proc/{}/stat".format(process), "rb") as file:
+        return file.read().decode("ascii", "replace").rpartition(")")[2].split()
+
+
+def _all() -> List[int]:
+    return [int(name) for name in os.listdir("/proc") if name.isdigit()]
+
+
+def belonging(mark: str, session: int) -> List[int]:
+    """The ids of all living processes of a node. A process may leave its session or clear its environment; few do both, see ``descendants``."""
     wanted = "{}={}".format(MARK, mark).encode()
     found = []
-    for name in os.listdir("/proc"):
-        if not name.isdigit() or int(name) == os.getpid():
+    for process in _all():
+        if process == os.getpid():
             continue
         try:
-            with open("/proc/{}/environ".format(name), "rb") as file:
+            fields = _fields(process)
+            if fields[_STATE] in ("Z", "X"):
+                continue
+            if int(fields[_SESSION]) == session:
+                found.append(process)
+                continue
+            with open("/proc/{}/environ".format(process), "rb") as file:
                 if wanted in file.read().split(b"\0"):
-                    found.append(int(name))
-        except OSError:
+                    found.append(process)
+        except (OSError, IndexError, ValueError):
             continue
     return sorted(found)
 
 
-def _state(process: int) -> List[str]:
-    with open("/proc/{}/stat".format(process), "rb") as file:
-        return file.read().decode("ascii", "replace").rpartition(")")[2].split()
+def descendants() -> Tuple[List[int], List[int]]:
+    """All processes below this one: those that live, and the ids of its own children that have ended and were not asked for."""
+    parents = {}  # type: Dict[int, Tuple[int, str]]
+    for process in _all():
+        try:
+            fields = _fields(process)
+            parents[process] = (int(fields[_PARENT]), fields[_STATE])
+        except (OSError, IndexError, ValueError):
+            continue
+    mine = {os.getpid()}  # type: Set[int]
+    grown = True
+    while grown:
+        more = {process for process, (parent, _) in parents.items() if parent in mine} - mine
+        grown = bool(more)
+        mine |= more
+    mine.discard(os.getpid())
+    ended = [process for process in mine if parents[process][1] in ("Z", "X")]
+    own = [process for process in ended if parents[process][0] == os.getpid()]
+    return sorted(mine - set(ended)), sorted(own)
+
+
+def end_all() -> List[int]:
+    """End whatever is left below this process when all work is done. Returns what could not be ended: nothing, if all is well."""
+    end = time.monotonic() + 3.0
+    while True:
+        living, ended = descendants()
+        for process in ended:
+            try:
+                os.waitpid(process, os.WNOHANG)
+            except OSError:
+                continue
+        if not living or time.monotonic() > end:
+            return living
+        for process in living:
+            _send(process, signal.SIGKILL)
+        time.sleep(0.02)
 
 
 def busy_time(processes: List[int]) -> float:
@@ -34,46 +96,62 @@ def busy_time(processes: List[int]) -> float:
     total = 0.0
     for process in processes:
         try:
-            fields = _state(process)
-            total += int(fields[11]) + int(fields[12])
+            fields = _fields(process)
+            total += int(fields[_USER_TIME]) + int(fields[_SYSTEM_TIME])
         except (OSError, IndexError, ValueError):
             continue
     return total
 
 
-def waiting_for(processes: List[int]) -> Dict[int, str]:
+def prefer_as_victim(process: int) -> None:
+    """Where memory runs out, the kernel ends this process before the probe itself."""
+    try:
+        with open("/proc/{}/oom_score_adj".format(process), "w") as file:
+            file.write("1000")
+    except OSError:
+        return
+
+
+_ORDINARY = ("/dev/null", "/dev/zero", "/dev/pts", "/dev/ptmx", "/dev/tty ", "/dev/random", "/dev/urandom", "/dev/shm", "/dev/full")
+
+
+def open_devices(processes: List[int]) -> List[str]:
     """The devices that these have open, for the diagnosis."""
-    found = {}
+    found = set()
     for process in processes:
         try:
             for name in os.listdir("/proc/{}/fd".format(process)):
                 target = os.readlink("/proc/{}/fd/{}".format(process, name))
-                if target.startswith("/dev/") and not target.startswith(("/dev/null", "/dev/pts", "/dev/ptmx", "/dev/urandom", "/dev/shm")):
-                    found[process] = target
+                if target.startswith("/dev/") and target != "/dev/tty" and not target.startswith(_ORDINARY):
+                    found.add(target)
         except OSError:
             continue
-    return found
+    return sorted(found)
 
 
 def stop(mark: str, group: int, patience: float = 2.0) -> List[int]:
-    """End all processes of a mark: SIGINT, SIGTERM, SIGKILL, each after ``patience`` seconds. Returns what is left: nothing, if all is well."""
-    for sign, wait in ((signal.SIGINT, patience), (signal.SIGTERM, patience / 2), (signal.SIGKILL, 2.0)):
+    """End all processes of a node: SIGINT, SIGTERM, SIGKILL, each after ``patience`` seconds. Returns what is left: nothing, if all is well."""
+    if not belonging(mark, group):
+        return []
+    for sign, wait in ((signal.SIGINT, patience), (signal.SIGTERM, patience / 2)):
         _send_group(group, sign)
-        for process in marked(mark):
-            _send(process, sign)
+        for process in belonging(mark, group):
+            if process != group:
+                _send(process, sign)
         end = time.monotonic() + wait
         while time.monotonic() < end:
-            if not [process for process in marked(mark) if not _is_dead(process)]:
+            if not belonging(mark, group):
                 return []
             time.sleep(0.02)
-    return [process for process in marked(mark) if not _is_dead(process)]
-
-
-def _is_dead(process: int) -> bool:
-    try:
-        return _state(process)[0] in ("Z", "X")
-    except (OSError, IndexError):
-        return True
+    end = time.monotonic() + 3.0
+    while True:  # again and again: what forks all the time may do so between two looks
+        left = belonging(mark, group)
+        if not left or time.monotonic() > end:
+            return left
+        _send_group(group, signal.SIGKILL)
+        for process in left:
+            _send(process, signal.SIGKILL)
+        time.sleep(0.01)
 
 
 def _send(process: int, sign: int) -> None:
@@ -84,6 +162,8 @@ def _send(process: int, sign: int) -> None:
 
 
 def _send_group(group: int, sign: int) -> None:
+    if group <= 1:
+        return
     try:
         os.killpg(group, sign)
     except OSError:

@@ -12,7 +12,7 @@ from typing import Any, Dict, List, Optional, Set, Tuple
 from xmlrpc.server import SimpleXMLRPCDispatcher, SimpleXMLRPCRequestHandler, SimpleXMLRPCServer
 
 SUCCESS, ERROR = 1, -1
-MOST_FACTS = 50000
+MOST_FACTS = 5000
 """Facts of one node; a node that makes up names for ever is stopped by this."""
 LONGEST_BODY = 64 * 1024 * 1024
 """Bytes of one request: a robot_description may be large, what is larger is no request of a node."""

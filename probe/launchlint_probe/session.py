@@ -1,4 +1,4 @@
-"""Running one node against a recorder: start, watch, wake, harvest, stop."""
+"""Running one node, or one launch file, against a recorder: start, watch, wake, harvest, stop."""
 
 import os
 import shlex
@@ -8,8 +8,8 @@ import time
 from typing import Any, Dict, List, Optional, Tuple
 
 from launchlint_probe import processes
-from launchlint_probe.diagnose import Outcome, diagnose
-from launchlint_probe.interface import FULL, NAMESPACE, NODE, interface, is_infrastructure
+from launchlint_probe.diagnose import MOST_PRINTED, Outcome, diagnose
+from launchlint_probe.interface import FULL, NAMESPACE, NODE, Harvest, interface, is_infrastructure, per_node, spelled
 from launchlint_probe.recorder import Recorder
 from launchlint_probe.tcpros import Subscription, reconfigure_description, service_header
 
@@ -17,10 +17,12 @@ STEP = 0.05
 """Seconds between two looks at a node."""
 OUTPUT_KEPT = 64 * 1024
 """Bytes of a node's output that are kept, from its end."""
-OUTPUT_MOST = 64 * 1024 * 1024
-"""Bytes after which a node is stopped: it would fill the disk."""
 MOST_WOKEN = 500
 """Publishers that are connected to."""
+PATIENCE = 5
+"""A node that has contacted the master but registered nothing of its own is given this many times ``quiet``: it may be slow to begin."""
+PLACE = "{}"
+"""Stands in arguments and params for a word that the probe makes up, to find it again in names."""
 
 
 class Plan:
@@ -36,20 +38,37 @@ class Plan:
         quiet: this long nothing new must come before it is taken to be ready.
         limit: it is stopped after this.
         with_name: whether it is given ``__name`` and ``__log``.
+        many: whether it starts nodes rather than being one (a launch file).
+
+    ``tokens`` are the words put where arguments and params say ``{}``, each with the template that stands for it.
     """
 
     def __init__(self, label: str, command: List[str], params: Optional[Dict[str, Any]] = None, remap: Optional[Dict[str, str]] = None,
                  environment: Optional[Dict[str, str]] = None, files: Optional[Dict[str, str]] = None, quiet: float = 1.0, limit: float = 15.0,
-                 with_name: bool = True) -> None:
+                 with_name: bool = True, arguments: str = "", many: bool = False) -> None:
         self.label = label
-        self.command = command
-        self.params = params or {}
+        self.tokens = {}  # type: Dict[str, str]
+        words = shlex.split(arguments)
+        for number, word in enumerate(words, 1):
+            if PLACE in word:
+                words[number - 1] = self._token("arg", number, word, "{{arg:{}}}".format(number))
+        self.command = command + words
+        self.params = dict(params or {})
+        for number, (name, value) in enumerate(sorted(self.params.items()), 1):
+            if isinstance(value, str) and PLACE in value:
+                self.params[name] = self._token("param", number, value, "{{param:{}}}".format(name))
+        self.many = many
         self.remap = remap or {}
         self.environment = environment or {}
         self.files = files or {}
         self.quiet = quiet
         self.limit = limit
         self.with_name = with_name
+
+    def _token(self, kind: str, number: int, text: str, template: str) -> str:
+        made = text.replace(PLACE, "launchlint_{}_{}_".format(kind, number))
+        self.tokens[made.strip("/~")] = template
+        return made
 
 
 def full_name(name: str) -> str:
@@ -79,6 +98,7 @@ def _run(plan: Plan, recorder: Recorder, given: Dict[str, Any], mark: str, direc
     output_path = os.path.join(directory, ".output")
     controller, terminal = os.openpty()
     subscriptions = {}  # type: Dict[Tuple[str, str], Subscription]
+    started = 0
     try:
         with open(output_path, "wb") as output:
             try:
@@ -87,33 +107,39 @@ def _run(plan: Plan, recorder: Recorder, given: Dict[str, Any], mark: str, direc
             except OSError as error:
                 return {"label": plan.label, "status": "failed", "interface": {}, "seconds": 0.0, "left": [],
                         "problems": [{"code": "not-started", "detail": "it cannot be started: {}".format(error.strerror or error)}]}
+        started = process.pid
         os.close(terminal)
         terminal = -1
+        processes.prefer_as_victim(process.pid)
         before, ended = _watch(plan, recorder, process, mark, output_path, began, subscriptions)
-        woken = _woken(recorder, before)
         facts = recorder.facts
-        services = {name: service_header(api, name) for (_, name), (api, _) in list(facts.services.items()) if not is_infrastructure(name)}
+        services = {name: service_header(api, name) for (_, name), (api, _) in list(facts.services.items())[:MOST_WOKEN] if not is_infrastructure(name)}
         headers = {name: each.header for (_, name), each in subscriptions.items() if each.header}
-        reconfigure = _reconfigure(subscriptions)
-        devices = processes.waiting_for(processes.marked(mark))
+        harvest = Harvest(headers, services, _woken(recorder, before), _reconfigure(subscriptions), given, plan.tokens)
+        alive = processes.belonging(mark, process.pid)
+        busy = _is_busy(alive)
+        devices = processes.open_devices(alive)
         timed_out = time.monotonic() - began >= plan.limit and not ended
         for each in subscriptions.values():
             each.close()
         left = processes.stop(mark, process.pid)
-        code = process.wait() if not left else process.poll()
-        text = _tail(output_path)
-        outcome = Outcome(facts, text, code if ended else None, timed_out, sorted(set(devices.values())), os.path.getsize(output_path))
+        code = process.poll() if left else process.wait()
+        outcome = Outcome(facts, _tail(output_path).replace(directory, "."), code if ended else None, timed_out, busy, devices, os.path.getsize(output_path))
         status, problems = diagnose(outcome)
+        found = {}  # type: Dict[str, Any]
+        if status != "not-a-node" and not facts.overflow:
+            found = {"nodes": per_node(facts), "params": _set_params(facts)} if plan.many else interface(facts, harvest)
         return {
             "label": plan.label,
             "status": status,
-            "interface": interface(facts, headers, services, woken, reconfigure, given, plan.label) if status != "not-a-node" else {},
+            "interface": found,
             "problems": problems,
             "seconds": round(time.monotonic() - began, 3),
             "left": left,
         }
     finally:
-        processes.stop(mark, -1, 0.1)
+        if started:
+            processes.stop(mark, started, 0.1)
         os.close(controller)
         if terminal >= 0:
             os.close(terminal)
@@ -132,7 +158,8 @@ def _environment(plan: Plan, recorder: Recorder, mark: str, directory: str) -> D
         "ROS_MASTER_URI": recorder.uri, "ROS_NAMESPACE": NAMESPACE, "ROS_IP": "127.0.0.1", "ROS_HOME": directory, "HOME": directory,
         "ROS_LOG_DIR": directory, "PYTHONUNBUFFERED": "1", "QT_QPA_PLATFORM": "offscreen", processes.MARK: mark,
     })
-    environment.pop("ROS_HOSTNAME", None)
+    for name in ("ROS_HOSTNAME", "DISPLAY", "WAYLAND_DISPLAY"):  # also: no windows on the screen of whoever probes locally
+        environment.pop(name, None)
     # Scripts ask for "python3": that must be the one ROS is installed for, not another one that the user has.
     environment["PATH"] = os.pathsep.join(["/usr/bin", environment.get("PATH", "/bin")])
     return environment
@@ -147,18 +174,17 @@ def _watch(plan: Plan, recorder: Recorder, process: Any, mark: str, output: str,
     last_busy = 0.0
     while True:
         now = time.monotonic()
-        if now - began >= plan.limit or facts.overflow or os.path.getsize(output) > OUTPUT_MOST:
+        if now - began >= plan.limit or facts.overflow or os.path.getsize(output) > MOST_PRINTED:
             return before, False
-        if process.poll() is not None:
-            alive = [each for each in processes.marked(mark)]
-            if not alive:
-                return before, True
-        busy = processes.busy_time(processes.marked(mark))
+        alive = processes.belonging(mark, process.pid)
+        if not alive and process.poll() is not None:
+            return before, True
+        busy = processes.busy_time(alive)
         if busy > last_busy + 1:
             last_busy, idle_since = busy, now
         registered = any(not is_infrastructure(name) for table in (facts.publishers, facts.subscribers, facts.services) for _, name in list(table))
         settled = now - facts.changed >= plan.quiet and (now - idle_since >= min(plan.quiet, 0.5) or now - facts.changed >= 2 * plan.quiet)
-        if facts.nodes and settled and (registered or now - facts.changed >= 2 * plan.quiet):
+        if facts.nodes and settled and (registered or now - facts.changed >= PATIENCE * plan.quiet):
             new = [(api, name) for (_, name), (_, api) in list(facts.publishers.items()) if (api, name) not in subscriptions]
             if before is None:
                 before = set(list(facts.publishers) + list(facts.subscribers) + list(facts.services))
@@ -187,6 +213,18 @@ class _Silent(Subscription):
 _SILENT = _Silent()
 
 
+def _is_busy(alive: List[int]) -> bool:
+    """Whether these compute without pause."""
+    before = processes.busy_time(alive)
+    time.sleep(0.1)
+    return processes.busy_time(alive) - before >= 0.03 * os.sysconf("SC_CLK_TCK")
+
+
+def _set_params(facts: Any) -> List[str]:
+    """The names of the params that a launch file sets."""
+    return sorted({spelled(name) for name in list(facts.writes) if not is_infrastructure(name)})
+
+
 def _woken(recorder: Recorder, before: Any) -> Dict[str, str]:
     facts = recorder.facts
     tables = (facts.publishers, facts.subscribers, facts.services)
@@ -208,8 +246,3 @@ def _tail(path: str) -> str:
         file.seek(0, os.SEEK_END)
         file.seek(max(0, file.tell() - OUTPUT_KEPT))
         return file.read().decode("utf-8", "replace")
-
-
-def split(arguments: str) -> List[str]:
-    """A line of arguments as a list, as roslaunch splits it."""
-    return shlex.split(arguments)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Mapping
 
 from launchlint.workspace.reading import read_bytes
 
@@ -19,16 +19,15 @@ class ModuleFinder:
     """Modules of the packages whose directories are given, by name.
 
     Args:
-        directories: directories of packages, those that win first.
+        packages: directory of each package → its name, those that win first.
     """
 
-    __slots__ = ("_found", "_roots")
+    __slots__ = ("_found", "_packages", "_roots")
 
-    def __init__(self, directories: Iterable[str]) -> None:
-        self._roots: dict[str, tuple[str, ...]] = {each: () for each in directories}
+    def __init__(self, packages: Mapping[str, str]) -> None:
+        self._packages = dict(packages)
+        self._roots: dict[str, tuple[str, ...]] = {each: _roots(each) for each in packages}
         self._found: dict[tuple[str, str], str | None] = {}
-        for each in self._roots:
-            self._roots[each] = _roots(each)
 
     def find(self, name: str, beside: str, package: str) -> str | None:
         """The file of module ``name`` (dotted) for a script in the directory ``beside`` of the package at ``package``; None where there is none.
@@ -55,12 +54,11 @@ class ModuleFinder:
 
     def configuration(self, package: str, name: str) -> str | None:
         """The ``.cfg`` file that makes ``package.cfg.<name>Config``."""
-        for directory in self._roots:
-            if os.path.basename(directory) == package:
-                for below in ("cfg", ""):
-                    path = os.path.join(directory, below, f"{name}.cfg")
-                    if os.path.isfile(path):
-                        return path
+        for directory, owner in self._packages.items():
+            for below in ("cfg", "") if owner == package else ():
+                path = os.path.join(directory, below, f"{name}.cfg")
+                if os.path.isfile(path):
+                    return path
         return None
 
     def _look(self, root: str, relative: str) -> str | None:

@@ -20,6 +20,9 @@ NODE = "\ue000"
 NAMESPACE = "\ue001"
 """In a :class:`Text`: the node's namespace as rospy.get_namespace gives it, with a slash at its end."""
 
+ITEMS, ENTRIES, COMPLETE = "\0items", "\0entries", "\0complete"
+"""Keys of the content of lists and dicts; no attribute can be called so."""
+
 MOST_ALTERNATIVES = 8
 MOST_ITEMS = 256
 LONGEST_TEXT = 1_000
@@ -65,18 +68,18 @@ class Seq:
     __slots__ = ("content",)
 
     def __init__(self, items: list[Value], complete: bool = True) -> None:
-        self.content: dict[Any, Any] = {"items": items[:MOST_ITEMS], "complete": complete and len(items) <= MOST_ITEMS}
+        self.content: dict[Any, Any] = {ITEMS: items[:MOST_ITEMS], COMPLETE: complete and len(items) <= MOST_ITEMS}
 
     @property
     def items(self) -> list[Value]:
         """The items that are known, in order."""
-        items: list[Value] = self.content["items"]
+        items: list[Value] = self.content[ITEMS]
         return items
 
     @property
     def complete(self) -> bool:
         """Whether there are no others."""
-        return bool(self.content["complete"])
+        return bool(self.content[COMPLETE])
 
 
 class Map:
@@ -85,18 +88,18 @@ class Map:
     __slots__ = ("content",)
 
     def __init__(self, entries: dict[Any, Value], complete: bool = True) -> None:
-        self.content: dict[Any, Any] = {"entries": entries, "complete": complete}
+        self.content: dict[Any, Any] = {ENTRIES: entries, COMPLETE: complete}
 
     @property
     def entries(self) -> dict[Any, Value]:
         """What is known of it."""
-        entries: dict[Any, Value] = self.content["entries"]
+        entries: dict[Any, Value] = self.content[ENTRIES]
         return entries
 
     @property
     def complete(self) -> bool:
         """Whether there is nothing else in it."""
-        return bool(self.content["complete"])
+        return bool(self.content[COMPLETE])
 
 
 class Argv(NamedTuple):

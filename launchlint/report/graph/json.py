@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 
 from launchlint.graph.containment import Port, ports
-from launchlint.graph.difference import Difference, Link
-from launchlint.graph.topology import Connection, Topology
+from launchlint.graph.difference import Difference, Link, moved
+from launchlint.graph.topology import Connection, Topology, TopologyNode
+from launchlint.report.escape import no_surrogates
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
 def text(value: Any) -> str:
     """JSON that any strict reader takes, indented, with a newline at its end."""
-    return json.dumps(value, indent=2, ensure_ascii=True) + "\n"
+    return json.dumps(_strict(value), indent=2, allow_nan=False) + "\n"
 
 
 def as_object(topology: Topology) -> dict[str, Any]:
@@ -24,7 +25,7 @@ def as_object(topology: Topology) -> dict[str, Any]:
         "entry": topology.entry,
         "configurations": list(topology.configurations),
         "complete": topology.complete,
-        "nodes": [{**node._asdict(), "open": dict(node.open)} for node in topology.nodes],
+        "nodes": [_node(node) for node in topology.nodes],
         "channels": [channel._asdict() for channel in topology.channels],
         "connections": [_connection(connection) for connection in topology.connections],
         "params": [param._asdict() for param in topology.params],
@@ -52,13 +53,16 @@ def difference_as_object(changes: Difference) -> dict[str, Any]:
     """All that changed."""
     return {
         "entry": changes.after.entry,
+        "entry_before": changes.before.entry,
+        "configurations": {"before": list(changes.before.configurations), "after": list(changes.after.configurations)},
         "uncertain": changes.uncertain,
         "lost": [_link(link) for link in changes.lost],
         "gained": [_link(link) for link in changes.gained],
+        "moved": dict(moved(changes)),
         "nodes": {
-            "added": [node._asdict() for node in changes.nodes_added],
-            "removed": [node._asdict() for node in changes.nodes_removed],
-            "changed": [{"before": each.before._asdict(), "after": each.after._asdict()} for each in changes.nodes_changed],
+            "added": [_node(node) for node in changes.nodes_added],
+            "removed": [_node(node) for node in changes.nodes_removed],
+            "changed": [{"before": _node(each.before), "after": _node(each.after)} for each in changes.nodes_changed],
         },
         "channels": {
             "added": [channel._asdict() for channel in changes.channels_added],
@@ -74,4 +78,21 @@ def difference_as_object(changes: Difference) -> dict[str, Any]:
 
 
 def _link(link: Link) -> dict[str, Any]:
-    return {**link._asdict(), "connection": _connection(link.connection)}
+    return {
+        **link._asdict(),
+        "before": None if link.before is None else _connection(link.before),
+        "after": None if link.after is None else _connection(link.after),
+    }
+
+
+def _node(node: TopologyNode) -> dict[str, Any]:
+    return {**node._asdict(), "open": dict(node.open)}
+
+
+def _strict(value: Any) -> Any:
+    """``value`` without lone surrogates, which strict readers refuse."""
+    if isinstance(value, str):
+        return no_surrogates(value)
+    if isinstance(value, dict):
+        return {no_surrogates(key): _strict(item) for key, item in value.items()}
+    return [_strict(item) for item in value] if isinstance(value, (list, tuple)) else value

@@ -1,150 +1,189 @@
-"""The connection graph and its changes for people in a terminal."""
+"""The connection graph for people in a terminal."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
-from launchlint.graph.difference import Difference, Link
-from launchlint.graph.topology import Connection, Topology, TopologyNode
+from launchlint.graph.partners import Partners, meet
+from launchlint.graph.topology import Connection, Topology, TopologyNode, TopologyParam
 from launchlint.report.escape import line_start, visible
+from launchlint.report.graph.words import DOES, MISSED, listed, number, place, remapped, when
 
-MOST_PEERS = 8
-"""Names of peers on one line."""
-
-_SIGNS = {
-    "publisher": "publishes",
-    "subscriber": "subscribes",
-    "server": "serves",
-    "client": "calls",
-    "action server": "serves action",
-    "action client": "calls action",
-}
-_ALONE = {
-    "publisher": "publishes, and nobody subscribes",
-    "subscriber": "subscribes, and nobody publishes",
-    "server": "serves, and nobody calls",
-    "client": "calls, and nobody serves",
-    "action server": "serves actions that nobody calls",
-    "action client": "calls actions that nobody serves",
-}
+MOST_PARTNERS = 6
+"""Names of partners on one line."""
+MOST_PARAMS = 12
+"""Params of a node that are shown."""
+LONGEST_VALUE = 40
+WIDTH = 110
+"""Columns after which a list of names goes on in the next line."""
+WIDEST_NAME = 44
+"""Columns that are kept free for names, so that partners stand below each other."""
 
 
-def render(topology: Topology) -> str:
-    """One block for each node: what it says and hears, who is at the other end, and what renamed it."""
-    sides: dict[tuple[str, str, bool], list[str]] = {}
+def render(topology: Topology, complete: Topology | None = None, *, dangling: bool = False) -> str:
+    """One block for each node: what it says and hears, who is at the other end, and what renamed it.
+
+    ``complete`` is the topology from which this one was selected. With ``dangling`` names that a node may have and nobody else uses are
+    shown, too.
+    """
     mine: dict[str, list[Connection]] = {}
     for connection in topology.connections:
-        sides.setdefault((connection.kind, connection.name, connection.offers), []).append(connection.node)
         mine.setdefault(connection.node, []).append(connection)
+    read: dict[str, list[TopologyParam]] = {}
+    for param in topology.params:
+        for reader in param.readers:
+            read.setdefault(reader, []).append(param)
+    partners = Partners(topology)
+    hidden = {connection.node for connection in (complete or topology).connections}
     lines = [f"{line_start(topology.entry)}: {_counts(topology)}"]
     for node in topology.nodes:
-        lines += ["", *_node(node), *_connections(mine.get(node.name, ()), sides)]
+        here = [connection for connection in mine.get(node.name, ()) if meet(connection.only, node.only)]
+        rows = [
+            *_unknown(node),
+            *_rows(here, partners, node, topology, dangling=dangling),
+            *_params(read.get(node.name, ()), node, topology),
+        ]
+        if not rows:
+            rows = ["    " + ("says and hears only what is not shown here" if node.name in hidden else "says and hears nothing")]
+        lines += ["", _head(node, topology), *rows]
+    if complete is not None:
+        lines += _not_shown(topology, complete)
     return "\n".join(lines) + "\n"
 
 
 def _counts(topology: Topology) -> str:
-    unknown = sum(node.knowledge == "unknown" for node in topology.nodes)
-    nodes = _number(len(topology.nodes), "node") + (f" ({unknown} unknown)" if unknown else "")
-    both = _connected(topology)
-    configurations = f", {len(topology.configurations)} configurations" if len(topology.configurations) > 1 else ""
-    missing = "" if topology.complete else "; an include could not be followed, so there may be more"
-    channels = _number(len(topology.channels), "topic, service or action", "topics, services and actions")
-    return f"{nodes}, {channels}, {both} of them connected{configurations}{missing}"
-
-
-def _connected(topology: Topology) -> int:
+    names = {node.name for node in topology.nodes}
+    unknown = len({node.name for node in topology.nodes if node.knowledge == "unknown"})
+    nodes = number(len(names), "node") + (f" ({unknown} unknown)" if unknown else "")
     offered = {(each.kind, each.name) for each in topology.connections if each.offers}
-    return len(offered & {(each.kind, each.name) for each in topology.connections if not each.offers})
+    used = {(each.kind, each.name) for each in topology.connections if not each.offers}
+    kinds = []
+    for kind in ("topic", "service", "action"):
+        every = sum(each.kind == kind for each in topology.channels)
+        if every:
+            kinds.append(f"{sum(each[0] == kind for each in offered & used)} of {number(every, kind)}")
+    said = [nodes]
+    if kinds:
+        said.append(f"{', '.join(kinds[:-1])}{' and ' if len(kinds) > 1 else ''}{kinds[-1]} connected")
+    if len(topology.configurations) > 1:
+        said.append(f"{len(topology.configurations)} configurations")
+    if not topology.complete:
+        said.append("an include could not be followed, so there may be more")
+    return "; ".join(said)
 
 
-def _number(count: int, one: str, many: str = "") -> str:
-    return f"{count} {one if count == 1 else many or one + 's'}"
-
-
-def _node(node: TopologyNode) -> Iterator[str]:
+def _head(node: TopologyNode, topology: Topology) -> str:
     details = [visible(node.program)]
     if node.kind == "nodelet":
-        details.append(f"in {visible(node.host)}" if node.host and node.host != node.name else "in a manager that is not here")
+        details.append(
+            f"in {visible(node.host)}"
+            if node.host and node.host != node.name
+            else "its manager is not here"
+            if not node.host
+            else "standalone"
+        )
     elif node.kind == "manager":
         details.append("nodelet manager")
+    if node.is_test:
+        details.append("test")
     if node.conditions:
         details.append(visible(" ".join(node.conditions)))
     if node.only:
-        details.append(f"only with {_only(node.only)}")
-    yield f"{visible(node.name)}  {', '.join(details)}  ({visible(node.place)})"
+        details.append(when(node.only, topology.configurations))
+    return f"{visible(node.name)}  {', '.join(details)}  {place(node.place)}"
+
+
+def _unknown(node: TopologyNode) -> Iterator[str]:
     if node.knowledge == "unknown":
         yield f"    what it does is not known: {visible(node.reason)}"
+    reasons: dict[str, list[str]] = {}
     for category, reason in node.open:
-        yield f"    may have more {category}: {visible(reason)}"
+        reasons.setdefault(reason, []).append(category)
+    for reason, categories in reasons.items():
+        every = f"{', '.join(categories[:-1])} and {categories[-1]}" if len(categories) > 1 else categories[0]
+        yield f"    may have more {every}: {visible(reason)}"
 
 
-def _only(only: Iterable[str]) -> str:
-    return visible(" or ".join(each or "the default args" for each in only))
+def _rows(
+    connections: Sequence[Connection], partners: Partners, node: TopologyNode, topology: Topology, *, dangling: bool
+) -> Iterator[str]:
+    met = [each for each in connections if partners.count(each) or partners.is_its_own(each) or remapped(each.remaps)]
+    alone = [each for each in connections if not (partners.count(each) or partners.is_its_own(each) or remapped(each.remaps))]
+    verbs = [_verb(each) for each in met]
+    first = max(map(len, verbs), default=0)
+    second = min(max((len(visible(each.name)) for each in met), default=0), WIDEST_NAME)
+    for each, verb in zip(met, verbs, strict=True):
+        arrow = "→" if each.offers else "←"
+        type_ = f"  ({visible(each.type)})" if each.type else ""
+        only = "" if each.only == node.only else f"  [{when(each.only, topology.configurations)}]" if each.only else ""
+        yield f"    {verb:{first}}  {visible(each.name):{second}}  {arrow} {_partners(each, partners)}{type_}{only}"
+        if remapped(each.remaps):
+            yield f"    {'':{first}}    {remapped(each.remaps)}"
+    yield from _alone(alone, node, topology, dangling=dangling)
 
 
-def _connections(connections: Iterable[Connection], sides: dict[tuple[str, str, bool], list[str]]) -> Iterator[str]:
-    alone: dict[str, list[str]] = {}
-    for connection in connections:
-        peers = sides.get((connection.kind, connection.name, not connection.offers), [])
-        perhaps = "" if connection.certain else "perhaps "
-        only = f" (only with {_only(connection.only)})" if connection.only else ""
-        if not peers and not connection.remaps:
-            alone.setdefault(f"{perhaps}{_ALONE[connection.role]}", []).append(visible(connection.name) + only)
+def _verb(connection: Connection) -> str:
+    return DOES[connection.role] if connection.certain else f"perhaps {DOES[connection.role]}"
+
+
+def _partners(connection: Connection, partners: Partners) -> str:
+    others = listed(partners.of(connection, MOST_PARTNERS), partners.count(connection))
+    return ", ".join(filter(None, (others, "itself" if partners.is_its_own(connection) else ""))) or "nobody"
+
+
+def _alone(connections: Iterable[Connection], node: TopologyNode, topology: Topology, *, dangling: bool) -> Iterator[str]:
+    lists: dict[str, dict[str, None]] = {}
+    perhaps = 0
+    for each in connections:
+        if not each.certain and not dangling:
+            perhaps += 1
             continue
-        shown = ", ".join(visible(peer) for peer in peers[:MOST_PEERS]) or "nobody"
-        more = f" and {len(peers) - MOST_PEERS} more" if len(peers) > MOST_PEERS else ""
-        type_ = f" ({visible(connection.type)})" if connection.type else ""
-        arrow = "→" if connection.offers else "←"
-        yield f"    {perhaps}{_SIGNS[connection.role]} {visible(connection.name)}{type_} {arrow} {shown}{more}{only}"
-        for step in connection.remaps:
-            where = visible(step.place) if step.place else "its args"
-            yield f"        {visible(step.source)} is remapped to {visible(step.target)} ({where})"
-    for what, names in alone.items():
-        yield f"    {what}: {', '.join(names)}"
+        only = "" if each.only == node.only or not each.only else f" [{when(each.only, topology.configurations)}]"
+        said = f"{'' if each.certain else 'perhaps, and '}{MISSED[each.role]}"
+        lists.setdefault(said, {})[visible(each.name) + only] = None
+    for said, names in lists.items():
+        yield from _wrapped(f"    {said}: ", list(names))
+    if perhaps:
+        yield f"    perhaps {number(perhaps, 'more name')} that nobody else uses (--dangling shows {'it' if perhaps == 1 else 'them'})"
 
 
-def render_difference(changes: Difference) -> str:
-    """What changed, the lost links first; empty where nothing did."""
-    if changes.is_empty:
-        return ""
-    lines = [f"{line_start(changes.after.entry)}:"]
-    lines += [f"  lost: {_link(link)}" for link in changes.lost]
-    lines += [f"  gained: {_link(link)}" for link in changes.gained]
-    if changes.lost and changes.uncertain:
-        lines.append("  (a node that is not known came in: it may do what seems lost)")
-    lines += [f"  - node {visible(node.name)} ({visible(node.program)})" for node in changes.nodes_removed]
-    lines += [f"  + node {visible(node.name)} ({visible(node.program)})" for node in changes.nodes_added]
-    for node in changes.nodes_changed:
-        lines.append(f"  ~ node {visible(node.after.name)}: {_changed_node(node.before, node.after)}")
-    lines += [f"  - {channel.kind} {visible(channel.name)}" for channel in changes.channels_removed]
-    lines += [f"  + {channel.kind} {visible(channel.name)}" for channel in changes.channels_added]
-    for channel in changes.channels_changed:
-        before, after = (" and ".join(each.types) or "unknown type" for each in channel)
-        lines.append(f"  ~ {channel.after.kind} {visible(channel.after.name)}: {visible(before)} → {visible(after)}")
-    for change in changes.connections_changed:
-        lines.append(f"  ~ {_side(change.before)} → {_end(change.before, change.after)}")
-    lines += [f"  - {_side(connection)}" for connection in changes.connections_removed]
-    lines += [f"  + {_side(connection)}" for connection in changes.connections_added]
-    return "\n".join(lines) + "\n"
+def _params(params: Sequence[TopologyParam], node: TopologyNode, topology: Topology) -> Iterator[str]:
+    words = []
+    for param in params[:MOST_PARAMS]:
+        private = param.name.startswith(f"{node.name}/")
+        name = f"~{param.name[len(node.name) + 1 :]}" if private else param.name
+        value = param.value if len(param.value) <= LONGEST_VALUE else f"{param.value[: LONGEST_VALUE - 1]}…"
+        only = f" [{when(param.only, topology.configurations)}]" if param.only and param.only != node.only else ""
+        words.append(visible(f"{name} = {value}") + only)
+    if len(params) > MOST_PARAMS:
+        words.append(f"and {len(params) - MOST_PARAMS} more")
+    if words:
+        yield from _wrapped("    reads ", words)
 
 
-def _link(link: Link) -> str:
-    more = f" and {link.total - len(link.partners)} more" if link.total > len(link.partners) else ""
-    partners = ", ".join(visible(each) for each in link.partners) + more
-    arrow = "→" if link.connection.offers else "←"
-    return f"{visible(link.connection.node)} {_SIGNS[link.connection.role]} {visible(link.name)} {arrow} {partners}"
+def _wrapped(start: str, words: Sequence[str]) -> Iterator[str]:
+    """``words`` after ``start``, with commas, in as many lines as it takes; a word is never broken."""
+    line = start + words[0]
+    for word in words[1:]:
+        if len(line) + len(word) + 2 > WIDTH:
+            yield f"{line},"
+            line = " " * min(len(start), 8) + word
+        else:
+            line += f", {word}"
+    yield line
 
 
-def _side(connection: Connection) -> str:
-    return f"{visible(connection.node)} {_SIGNS[connection.role]} {visible(connection.name)}"
-
-
-def _end(before: Connection, after: Connection) -> str:
-    return visible(after.name) if after.name != before.name else f"type {visible(after.type or 'unknown')}"
-
-
-def _changed_node(before: TopologyNode, after: TopologyNode) -> str:
-    for what, old, new in (("program", before.program, after.program), ("process", before.host, after.host)):
-        if old != new:
-            return f"{what} {visible(old or 'unknown')} → {visible(new or 'unknown')}"
-    return f"{before.knowledge} → {after.knowledge}"
+def _not_shown(topology: Topology, complete: Topology) -> Iterator[str]:
+    """Which names were left out, where no more than a kind of names was."""
+    shown = {(each.kind, each.name) for each in topology.channels}
+    left = [each for each in complete.channels if (each.kind, each.name) not in shown]
+    hubs = [each.name for each in left if each.hub]
+    plumbing = sum(each.plumbing and not each.hub for each in left)
+    said = []
+    if hubs:
+        said.append(f"{listed(hubs[:MOST_PARTNERS], len(hubs))} (--hubs)")
+    if plumbing:
+        said.append(f"{number(plumbing, 'name')} of plumbing (--plumbing)")
+    if said:
+        yield ""
+        yield f"not shown: {', '.join(said)}"

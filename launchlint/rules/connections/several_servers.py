@@ -48,9 +48,16 @@ from launchlint.rules.view import GraphView
 RULE = Rule("LL615", "several-servers", Severity.ERROR)
 
 
+Clash = tuple[Channel, list[Endpoint]]
+
+
 def check(view: GraphView) -> Iterator[Finding]:
-    """Look at every service and action (rosmaster's registerService, actionlib's ActionServer)."""
+    """Look at every service and action (rosmaster's registerService, actionlib's ActionServer).
+
+    What the same servers share is told once: two copies of a node share all that they serve.
+    """
     known: Owners | None = None
+    clashes: dict[tuple[str, ...], list[Clash]] = {}
     for channel in view.graph.channels.values():
         if channel.kind == "topic" or len(channel.offers) < 2:
             continue
@@ -61,29 +68,39 @@ def check(view: GraphView) -> Iterator[Finding]:
             if endpoint.certain and not endpoint.is_plumbing and endpoint.process and not known[id(endpoint)].node.is_test:
                 servers.setdefault(endpoint.process, endpoint)
         if len(servers) > 1:
-            yield _finding(channel, list(servers.values()), known)
+            clashes.setdefault(tuple(servers), []).append((channel, list(servers.values())))
+    for shared in clashes.values():
+        assert known is not None
+        yield _finding(shared, known)
 
 
-def _finding(channel: Channel, servers: list[Endpoint], known: Owners) -> Finding:
+def _is_called(channel: Channel) -> bool:
+    """Whether the clash does harm in this launch: an action's servers hear each goal, a service's matter when somebody calls it."""
+    return channel.kind == "action" or any(use.certain for use in channel.uses)
+
+
+def _finding(shared: list[Clash], known: Owners) -> Finding:
+    channel, servers = next((clash for clash in shared if _is_called(clash[0])), shared[0])
     first, *_, last = servers
-    called = channel.kind == "action" or any(use.certain for use in channel.uses)
     names = ", ".join(sorted(server.node for server in servers)[:4]) + (" …" if len(servers) > 4 else "")
     if channel.kind == "action":
         effect = "each of them takes every goal, and clients hear all of them"
-    elif called:
-        effect = (
-            f"{next(use.node for use in channel.uses if use.certain)} gets the one that registers last, which changes from start to start"
-        )
     else:
-        effect = "who calls it gets the one that registers last, which changes from start to start"
+        caller = next((use.node for use in channel.uses if use.certain), "who calls it")
+        effect = f"{caller} gets the one that registers last, which changes from start to start"
+    others = [other.name for other, _ in shared if other is not channel]
+    also = []
+    if others:
+        more = f" and {len(others) - 6} more" if len(others) > 6 else ""
+        also.append(f"they share {', '.join(others[:6])}{more}, too")
     notes = [words for words in (how(server, known[id(server)]) for server in (first, last)) if words]
     return RULE.at(
         acting_origin(last, known[id(last)]),
         f"the {channel.kind} {channel.name} has {len(servers)} servers: {names}",
-        severity=None if called else Severity.WARNING,
+        severity=None if _is_called(channel) else Severity.WARNING,
         label="serves it, too",
         related=((node_origin(known[id(first)]).place, f"{first.node} serves it"),),
-        notes=(effect, *notes),
+        notes=(effect, *also, *notes),
         help="remap it for all but one of them, put them into namespaces of their own, or start only one",
         topic=f"{channel.kind} {channel.name}",
     )

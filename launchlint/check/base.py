@@ -1,0 +1,43 @@
+"""``check --base``: what the connections of each entry file have lost since another revision."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from launchlint.check.entry import EntryChecker, EntryResult
+from launchlint.check.file import internal_error, run_rule
+from launchlint.check.graphs import Revision, graphs_of, revision
+from launchlint.finding import Finding
+from launchlint.graph.difference import difference
+from launchlint.graph.topology import topology
+from launchlint.rules.registry import Entry
+from launchlint.rules.rule import Fine
+from launchlint.rules.view import BaseView
+
+
+def with_losses(results: Sequence[EntryResult], checker: EntryChecker, base: str) -> list[EntryResult]:
+    """``results`` with the findings of the rules that compare with the revision ``base``.
+
+    Raises:
+        UsageError: there is no such revision, or no git.
+    """
+    rules = [rule for rule in checker.rules if rule.view == "base"]
+    with revision(checker.options, base) as old:
+        return [_compared(result, checker, old, base, rules) for result in results] if rules else list(results)
+
+
+def _compared(result: EntryResult, checker: EntryChecker, old: Revision, base: str, rules: Sequence[Entry]) -> EntryResult:
+    request = old.request(result.request)
+    if request is None:
+        return result
+    try:
+        after = tuple(graphs_of(checker, result.request, every_configuration=True))
+        before = graphs_of(old.checker, request, every_configuration=True)
+        view = BaseView(base, difference(topology(before), topology(after)), after)
+    except Exception as error:  # one file must never take the run down
+        return result._replace(findings=(*result.findings, internal_error("the comparison", result.path, error)))
+    told: list[Finding] = []
+    for rule in rules:
+        told.extend(found for found in run_rule(rule, view, result.path) if not isinstance(found, Fine))
+    at_home = (each._replace(entry=result.path, arguments=each.arguments or result.request.arguments, entries=1) for each in told)
+    return result._replace(findings=(*result.findings, *at_home))

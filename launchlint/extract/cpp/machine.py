@@ -1,0 +1,306 @@
+"""Follows a program from its start: which calls of the ROS interface are reached, and with what names.
+
+Nothing is run. Values that matter to names (text, numbers, node handles, objects and functions) are followed through variables, members,
+parameters and calls; both sides of an ``if`` are followed, and what they leave behind is joined. All of it is bounded in steps and depth.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Does
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from launchlint.extract.cpp import classes, expressions, statements
+from launchlint.extract.cpp.declarations import Declarations, Function, Parameter, parameters_of
+from launchlint.extract.cpp.frame import Frame
+from launchlint.extract.cpp.naming import ANY, Names, finished
+from launchlint.extract.cpp.spelled_type import UNTYPED, Type
+from launchlint.extract.cpp.syntax import Node
+from launchlint.extract.cpp.values import NULL, UNKNOWN, Callable, Cell, Closure, Either, Text, Thing, Unknown, Value, both, choices, either
+from launchlint.extract.fact import Doubt, Fact
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+_MOST_STEPS = 250_000
+_DEEPEST = 110
+_DEEPEST_CALL = 22
+_MOST_PENDING = 2_000
+_MOST_FACTS = 5_000
+_LONGEST_CONDITION = 160
+_LARGEST_IRRELEVANT = 4_000
+_CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
+
+
+class Argument(NamedTuple):
+    """An argument of a call: its value, the variable it stands in, and its source."""
+
+    value: Value
+    cell: Cell | None = None
+    node: Node | None = None
+
+
+class Pending(NamedTuple):
+    """A function that is called later."""
+
+    function: Callable | Closure
+    when: str
+    conditions: tuple[str, ...]
+
+
+class Machine:
+    """One run over one program."""
+
+    def __init__(self, declarations: Declarations) -> None:
+        self.declarations = declarations
+        self.names = Names(declarations)
+        self.facts: dict[Fact, None] = {}
+        self.doubts: dict[Doubt, None] = {}
+        self.conditions: list[str] = []
+        self.when = "start"
+        self.horizon = 0
+        self.touched = False
+        self.serial = 0
+        self.steps = 0
+        self.depth = 0
+        self.calls: list[Function] = []
+        self.journals: list[dict[Cell, Value]] = []
+        self.pending: list[Pending] = []
+        self.queued: set[object] = set()
+        self.globals: dict[str, Cell] = {}
+        self.temporary = Frame("", "", None, {})
+
+    # -- following ----------------------------------------------------------------------------------------------------
+
+    def evaluate(self, node: Node | None, frame: Frame) -> Value:
+        """The value of an expression."""
+        if node is None or not self.step():
+            return UNKNOWN
+        self.depth += 1
+        try:
+            return expressions.evaluate(self, node, frame)
+        finally:
+            self.depth -= 1
+
+    def execute(self, node: Node, frame: Frame) -> str:
+        """Follow a statement; ``return``, ``break``, ``continue``, or empty where the next one is reached."""
+        if not self.step():
+            return ""
+        self.depth += 1
+        try:
+            return statements.execute(self, node, frame)
+        finally:
+            self.depth -= 1
+
+    def step(self) -> bool:
+        """Count one step; whether there may be another one."""
+        self.steps += 1
+        if self.steps == _MOST_STEPS:
+            self.doubt_all("the program is too long to be followed to its end", self.temporary.path, 1)
+        return self.steps < _MOST_STEPS and self.depth < _DEEPEST
+
+    def finish(self) -> None:
+        """Follow the functions that are called later, until there are no more."""
+        while self.pending and self.steps < _MOST_STEPS:
+            later = self.pending.pop(0)
+            self.when, self.conditions, self.horizon = later.when, list(later.conditions), self.serial + 1
+            self.invoke(later.function, [])
+
+    # -- variables ----------------------------------------------------------------------------------------------------
+
+    def cell(self, value: Value, type_: Type = UNTYPED, constant: bool = False) -> Cell:
+        """A new variable."""
+        self.serial += 1
+        return Cell(value, type_, self.serial, constant)
+
+    def read(self, cell: Cell) -> Value:
+        """The value of a variable; one from before the current loop or callback may have another one by then."""
+        if cell.serial < self.horizon and not cell.constant:
+            self.touched = True
+        return cell.value
+
+    def write(self, cell: Cell, value: Value) -> None:
+        """Assign."""
+        if self.journals:
+            self.journals[-1].setdefault(cell, cell.value)
+        cell.value = value
+
+    def branch(self, runs: Sequence[tuple[str, Does[[], str]]]) -> str:
+        """Follow several ways, each under its condition, and join what they leave behind."""
+        outcomes: list[tuple[str, str, dict[Cell, Value]]] = []
+        for condition, run in runs:
+            self.journals.append({})
+            if condition:
+                self.conditions.append(condition)
+            try:
+                signal = run()
+            finally:
+                if condition:
+                    self.conditions.pop()
+                before = self.journals.pop()
+            outcomes.append((condition, signal, {cell: cell.value for cell in before}))
+            for cell, value in before.items():
+                cell.value = value
+        going = [each for each in outcomes if not each[1]] or outcomes
+        cells: dict[Cell, None] = {}
+        for _, _, written in going:
+            cells.update(dict.fromkeys(written))
+        for cell in cells:
+            self.write(cell, either([(condition, written.get(cell, cell.value)) for condition, _, written in going]))
+        signals = {signal for _, signal, _ in outcomes}
+        if "" in signals or not signals:
+            return ""
+        return "return" if signals == {"return"} else sorted(signals)[0]
+
+    def once_or_more(self, run: Does[[], str]) -> str:
+        """Follow the body of a loop of which nobody knows how often it runs."""
+        self.journals.append({})
+        horizon, self.horizon = self.horizon, self.serial + 1
+        try:
+            signal = run()
+        finally:
+            self.horizon = horizon
+            before = self.journals.pop()
+        after = {cell: cell.value for cell in before}
+        for cell, value in before.items():
+            cell.value = value
+        for cell, value in after.items():
+            self.write(cell, statements.after_loop(before[cell], value))
+        return signal
+
+    # -- calls --------------------------------------------------------------------------------------------------------
+
+    def later(self, function: Value, when: str, conditions: tuple[str, ...] | None = None) -> None:
+        """Have a function called when the start is over: a callback, a thread."""
+        for _, each in choices(function):
+            if not isinstance(each, (Callable, Closure)) or len(self.pending) > _MOST_PENDING:
+                continue
+            now = when if self.when == "start" or when == "message" else self.when
+            bound = each.bound if isinstance(each, Callable) else None
+            key = (each.functions, each.this, bound, now) if isinstance(each, Callable) else (each.node, each.frame.this, now)
+            if key not in self.queued:
+                self.queued.add(key)
+                self.pending.append(Pending(each, now, tuple(self.conditions if conditions is None else conditions)))
+
+    def invoke(self, function: Value, arguments: Sequence[Argument]) -> Value:
+        """Call a function value."""
+        if isinstance(function, Either):
+            return either([(condition, self.invoke(each, arguments)) for condition, each in function.choices])
+        if isinstance(function, Closure):
+            return self._closure(function, arguments)
+        if not isinstance(function, Callable):
+            return UNKNOWN
+        this = function.this
+        given = list(arguments)
+        if function.bound is not None:
+            given = [Argument(arguments[each] if False else UNKNOWN) if isinstance(each, int) else Argument(each) for each in function.bound]
+            for position, each in enumerate(function.bound):
+                if isinstance(each, int) and 0 <= each < len(arguments):
+                    given[position] = arguments[each]
+        if this is None and given and function.functions and function.functions[0].owner:
+            first = given[0].value
+            if isinstance(first, Thing):
+                this, given = first, given[1:]
+        found = classes.chosen(self, function.functions, given if arguments or function.bound is not None else None, this)
+        return UNKNOWN if found is None else self.call(found, this, given)
+
+    def call(self, function: Function, this: Thing | None, arguments: Sequence[Argument], bindings: dict[str, Type] | None = None) -> Value:
+        """Follow a function of the program with these arguments."""
+        if function.body is None or len(self.calls) >= _DEEPEST_CALL or self.depth > _DEEPEST - 20 or self.calls.count(function) > 1:
+            return UNKNOWN
+        if function.body.size > _LARGEST_IRRELEVANT and not classes.is_relevant(self, function):
+            return UNKNOWN
+        owner = self.declarations.classes.get(function.owner)
+        known = dict(classes.bindings_in(self, this, owner)) if this is not None else {}
+        known.update(bindings or {})
+        frame = Frame(function.path, function.scope, this, known)
+        self.calls.append(function)
+        horizon = self.horizon
+        try:
+            self.bind(function.parameters, classes.with_defaults(self, function), arguments, frame)
+            if function.last == function.owner.rpartition("::")[2]:
+                classes.initialise(self, function, this, frame)
+            self._body(function.body, frame)
+        finally:
+            self.calls.pop()
+            self.horizon = horizon
+        return either(frame.returns) if frame.returns else UNKNOWN
+
+    def _body(self, body: Node, frame: Frame) -> None:
+        """Follow a body, and take the conditions of its early returns off afterwards."""
+        conditions = list(self.conditions)
+        self.execute(body, frame)
+        self.conditions = conditions
+
+    def _closure(self, closure: Closure, arguments: Sequence[Argument]) -> Value:
+        body = closure.node.field("body")
+        if body is None or len(self.calls) >= _DEEPEST_CALL or self.depth > _DEEPEST - 20:
+            return UNKNOWN
+        outer = closure.frame
+        frame = Frame(outer.path, outer.scope, outer.this, {}, outer)
+        parameters = self.parameters(closure)
+        self.bind(parameters, {}, arguments, frame)
+        self._body(body, frame)
+        return either(frame.returns) if frame.returns else UNKNOWN
+
+    def parameters(self, closure: Closure) -> tuple[Parameter, ...]:
+        """The parameters of a lambda."""
+        declarator = closure.node.field("declarator")
+        return parameters_of(declarator.field("parameters")) if declarator else ()
+
+    def bind(self, parameters: Sequence[Parameter], defaults: dict[int, Node], arguments: Sequence[Argument], frame: Frame) -> None:
+        """Give the parameters their values; references are the variable itself."""
+        for position, parameter in enumerate(parameters):
+            default = parameter.default or defaults.get(position)
+            if position < len(arguments):
+                given = arguments[position]
+                if parameter.shared and given.cell is not None:
+                    frame.variables[parameter.name] = given.cell
+                    continue
+                value = classes.converted(self, given.value, parameter.type, frame)
+            elif default is not None:
+                value = classes.converted(self, self.evaluate(default, frame), parameter.type, frame)
+            else:
+                value = UNKNOWN
+            if parameter.name:
+                frame.variables[parameter.name] = self.cell(value, parameter.type)
+
+    # -- what is found ------------------------------------------------------------------------------------------------
+
+    def fact(self, category: str, name: Value, node: Node, frame: Frame, **more: Any) -> None:
+        """Note an interface."""
+        for condition, each in choices(name):
+            text = each.template if isinstance(each, Text) else ANY
+            self._fact(category, finished(text), node, frame, condition, more)
+
+    def _fact(self, category: str, name: str, node: Node, frame: Frame, condition: str, more: dict[str, Any]) -> None:
+        conditions = [*self.conditions, condition] if condition else self.conditions
+        text = ""
+        for each in dict.fromkeys(conditions):
+            text = both(text, each)
+        if len(text) > 3 * _LONGEST_CONDITION:
+            text = text[: 3 * _LONGEST_CONDITION - 1] + "…"
+        if ANY in name:
+            self.doubt(category, f"a name is not known before it runs: {shortened(node.text)}", node, frame)
+        if len(self.facts) < _MOST_FACTS:
+            self.facts[Fact(category, name, frame.path, node.line, condition=text, when=self.when, **more)] = None
+
+    def doubt(self, category: str, reason: str, node: Node, frame: Frame) -> None:
+        """Note why there may be more of a category."""
+        if len(self.doubts) < _MOST_FACTS:
+            self.doubts[Doubt(category, reason, frame.path, node.line)] = None
+
+    def doubt_all(self, reason: str, path: str, line: int) -> None:
+        """Note why there may be more of every category."""
+        for category in _CATEGORIES:
+            self.doubts[Doubt(category, reason, path, line)] = None
+
+
+def shortened(text: str, longest: int = _LONGEST_CONDITION) -> str:
+    """Source text on one line, and not too long."""
+    plain = " ".join("".join(char if char.isprintable() else " " for char in text[: longest * 4]).split())
+    return plain if len(plain) <= longest else plain[: longest - 1] + "…"
+
+
+__all__ = ["NULL", "Argument", "Machine", "Unknown"]

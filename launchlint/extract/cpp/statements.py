@@ -1,0 +1,392 @@
+"""Statements: what is reached, in which order, under which conditions."""
+
+from __future__ import annotations
+
+from launchlint.extract.cpp import classes
+from launchlint.extract.cpp.declarations import _function_declarator as function_declarator
+from launchlint.extract.cpp.declarations import is_pointer, name_of, parameters_of
+from launchlint.extract.cpp.frame import Frame
+from launchlint.extract.cpp.spelled_type import UNTYPED, Type, parse_type
+from launchlint.extract.cpp.syntax import Node
+from launchlint.extract.cpp.values import NULL, UNKNOWN, Cell, Items, Null, Number, Text, Unknown, Value, either
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.extract.cpp.machine import Machine
+
+_MOST_TURNS = 40
+_NOT_FOLLOWED = frozenset(
+    ("using_declaration", "static_assert_declaration", "preproc_include", "preproc_call", "goto_statement", "comment", "function_definition")
+)
+
+
+def execute(machine: Machine, node: Node, frame: Frame) -> str:
+    """Follow one statement; says where control goes instead of to the next one."""
+    kind = node.kind
+    if kind in ("compound_statement", "case_statement", "labeled_statement", "else_clause", "ERROR", "preproc_else", "declaration_list"):
+        return sequence(machine, node.children, frame)
+    if kind == "expression_statement":
+        for each in node.children:
+            machine.evaluate(each, frame)
+        return "return" if _ends_program(node) else ""
+    if kind == "declaration":
+        declare(machine, node, frame)
+        return ""
+    if kind == "if_statement":
+        return _if(machine, node, frame)
+    if kind in ("return_statement", "co_return_statement"):
+        value = machine.evaluate(node.children[0], frame) if node.children else UNKNOWN
+        frame.returns.append((" and ".join(machine.conditions[-1:]), value))
+        return "return"
+    if kind == "throw_statement":
+        return "return"
+    if kind in ("break_statement", "continue_statement"):
+        return kind.partition("_")[0]
+    if kind == "for_range_loop":
+        return _for_each(machine, node, frame)
+    if kind == "for_statement":
+        return _for(machine, node, frame)
+    if kind in ("while_statement", "do_statement"):
+        return _while(machine, node, frame)
+    if kind == "switch_statement":
+        return _switch(machine, node, frame)
+    if kind == "try_statement":
+        return _try(machine, node, frame)
+    if kind in ("preproc_if", "preproc_ifdef", "preproc_elif", "preproc_elifdef"):
+        return _preprocessor(machine, node, frame)
+    if kind in ("type_definition", "alias_declaration"):
+        _alias(node, frame)
+        return ""
+    if kind in _NOT_FOLLOWED:
+        return ""
+    machine.evaluate(node, frame)
+    return ""
+
+
+def sequence(machine: Machine, nodes: list[Node], frame: Frame) -> str:
+    """Statements one after the other."""
+    for node in nodes:
+        signal = machine.execute(node, frame)
+        if signal:
+            return signal
+    return ""
+
+
+def _ends_program(node: Node) -> bool:
+    call = node.child("call_expression")
+    named = call.field("function") if call else None
+    return named is not None and named.text in ("exit", "std::exit", "::exit", "abort", "std::abort", "_exit", "usage_exit")
+
+
+def declare(machine: Machine, node: Node, frame: Frame) -> Value:
+    """Local variables; the value of the last one."""
+    named = node.field("type")
+    type_ = parse_type(named.text) if named and named.kind not in ("class_specifier", "struct_specifier", "enum_specifier") else UNTYPED
+    constant = any(each.kind == "type_qualifier" and each.text in ("const", "constexpr") for each in node.children)
+    static = any(each.kind == "storage_class_specifier" and each.text == "static" for each in node.children)
+    value: Value = UNKNOWN
+    for declarator in node.fields.get("declarator", []):
+        initial = declarator.field("value") if declarator.kind == "init_declarator" else node.field("value")
+        name = name_of(declarator)
+        if not name:
+            continue
+        function = function_declarator(declarator)
+        if function is not None and declarator.kind != "init_declarator":
+            if not _is_construction(machine, function, type_, frame):
+                continue
+            cells = [frame.variable(each.type.name) or machine.cell(UNKNOWN) for each in parameters_of(function.field("parameters"))]
+            from launchlint.extract.cpp.machine import Argument
+
+            parameters = function.field("parameters")
+            sources = parameters.children if parameters else []
+            arguments = [
+                Argument(machine.evaluate(each.field("type"), frame), frame.variable(each.text), each) for each in sources if each.field("type")
+            ]
+            del cells
+            value = classes.construct(machine, type_, arguments, node, frame)
+        elif initial is not None and is_pointer(declarator) and _is_reference(declarator):
+            cell = machine_cell(machine, initial, frame)
+            if cell is not None:
+                frame.variables[name] = cell
+                value = cell.value
+                continue
+            value = machine.evaluate(initial, frame)
+        elif initial is not None:
+            value = _initial(machine, type_, initial, is_pointer(declarator), node, frame)
+        elif is_pointer(declarator):
+            value = UNKNOWN
+        else:
+            value = classes.default(machine, type_, node, frame)
+        if declarator.field("parameters") is None and _is_array(declarator) and initial is None:
+            value = Text("") if type_.name == "char" else UNKNOWN
+        frame.variables[name] = machine.cell(value, type_, constant)
+    del static
+    return value
+
+
+def machine_cell(machine: Machine, node: Node, frame: Frame) -> Cell | None:
+    """The variable that an expression names."""
+    from launchlint.extract.cpp import expressions
+
+    return expressions.cell_of(machine, node, frame)
+
+
+def _initial(machine: Machine, type_: Type, initial: Node, pointer: bool, node: Node, frame: Frame) -> Value:
+    if initial.kind in ("argument_list", "initializer_list") and not pointer and type_.name:
+        if initial.kind == "initializer_list" and classes.is_list(machine, type_, frame):
+            return machine.evaluate(initial, frame)
+        return classes.construct(machine, type_, classes.arguments(machine, initial, frame), node, frame)
+    if initial.kind == "argument_list":
+        return machine.evaluate(initial.children[0], frame) if initial.children else UNKNOWN
+    value = machine.evaluate(initial, frame)
+    return value if pointer else classes.converted(machine, value, type_, frame, node)
+
+
+def _is_reference(declarator: Node) -> bool:
+    inner = declarator.field("declarator") if declarator.kind == "init_declarator" else declarator
+    return inner is not None and inner.kind == "reference_declarator"
+
+
+def _is_array(declarator: Node) -> bool:
+    return declarator.kind == "array_declarator"
+
+
+def _is_construction(machine: Machine, function: Node, type_: Type, frame: Frame) -> bool:
+    """Whether ``Foo f(a, b);``, which reads as a function, makes a variable: all it is given are variables."""
+    parameters = function.field("parameters")
+    if parameters is None or not type_.name or not parameters.children:
+        return False
+    for each in parameters.children:
+        named = each.field("type")
+        if named is None or each.field("declarator") is not None and each.field("declarator").kind != "abstract_function_declarator":  # type: ignore[union-attr]
+            return False
+        first = named.text.split("::")[0].split(".")[0]
+        known = frame.variable(first) is not None or classes.member(machine, frame.this, first) is not None
+        if not known and first not in machine.declarations.variables and first not in machine.declarations.macros:
+            return False
+    return True
+
+
+def condition_text(node: Node | None) -> str:
+    """The source of a condition, without the parentheses around it."""
+    from launchlint.extract.cpp.machine import shortened
+
+    if node is None:
+        return ""
+    text = node.text.strip()
+    if node.kind in ("condition_clause", "parenthesized_expression") and text.startswith("(") and text.endswith(")"):
+        text = text[1:-1]
+    return shortened(text)
+
+
+def negated(text: str) -> str:
+    """``not (text)``, without a double negation of a single word."""
+    bare = text.removeprefix("!")
+    return bare if text.startswith("!") and bare.replace("_", "").replace(".", "").isalnum() else f"!({text})"
+
+
+def decided(machine: Machine, node: Node | None, frame: Frame) -> bool | None:
+    """Whether a condition is certainly true or false."""
+    before, machine.touched = machine.touched, False
+    inner = node.field("value") if node is not None and node.kind == "condition_clause" else node
+    if inner is not None and inner.kind == "declaration":
+        value = declare(machine, inner, frame)
+    else:
+        value = machine.evaluate(inner, frame)
+    touched, machine.touched = machine.touched, before
+    if touched:
+        return None
+    if isinstance(value, Number):
+        return bool(value.value)
+    return None
+
+
+def _if(machine: Machine, node: Node, frame: Frame) -> str:
+    condition = node.field("condition")
+    known = decided(machine, condition, frame)
+    consequence, alternative = node.field("consequence"), node.field("alternative")
+    if known is not None:
+        taken = consequence if known else alternative
+        return machine.execute(taken, frame) if taken else ""
+    text = condition_text(condition)
+
+    def then() -> str:
+        return machine.execute(consequence, frame) if consequence else ""
+
+    def otherwise() -> str:
+        return machine.execute(alternative, frame) if alternative else ""
+
+    if _is_running(text):
+        return machine.execute(consequence, frame) if consequence else ""
+    return machine.branch([(text, then), (negated(text), otherwise)])
+
+
+def _is_running(text: str) -> bool:
+    return text.replace(" ", "") in ("ros::ok()", "nh.ok()", "nh_.ok()", "n.ok()", "node.ok()", "ros::isInitialized()")
+
+
+def _for_each(machine: Machine, node: Node, frame: Frame) -> str:
+    right = machine.evaluate(node.field("right"), frame)
+    declarator, named, body = node.field("declarator"), node.field("type"), node.field("body")
+    name = name_of(declarator)
+    type_ = parse_type(named.text) if named else UNTYPED
+    if body is None:
+        return ""
+    if isinstance(right, Items) and len(right.items) <= _MOST_TURNS:
+        for item in right.items:
+            frame.variables[name] = machine.cell(item, type_)
+            if machine.execute(body, frame) in ("break", "return"):
+                break
+        return ""
+
+    def turn() -> str:
+        frame.variables[name] = machine.cell(UNKNOWN, type_)
+        return machine.execute(body, frame)
+
+    machine.once_or_more(turn)
+    return ""
+
+
+def _for(machine: Machine, node: Node, frame: Frame) -> str:
+    initial, condition, update, body = (node.field(each) for each in ("initializer", "condition", "update", "body"))
+    if initial is not None:
+        machine.execute(initial, frame)
+    if body is None:
+        return ""
+    turns = 0
+    while condition is not None and turns < _MOST_TURNS:
+        known = decided(machine, condition, frame)
+        if known is False:
+            return ""
+        if known is None:
+            break
+        signal = machine.execute(body, frame)
+        if signal in ("break", "return"):
+            return ""
+        before = machine.steps
+        machine.evaluate(update, frame)
+        turns += 1
+        if machine.steps == before:
+            break
+
+    def turn() -> str:
+        if initial is not None:
+            for declarator in initial.fields.get("declarator", []):
+                cell = frame.variable(name_of(declarator))
+                if cell is not None and not isinstance(cell.value, Items):
+                    machine.write(cell, UNKNOWN)
+        return machine.execute(body, frame)
+
+    machine.once_or_more(turn)
+    return ""
+
+
+def _while(machine: Machine, node: Node, frame: Frame) -> str:
+    body, condition = node.field("body"), node.field("condition")
+    if node.kind == "while_statement" and decided(machine, condition, frame) is False:
+        return ""
+    if body is not None:
+        machine.once_or_more(lambda: machine.execute(body, frame))
+    if node.kind == "do_statement":
+        machine.evaluate(condition, frame)
+    return ""
+
+
+def after_loop(before: Value, after: Value) -> Value:
+    """What a variable holds behind a loop of unknown length that changed it."""
+    if isinstance(after, (Items, Number)):
+        return UNKNOWN
+    if isinstance(after, Text) and isinstance(before, Text) and before.template and after.template.startswith(before.template):
+        return UNKNOWN
+    if isinstance(before, (Unknown, Null)) or before == Text(""):
+        return after
+    return either([("", after), ("", before)])
+
+
+def _switch(machine: Machine, node: Node, frame: Frame) -> str:
+    condition, body = node.field("condition"), node.field("body")
+    text = condition_text(condition)
+    subject = condition.field("value") if condition and condition.kind == "condition_clause" else condition
+    value = machine.evaluate(subject, frame)
+    if body is None:
+        return ""
+    cases = [each for each in body.children if each.kind == "case_statement"]
+    runs = []
+    for position, case in enumerate(cases):
+        label = case.field("value")
+        if isinstance(value, Number) and label is not None:
+            known = machine.evaluate(label, frame)
+            if isinstance(known, Number) and not machine.touched and known.value != value.value and not _falls_into(cases, position):
+                continue
+        described = f"{text} == {condition_text(label)}" if label is not None else f"no case of {text}"
+        statements = [each for each in case.children if each is not label]
+        while position + 1 < len(cases) and not any(each.kind in ("break_statement", "return_statement") for each in statements):
+            position += 1
+            following = cases[position]
+            statements = statements + [each for each in following.children if each is not following.field("value")]
+            if len(statements) > 400:
+                break
+
+        def run(statements: list[Node] = statements) -> str:
+            signal = sequence(machine, statements, frame)
+            return "" if signal == "break" else signal
+
+        runs.append((described, run))
+    if not any(case.field("value") is None for case in cases):
+        runs.append(("", lambda: ""))
+    return machine.branch(runs)
+
+
+def _falls_into(cases: list[Node], position: int) -> bool:
+    return not any(each.kind in ("break_statement", "return_statement", "compound_statement") for each in cases[position].children)
+
+
+def _try(machine: Machine, node: Node, frame: Frame) -> str:
+    body = node.field("body")
+    signal = machine.execute(body, frame) if body else ""
+    for clause in node.children:
+        inner = clause.field("body") if clause.kind == "catch_clause" else None
+        if inner is not None:
+            parameters = clause.field("parameters")
+            text = f"catch {condition_text(parameters)}" if parameters else "catch"
+
+            def run(inner: Node = inner) -> str:
+                return machine.execute(inner, frame)
+
+            machine.branch([("", lambda: ""), (text, run)])
+    return signal
+
+
+def _preprocessor(machine: Machine, node: Node, frame: Frame) -> str:
+    from launchlint.extract.cpp.machine import shortened
+
+    condition = node.field("condition") or node.field("name")
+    alternative = node.field("alternative")
+    text = shortened(condition.text) if condition else ""
+    if node.kind in ("preproc_ifdef", "preproc_elifdef"):
+        text = f"#{'ifndef' if node.text.startswith('#ifndef') else 'ifdef'} {text}"
+    else:
+        text = f"#if {text}"
+    inner = [each for each in node.children if each is not condition and each is not alternative]
+    if text in ("#if 0", "#if false"):
+        return machine.execute(alternative, frame) if alternative else ""
+    if text in ("#if 1", "#if true"):
+        return sequence(machine, inner, frame)
+    return machine.branch(
+        [
+            (text, lambda: sequence(machine, inner, frame)),
+            (f"not {text}", lambda: machine.execute(alternative, frame) if alternative else ""),
+        ]
+    )
+
+
+def _alias(node: Node, frame: Frame) -> None:
+    named = node.field("type")
+    declarator = node.field("declarator") or node.field("name")
+    if named and declarator and name_of(declarator):
+        type_ = parse_type(named.text)
+        if type_.name != name_of(declarator):
+            frame.aliases[name_of(declarator)] = type_
+
+
+__all__ = ["NULL", "after_loop", "execute"]

@@ -1,0 +1,149 @@
+"""What a followed program has written down so far, and how two ways through it come together again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from launchlint.extract.fact import Doubt, Fact
+from launchlint.extract.python.values import COMPLETE, ENTRIES, ITEMS, MISSING, MOST_ITEMS, Choice, Value, choice, conjunction, same
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+MOST_STEPS = 400_000
+"""Statements and expressions that are looked at for one program."""
+MOST_FACTS = 5_000
+LONGEST_CONDITION = 300
+
+CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
+
+Log = dict[tuple[int, Any], tuple[dict[Any, Any], Any, Any]]
+"""What was there before something was written: (which mapping, key) → (mapping, key, value)."""
+
+
+class Exhausted(Exception):  # noqa: N818 - it is no error, it ends the walk
+    """The program is too much to be followed."""
+
+
+class Ended(Exception):  # noqa: N818 - it is no error of ours
+    """The followed program ends here, or raises."""
+
+
+class Branch:
+    """One way through a piece of a program: what it has written, and how it ended."""
+
+    __slots__ = ("flow", "written")
+
+    def __init__(self) -> None:
+        self.flow = 0
+        self.written: dict[tuple[int, Any], tuple[dict[Any, Any], Any, Any]] = {}
+
+
+class Memory:
+    """Facts, doubts, conditions and the log of writes."""
+
+    def __init__(self) -> None:
+        self.facts: list[Fact] = []
+        self.doubts: dict[Doubt, None] = {}
+        self.conditions: list[str] = []
+        self.when = "start"
+        self.steps = 0
+        self._logs: list[Log] = []
+
+    def step(self) -> None:
+        """Count one piece of work. Raises :class:`Exhausted` where it is too much."""
+        self.steps += 1
+        if self.steps > MOST_STEPS:
+            raise Exhausted
+
+    def store(self, mapping: dict[Any, Any], key: Any, value: Any) -> None:
+        """Write, so that it can be taken back."""
+        if self._logs:
+            self._logs[-1].setdefault((id(mapping), key), (mapping, key, mapping.get(key, MISSING)))
+        if value is MISSING:
+            mapping.pop(key, None)
+        else:
+            mapping[key] = value
+
+    @contextmanager
+    def branch(self, condition: str) -> Iterator[Branch]:
+        """One way that may be taken: what is written in it is taken back at its end and can be found in the branch."""
+        branch = Branch()
+        log: Log = {}
+        self._logs.append(log)
+        mark = len(self.conditions)
+        if condition:
+            self.conditions.append(condition)
+        try:
+            yield branch
+        finally:
+            del self.conditions[mark:]
+            self._logs.pop()
+            for place, (mapping, key, before) in log.items():
+                branch.written[place] = (mapping, key, mapping.get(key, MISSING))
+                if before is MISSING:
+                    mapping.pop(key, None)
+                else:
+                    mapping[key] = before
+
+    def join(self, ways: list[tuple[str, Branch]], local: dict[Any, Any]) -> None:
+        """Go on after one of several ways was taken, each with its condition. Variables in ``local`` matter only for ways that get here."""
+        places = {place: (mapping, key) for _, way in ways for place, (mapping, key, _) in way.written.items()}
+        for place, (mapping, key) in places.items():
+            before = mapping.get(key, MISSING)
+            outcomes: list[tuple[str, Any]] = []
+            for condition, way in ways:
+                if way.flow == 0 or (mapping is not local and way.flow != ENDED):
+                    outcomes.append((condition, way.written[place][2] if place in way.written else before))
+            if outcomes:
+                self.store(mapping, key, _merged(key, outcomes))
+
+    def doubt(self, reason: str, path: str, line: int, categories: tuple[str, ...] = CATEGORIES) -> None:
+        """Note why there may be more of some categories."""
+        if len(self.doubts) < 200:
+            for category in categories:
+                self.doubts.setdefault(Doubt(category, reason, path, line))
+
+    def note(self, fact: Mapping[str, Any], condition: str) -> None:
+        """Note a fact under the conditions that hold here and ``condition``."""
+        if len(self.facts) >= MOST_FACTS:
+            raise Exhausted
+        everything = conjunction([*self.conditions, condition])
+        if len(everything) > LONGEST_CONDITION:
+            everything = everything[: LONGEST_CONDITION - 1] + "…"
+        self.facts.append(Fact(**{"when": self.when, **fact}, condition=everything))
+
+
+ENDED = 4
+"""How a way can end: 0 it goes on, then a loop's break and continue, a return, the end of the program."""
+
+
+def _merged(key: Any, outcomes: list[tuple[str, Any]]) -> Any:
+    if key == COMPLETE:
+        return all(value is True for _, value in outcomes)
+    if key == ITEMS:
+        return _merged_items(outcomes)
+    if key == ENTRIES:
+        return _merged_entries(outcomes)
+    return choice(outcomes)
+
+
+def _merged_items(outcomes: list[tuple[str, Any]]) -> list[Value]:
+    lists = [(condition, value) for condition, value in outcomes if isinstance(value, list)]
+    items: list[Value] = []
+    for condition, value in lists:
+        for item in value:
+            if any(same(item, each) for each in items):
+                continue
+            everywhere = all(any(same(item, each) for each in other) for _, other in lists)
+            items.append(item if everywhere or not condition or isinstance(item, Choice) else Choice(((condition, item),)))
+    return items[:MOST_ITEMS]
+
+
+def _merged_entries(outcomes: list[tuple[str, Any]]) -> dict[Any, Value]:
+    mappings = [(condition, value) for condition, value in outcomes if isinstance(value, dict)]
+    keys = dict.fromkeys(key for _, value in mappings for key in value)
+    return {key: choice([(condition, value[key]) for condition, value in mappings if key in value]) for key in keys}

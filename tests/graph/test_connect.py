@@ -1,0 +1,312 @@
+"""Joining a launch with a library: the paper's example, nodelets, what is not known, what may not be there."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.graph.sample import STRING, channels, edges, graph, program
+
+TALK: dict[str, Any] = {
+    "my_pkg": {
+        "executables": {
+            "talker.py": program("rospy", publishers=[{"name": "/msg", "type": STRING}]),
+            "listener.py": program("rospy", subscribers=[{"name": "/msg", "type": STRING}]),
+            "cpp": program(publishers=[{"name": "out", "type": STRING}], subscribers=[{"name": "in", "type": STRING}]),
+            "server": program(services=[{"name": "~reset", "type": "std_srvs/Empty"}]),
+            "client": program(clients=[{"name": "reset", "type": "std_srvs/Empty"}]),
+        }
+    }
+}
+NESTED = """
+<arg name="b" value="value2"/>
+<node name="listener" pkg="my_pkg" type="listener.py"/>
+<node name="talker" pkg="my_pkg" type="talker.py"/>
+"""
+INCLUDE = '<include file="$(find pkg)/nested.launch"/>'
+
+
+def test_the_paper_remaps_what_an_include_starts(tmp_path: Path) -> None:
+    found = graph(tmp_path, f'<remap from="/msg" to="/chatter"/>{INCLUDE}', TALK, {"nested.launch": NESTED})
+    assert channels(found) == ["topic /chatter: /talker > /listener"]
+    (talker,) = found.channels["topic", "/chatter"].offers
+    assert (talker.declared, talker.unremapped, [(each.source, each.target) for each in talker.applied], talker.type) == (
+        "/msg",
+        "/msg",
+        [("/msg", "/chatter")],
+        STRING,
+    )
+
+
+def test_a_remap_below_the_nodes_comes_too_late(tmp_path: Path) -> None:
+    late = {"nested.launch": NESTED + '<remap from="/msg" to="/chatter"/>'}
+    assert channels(graph(tmp_path, INCLUDE, TALK, late)) == ["topic /msg: /talker > /listener"]
+
+
+def test_the_paper_in_namespaces(tmp_path: Path) -> None:
+    launch = f"""
+    <group ns="a"><remap from="/msg" to="chatter"/>{INCLUDE}</group>
+    <include file="$(find pkg)/nested.launch" ns="b"/>
+    <group><remap from="/msg" to="~msg"/>{INCLUDE}</group>
+    """
+    assert channels(graph(tmp_path, launch, TALK, {"nested.launch": NESTED})) == [
+        "topic /a/chatter: /a/talker > /a/listener",
+        "topic /listener/msg:  > /listener",
+        "topic /msg: /b/talker > /b/listener",
+        "topic /talker/msg: /talker > ",
+    ]
+
+
+def test_a_service_and_its_client(tmp_path: Path) -> None:
+    launch = """
+    <node pkg="my_pkg" type="server" name="server" ns="a"/>
+    <node pkg="my_pkg" type="client" name="client"><remap from="reset" to="/a/server/reset"/></node>
+    """
+    assert channels(graph(tmp_path, launch, TALK)) == ["service /a/server/reset: /a/server > /client"]
+
+
+def test_tests_are_nodes_too(tmp_path: Path) -> None:
+    launch = '<node pkg="my_pkg" type="talker.py" name="t"/><test pkg="my_pkg" type="listener.py" test-name="l" ns="tests"/>'
+    assert channels(graph(tmp_path, launch, TALK)) == ["topic /msg: /t > /tests/l"]
+
+
+def test_an_unknown_node_may_be_anything(tmp_path: Path) -> None:
+    found = graph(tmp_path, '<node pkg="my_pkg" type="cpp" name="a"/><node pkg="other" type="thing" name="b"/>', TALK)
+    known, unknown = found.instances
+    assert (known.knowledge, known.client, unknown.knowledge, unknown.client) == ("known", "roscpp", "unknown", "")
+    assert unknown.reason == "no library knows other/thing"
+    assert (known.is_unknown, unknown.is_unknown, known.may_have_more("publishers"), unknown.may_have_more("publishers")) == (
+        False,
+        True,
+        False,
+        True,
+    )
+    assert found.may_offer("topic", "/in") == "it is not known what /b does: no library knows other/thing"
+
+
+@pytest.mark.parametrize(
+    ("attributes", "reason"),
+    [
+        ('pkg="$(arg what)" type="cpp" name="n"', "its package depends on something that is not here"),
+        ('pkg="my_pkg" type="$(arg what)" name="n"', "its executable depends on something that is not here"),
+        ('pkg="my_pkg" type="cpp" name="$(arg what)"', "its name depends on something that is not here"),
+        ('pkg="my_pkg" type="cpp" name="n" ns="$(arg what)"', "its namespace depends on something that is not here"),
+    ],
+)
+def test_a_start_that_cannot_be_known(attributes: str, reason: str, tmp_path: Path) -> None:
+    (instance,) = graph(tmp_path, f'<arg name="what" value="$(find absent)"/><node {attributes}/>', TALK).instances
+    assert (instance.reason, edges(instance)) == (reason, [])
+
+
+def test_a_condition_that_was_assumed(tmp_path: Path) -> None:
+    launch = '<node pkg="my_pkg" type="cpp" name="n" if="$(find absent)"/><node pkg="my_pkg" type="talker.py" name="t"/>'
+    found = graph(tmp_path, launch, TALK)
+    assert (edges(found), [each.certain for each in found.instances]) == (
+        ["/n publisher /out?", "/n subscriber /in?", "/t publisher /msg"],
+        [False, True],
+    )
+
+
+def test_a_remap_that_is_not_known(tmp_path: Path) -> None:
+    (found,) = graph(tmp_path, '<node pkg="my_pkg" type="cpp" name="n"><remap from="$(find absent)" to="x"/></node>', TALK).instances
+    assert (found.reason, edges(found)) == ("its remapping depends on something that is not here", [])
+
+
+def test_an_include_that_cannot_be_followed(tmp_path: Path) -> None:
+    found = graph(tmp_path, '<node pkg="my_pkg" type="cpp" name="n"/><include file="$(find absent)/x.launch"/>', TALK)
+    assert {found.may_offer("topic", "/in"), found.may_use("topic", "/out"), found.may_offer("service", "/s")} == {
+        "an include could not be followed"
+    }
+
+
+def test_what_is_open_is_told(tmp_path: Path) -> None:
+    packages = {"p": {"executables": {"rviz": program(open={"subscribers": "whatever its file says"}, publishers=[{"name": "/pose"}])}}}
+    found = graph(tmp_path, '<node pkg="p" type="rviz" name="v"/>', packages)
+    assert found.may_use("topic", "/x") == "/v may have more subscribers: whatever its file says"
+    assert (found.may_offer("topic", "/x"), found.may_use("service", "/x")) == ("", "")
+    assert found.instances[0].may_have_more("subscribers")
+
+
+def test_doubts_are_about_some_names_only(tmp_path: Path) -> None:
+    packages = {"p": {"executables": {"t": program(publishers=[{"name": "~{any}/pose"}])}}}
+    found = graph(tmp_path, '<node pkg="p" type="t" name="n" ns="a"/>', packages)
+    assert found.may_offer("topic", "/a/n/left/pose") == "/a/n has publishers whose names cannot be known (~{any}/pose)"
+    assert (found.may_offer("topic", "/a/n/left/twist"), found.may_offer("topic", "/b/pose"), found.may_use("topic", "/a/n/left/pose")) == (
+        "",
+        "",
+        "",
+    )
+
+
+def test_many_doubts_are_about_all_names(tmp_path: Path) -> None:
+    packages = {"p": {"executables": {"t": program(publishers=[{"name": "~{any}/pose"}])}}}
+    launch = "".join(f'<node pkg="p" type="t" name="n{number}"/>' for number in range(51))
+    reason = "many nodes, /n50 among them, have publishers whose names cannot be known"
+    assert graph(tmp_path, launch, packages).may_offer("topic", "/x") == reason
+
+
+def test_a_name_that_is_said_twice_is_there_once(tmp_path: Path) -> None:
+    twice = [{"name": "x", "type": STRING, "condition": {"text": "sometimes"}}, {"name": "/x"}, {"name": "x", "type": STRING}]
+    (instance,) = graph(tmp_path, '<node pkg="p" type="t" name="n"/>', {"p": {"executables": {"t": program(publishers=twice)}}}).instances
+    assert [(each.name, each.type, each.certain) for each in instance.endpoints] == [("/x", STRING, True)]
+
+
+def test_hubs_and_plumbing(tmp_path: Path) -> None:
+    packages = {
+        "p": {
+            "executables": {
+                "t": program(
+                    publishers=[{"name": "/tf", "type": "tf2_msgs/TFMessage"}, {"name": "busy"}, {"name": "~bond", "type": "bond/Status"}],
+                    subscribers=[{"name": "busy"}],
+                )
+            }
+        }
+    }
+    found = graph(tmp_path, "".join(f'<node pkg="p" type="t" name="n{number}"/>' for number in range(8)), packages)
+    told = {name: (channel.is_hub, channel.is_plumbing) for (_, name), channel in found.channels.items() if name[:3] != "/n7"}
+    assert (told["/tf"], told["/busy"], told["/n0/bond"]) == ((True, False), (True, False), (False, True))
+
+
+# Nodes whose process is not named or not placed as the launch file says.
+
+
+def test_a_process_has_the_name_that_remappings_and_environment_give_it(tmp_path: Path) -> None:
+    launch = """
+    <group ns="a">
+      <node pkg="my_pkg" type="cpp" name="moved"><remap from="~" to="/elsewhere"/></node>
+      <node pkg="my_pkg" type="cpp" name="env"><env name="ROS_NAMESPACE" value="b"/></node>
+      <node pkg="my_pkg" type="cpp" name="args" args="__ns:=/c"><env name="ROS_NAMESPACE" value="b"/></node>
+      <node pkg="my_pkg" type="talker.py" name="python"><remap from="~" to="/elsewhere"/></node>
+    </group>
+    """
+    found = graph(tmp_path, launch, TALK)
+    assert [(each.name, each.host) for each in found.instances] == [
+        ("/a/moved", "/elsewhere"),
+        ("/a/env", "/b/env"),
+        ("/a/args", "/c/args"),
+        ("/a/python", "/a/python"),
+    ]
+    assert {(each.node, each.process) for instance in found.instances for each in instance.endpoints} == {
+        (each.name, each.host) for each in found.instances
+    }
+    assert [edge for edge in edges(found) if "publisher" in edge] == [
+        "/a/moved publisher /a/out",
+        "/a/env publisher /b/out",
+        "/a/args publisher /c/out",
+        "/a/python publisher /msg",
+    ]
+
+
+# Nodelets.
+
+NODELET: dict[str, Any] = {
+    "nodelet": {
+        "executables": {
+            "nodelet": {
+                "class": "roscpp",
+                "options": {"--no-bond": 0},
+                "variants": {
+                    "load": {
+                        "match": {"arg": 1, "is": "load"},
+                        "clients": [{"name": "{arg:3}/load_nodelet", "type": "nodelet/NodeletLoad"}],
+                    },
+                    "manager": {
+                        "match": {"arg": 1, "is": "manager"},
+                        "services": [{"name": "~load_nodelet", "type": "nodelet/NodeletLoad"}],
+                    },
+                    "standalone": {"match": {"arg": 1, "is": "standalone"}},
+                },
+            }
+        }
+    },
+    "cam": {
+        "executables": {"driver": program(services=[{"name": "~load_nodelet", "type": "nodelet/NodeletLoad"}])},
+        "nodelets": {
+            "cam/Color": {
+                "class": "nodelet",
+                "variants": {
+                    "default": {
+                        "publishers": [{"name": "color", "type": STRING}],
+                        "subscribers": [{"name": "~in", "type": STRING}, {"name": "{arg:1}", "type": STRING}],
+                    }
+                },
+            }
+        },
+    },
+}
+
+
+def nodelet(name: str, args: str, inside: str = "") -> str:
+    return f'<node pkg="nodelet" type="nodelet" name="{name}" args="{args}">{inside}</node>'
+
+
+def test_a_nodelet_runs_in_its_manager(tmp_path: Path) -> None:
+    launch = f'<group ns="a">{nodelet("m", "manager")}{nodelet("n", "load cam/Color m extra")}</group>'
+    found = graph(tmp_path, launch, NODELET)
+    manager, loaded = found.instances
+    assert (manager.kind, manager.program, manager.host, loaded.kind, loaded.program, loaded.host, loaded.knowledge) == (
+        "manager",
+        "nodelet/nodelet",
+        "/a/m",
+        "nodelet",
+        "cam/Color",
+        "/a/m",
+        "template",
+    )
+    assert [(each.role, each.name, each.node, each.process) for each in loaded.endpoints] == [
+        ("client", "/a/m/load_nodelet", "/a/n", "/a/n"),
+        ("publisher", "/a/color", "/a/n", "/a/m"),
+        ("subscriber", "/a/extra", "/a/n", "/a/m"),
+        ("subscriber", "/a/n/in", "/a/n", "/a/m"),
+    ]
+
+
+def test_a_nodelet_on_its_own(tmp_path: Path) -> None:
+    (alone,) = graph(tmp_path, nodelet("n", "standalone cam/Color extra", '<remap from="color" to="~red"/>'), NODELET).instances
+    assert (alone.kind, alone.host, edges(alone)) == ("nodelet", "/n", ["publisher /n/red", "subscriber /extra", "subscriber /n/in"])
+
+
+@pytest.mark.parametrize(
+    ("manager", "loader", "host"),
+    [
+        ("", "", "/a/m"),
+        ('<remap from="~load_nodelet" to="/load"/>', "", ""),
+        ('<remap from="~load_nodelet" to="/load"/>', '<remap from="m/load_nodelet" to="/load"/>', "/a/m"),
+        ("", '<remap from="m/load_nodelet" to="/load"/>', ""),
+        ("", '<remap from="m" to="/other"/>', "/a/m"),
+        ('<remap from="~" to="/moved"/>', "", ""),
+        ('<remap from="~" to="/moved"/>', '<remap from="m/load_nodelet" to="/moved/load_nodelet"/>', "/moved"),
+    ],
+)
+def test_a_manager_is_found_by_its_service(manager: str, loader: str, host: str, tmp_path: Path) -> None:
+    launch = f'<group ns="a">{nodelet("m", "manager", manager)}{nodelet("n", "load cam/Color m", loader)}</group>'
+    assert graph(tmp_path, launch, NODELET).instances[1].host == host
+
+
+def test_any_program_that_serves_what_a_manager_serves_is_one(tmp_path: Path) -> None:
+    found = graph(tmp_path, f'<node pkg="cam" type="driver" name="d"/>{nodelet("n", "load cam/Color d")}', NODELET)
+    assert [(each.kind, each.host) for each in found.instances] == [("node", "/d"), ("nodelet", "/d")]
+
+
+def test_a_manager_that_is_not_here(tmp_path: Path) -> None:
+    (loaded,) = graph(tmp_path, nodelet("n", "load cam/Color elsewhere"), NODELET).instances
+    assert (loaded.host, loaded.is_unknown) == ("", False)
+    assert [(each.name, each.process) for each in loaded.endpoints if each.role == "publisher"] == [("/color", "")]
+
+
+@pytest.mark.parametrize(
+    ("args", "reason"),
+    [
+        ("load cam/Unknown m", "no library knows the nodelet class cam/Unknown"),
+        ("load cam/Color", "its args do not say what it loads"),
+        ("standalone", "its args do not say what it loads"),
+        ("", "its args do not say what it loads"),
+        ("unload n m", ""),
+        ("manager", ""),
+    ],
+)
+def test_a_nodelet_that_is_not_known(args: str, reason: str, tmp_path: Path) -> None:
+    (found,) = graph(tmp_path, nodelet("n", args), NODELET).instances
+    assert found.reason == reason
