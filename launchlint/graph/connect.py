@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from launchlint.graph.command_line import CommandLine, command_line
-from launchlint.graph.connections import OFFERS, Channel, ConnectionGraph, Doubt, Endpoint, Instance, Missing, Reading
+from launchlint.graph.connections import CATEGORY, OFFERS, Channel, ConnectionGraph, Doubt, Endpoint, Instance, Missing, Reading
 from launchlint.graph.instantiate import Interface, instantiate
 from launchlint.graph.names import Namer, NodeletNamer, absolute
 from launchlint.graph.parameters import Parameters
@@ -97,7 +97,7 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
     kind, host, program, namer, client = "node", process.namer.graph_name, f"{node.package}/{node.executable}", process.namer, ""
     if process.program is not None and not unknown:
         client = process.program.client
-        start = Start(namer, process.line, parameters, process.program.options)
+        start = Start(namer, process.line, parameters, process.program.options, named="name" not in node.unknown)
         parts.append(instantiate(process.program, start, namer, namer.graph_name, certain=certain))
         looked_up.update(start.looked_up)
     elif not unknown:
@@ -116,11 +116,13 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
                 reason = f"no library knows the nodelet class {program}"
             else:
                 skip = 3 if process.mode == "load" else 2
-                start = Start(namer, process.line, parameters, known.options, skip)
+                start = Start(namer, process.line, parameters, known.options, skip, named="name" not in node.unknown)
                 parts.append(instantiate(known, start, namer, host, certain=certain))
                 looked_up.update(start.looked_up)
         elif process.mode != "unload":
             reason = "its args do not say what it loads"
+    if "name" in node.unknown:
+        parts = [_without_private(part, namer.graph_name) for part in parts]
     knowledge = "unknown" if reason else "template" if any(part.has_template for part in parts) and kind != "manager" else "known"
     opened: dict[str, str] = {}
     doubts = tuple(dict.fromkeys(doubt for part in parts for doubt in part.doubts))
@@ -149,12 +151,25 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
 
 def _unknown_start(node: Node) -> str:
     """Why it cannot be known how the node is started, for people."""
-    for attribute, what in (("pkg", "package"), ("type", "executable"), ("name", "name"), ("ns", "namespace"), ("remap", "remapping")):
+    for attribute, what in (("pkg", "package"), ("type", "executable"), ("ns", "namespace"), ("remap", "remapping")):
         if attribute in node.unknown:
             return f"its {what} depends on something that is not here"
     if not node.name:
         return "it has no name"
     return ""
+
+
+def _without_private(part: Interface, own: str) -> Interface:
+    """The interface of a node whose name is not known: what lies below its name may be anywhere beside it."""
+    below, parent = f"{own}/", own.rpartition("/")[0]
+    endpoints = [endpoint for endpoint in part.endpoints if not endpoint.name.startswith(below)]
+    doubts = [
+        Doubt(CATEGORY[endpoint.role], f"{parent}/*{endpoint.name[len(own) :]}", endpoint.declared)
+        for endpoint in part.endpoints
+        if endpoint.name.startswith(below)
+    ]
+    readings = [reading for reading in part.readings if not reading.name.startswith(below)]
+    return part._replace(endpoints=endpoints, doubts=[*part.doubts, *doubts], readings=readings)
 
 
 def _namespace(node: Node, line: CommandLine) -> str:

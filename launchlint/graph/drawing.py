@@ -204,7 +204,9 @@ class _Picture:
 def _by_box(ends: Iterable[tuple[str, _End]], box_of: Mapping[str, str]) -> dict[str, _End]:
     found: dict[str, _End] = {}
     for name, end in ends:
-        box = box_of[name]
+        box = box_of.get(name)
+        if box is None:
+            continue  # one of those that were gathered because they talk to nobody
         known = found.get(box)
         found[box] = end if known is None else _End(known.when | end.when, known.certain or end.certain)
     return found

@@ -7,12 +7,12 @@ is its own.
 
 from __future__ import annotations
 
+from itertools import count
+
 from launchlint.graph.topology import Connection, Topology
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
-
     import networkx
 
     Key = tuple[str, str]
@@ -38,10 +38,11 @@ def multigraph(topology: Topology) -> networkx.MultiDiGraph[Key]:
         towards = connection.offers == (connection.kind == "topic")  # a service's data comes from its clients
         source, target = (here, there) if towards else (there, here)
         graph.add_edge(source, target, key=f"connection{number}", **_why(connection))
+    numbers = count()
     for param in topology.params:
         graph.add_node(("param", param.name), kind="param", name=param.name, value=param.value, place=param.place)
         for reader in param.readers:
-            graph.add_edge(("param", param.name), ("node", reader), key=f"param{graph.number_of_edges()}", role="reader")
+            graph.add_edge(("param", param.name), ("node", reader), key=f"param{next(numbers)}", role="reader")
     return graph
 
 
@@ -58,31 +59,3 @@ def _why(connection: Connection) -> dict[str, str | bool]:
         "action": connection.action,
         "only": " | ".join(connection.only),
     }
-
-
-def graphml(topology: Topology) -> str:
-    r"""The multigraph as GraphML, with names like ``topic /scan`` for its vertices.
-
-    What XML cannot hold, and what nobody can see, is written as in Python: ``\x1b``; a backslash as two.
-    """
-    import networkx
-
-    graph: networkx.MultiDiGraph[str] = networkx.MultiDiGraph(entry=_plain(topology.entry))
-    original = multigraph(topology)
-    for (kind, name), attributes in original.nodes(data=True):
-        graph.add_node(_plain(f"{kind} {name}"), **_all_plain(attributes))
-    for source, target, key, attributes in original.edges(keys=True, data=True):
-        graph.add_edge(*(_plain(" ".join(end)) for end in (source, target)), key=_plain(key), **_all_plain(attributes))
-    return "".join(f"{line}\n" for line in networkx.generate_graphml(graph))
-
-
-def _all_plain(attributes: dict[str, Any]) -> dict[str, Any]:
-    return {name: _plain(value) if isinstance(value, str) else value for name, value in attributes.items()}
-
-
-def _plain(text: str) -> str:
-    if text.isprintable() and "\\" not in text:
-        return text
-    return "".join(
-        each if each.isprintable() and each != "\\" else each.encode("unicode_escape", "surrogatepass").decode("ascii") for each in text
-    )

@@ -18,11 +18,22 @@ class Start:
     """One node as it is started (:class:`launchlint.library.template.Situation`).
 
     ``looked_up`` collects the names that were resolved for a template: names of the node's code, too. Each maps its place on the graph
-    before remapping to what the code says.
+    before remapping to what the code says. ``skip`` arguments are not the program's own; ``named``: the node's name is known, and so are
+    its private params.
     """
 
-    def __init__(self, namer: Namer, line: CommandLine, parameters: Parameters, options: Mapping[str, int] | None, skip: int = 0) -> None:
-        self.node = namer.graph_name.rpartition("/")[2]
+    def __init__(
+        self,
+        namer: Namer,
+        line: CommandLine,
+        parameters: Parameters,
+        options: Mapping[str, int] | None,
+        skip: int = 0,
+        *,
+        named: bool = True,
+    ) -> None:
+        self.node: Any = namer.graph_name.rpartition("/")[2] if named else UNKNOWN
+        self._named = named
         self.looked_up: dict[str, str] = {}
         self._namer = namer
         self._parameters = parameters
@@ -49,6 +60,8 @@ class Start:
         """The value of a param: from the command line (``_x:=5``), else as the launch file sets it."""
         if name.startswith("~") and name[1:] in self._own:
             return self._own[name[1:]]
+        if name.startswith("~") and not self._named:
+            return UNKNOWN
         return self._parameters.value(self._namer.resolve(name).name)
 
     def resolved(self, name: str) -> str:

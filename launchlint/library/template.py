@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     class Situation(Protocol):
         """What templates and conditions look into: one node as it is started. Values may be :data:`UNKNOWN`."""
 
-        node: str
+        node: Any
 
         def argument(self, position: int) -> Any:
             """The positional argument, counted from 1 or from -1; None where there is none."""

@@ -24,9 +24,17 @@ _MOST_STEPS = 5_000
 _DEEPEST_FILE = 8
 _DEEPEST_BLOCK = 40
 _LONGEST_NAME = 100
+_MOST_TARGETS = 2_000
+_MOST_SOURCES = 2_000
 
 _TARGET = re.compile(r"(?:\w+_)?add_(?:\w+_)?executable(?:_with_gtest)?")
 _TEST_TARGET = re.compile(r"(?:\w+_)?add_(?:\w+_)?(?:gtest|gmock)(?:_test)?")
+_LIBRARY = re.compile(r"(?:\w+_)?add_(?:\w+_)?library")
+_TARGET_WORDS = frozenset(
+    """SHARED STATIC MODULE OBJECT INTERFACE PUBLIC PRIVATE EXCLUDE_FROM_ALL WIN32 MACOSX_BUNDLE LINK_PUBLIC LINK_PRIVATE
+    LINK_INTERFACE_LIBRARIES
+    debug optimized general BEFORE AFTER SYSTEM UNKNOWN OPTIONS CUDA_ARCHITECTURES""".split()
+)
 _TOOLING = re.compile(r"coverage|clang|cppcheck|doxygen|sphinx")
 _COMPUTING = frozenset(("string", "math", "execute_process", "cmake_path", "separate_arguments"))
 _ASSIGNING = _COMPUTING | {"set", "list", "file"}
@@ -49,17 +57,40 @@ class Install(NamedTuple):
     without: tuple[str, ...] = ()
 
 
+class Target:
+    """What one executable or library is made of.
+
+    ``sources`` are absolute paths, ``libraries`` what is linked to it (names of targets or libraries); ``complete`` says that both are known
+    as a whole. ``output`` is the name of the file, without ``lib``.
+    """
+
+    __slots__ = ("complete", "is_library", "libraries", "output", "sources")
+
+    def __init__(self, name: str, is_library: bool) -> None:
+        self.output = name
+        self.is_library = is_library
+        self.sources: list[str] = []
+        self.libraries: list[str] = []
+        self.complete = True
+
+
 class CMakeFacts:
-    """What was found: ``executables`` maps the name of each executable to the command that makes it.
+    """What was found: ``executables`` maps the name of each executable to the command that makes it, ``targets`` the name of each target
+    to what it is made of. ``programs`` are the files that are installed to be run, absolute; ``include_directories`` where headers are.
 
     ``executables_reasons`` and ``installs_reasons`` say why the respective list may be incomplete; empty lists mean: it is complete.
     """
 
-    __slots__ = ("executables", "executables_reasons", "installs", "installs_reasons", "project")
+    __slots__ = (
+        "executables", "executables_reasons", "include_directories", "installs", "installs_reasons", "programs", "project", "targets",
+    )  # fmt: skip
 
     def __init__(self) -> None:
         self.project = ""
         self.executables: dict[str, str] = {}
+        self.targets: dict[str, Target] = {}
+        self.programs: dict[str, str] = {}
+        self.include_directories: dict[str, None] = {}
         self.executables_reasons: list[str] = []
         self.installs: list[Install] = []
         self.installs_reasons: list[str] = []
@@ -73,6 +104,8 @@ def read_cmake(directory: str, files: Callable[[], Sequence[str]]) -> CMakeFacts
     reader = _Reader(os.path.abspath(directory), files)
     reader.read(os.path.join(reader.scope.root, CMAKE_FILE), 0)
     for target, name in reader.renamed.items():
+        if target in reader.facts.targets:
+            reader.facts.targets[target].output = name
         if target in reader.facts.executables:
             how = reader.facts.executables.pop(target)
             reader.facts.executables.setdefault(name, how)
@@ -210,6 +243,14 @@ class _Reader:
         elif _TARGET.fullmatch(name) or _TEST_TARGET.fullmatch(name):
             if arguments[1:2] not in (["IMPORTED"], ["ALIAS"]):
                 self._executable(first, name)
+                self._target(first, arguments[1:], is_library=False)
+        elif _LIBRARY.fullmatch(name):
+            if arguments[1:2] not in (["IMPORTED"], ["ALIAS"]) and "IMPORTED" not in arguments[1:3]:
+                self._target(first, arguments[1:], is_library=True)
+        elif name in ("target_link_libraries", "target_sources", "rosbuild_link_libraries"):
+            self._target_parts(first, arguments[1:], sources=name == "target_sources")
+        elif name in ("include_directories", "target_include_directories"):
+            self._include_directories(arguments if name == "include_directories" else arguments[1:])
         elif name == "project":
             self.scope.project(first)
             self.facts.project = self.facts.project or first or ""
@@ -253,6 +294,37 @@ class _Reader:
             self.facts.executables_reasons.append(f"{how} with a name that is not known")
         elif name:
             self.facts.executables.setdefault(name, how)
+
+    def _target(self, name: Value, words: Sequence[Value], *, is_library: bool) -> None:
+        """``add_executable`` and ``add_library``: what it is made of. Both branches of an ``if`` may say it; then it is made of all of it."""
+        if name is None or "$<" in name or len(self.facts.targets) >= _MOST_TARGETS:
+            return
+        target = self.facts.targets.setdefault(name, Target(name, is_library))
+        for word in words:
+            if word is None or "$<" in word:
+                target.complete = False
+            elif word not in _TARGET_WORDS and len(target.sources) < _MOST_SOURCES:
+                path = self.scope.path(word)
+                if path not in target.sources:
+                    target.sources.append(path)
+
+    def _target_parts(self, name: Value, words: Sequence[Value], *, sources: bool) -> None:
+        target = self.facts.targets.get(name or "")
+        if target is None:
+            return
+        if sources:
+            self._target(name, words, is_library=target.is_library)
+            return
+        for word in words:
+            if word is not None and word not in _TARGET_WORDS and word not in target.libraries and len(target.libraries) < _MOST_SOURCES:
+                target.libraries.append(word)
+
+    def _include_directories(self, words: Sequence[Value]) -> None:
+        for word in words:
+            if word and word not in _TARGET_WORDS and "$<" not in word and len(self.facts.include_directories) < _MOST_SOURCES:
+                path = self.scope.path(word)
+                if self._inside(path):
+                    self.facts.include_directories[path] = None
 
     def _file(self, arguments: Sequence[Value]) -> None:
         action = arguments[0] if arguments else None
@@ -305,7 +377,9 @@ class _Reader:
                 self.facts.executables_reasons.append(f"{how} with a file that is not known")
                 self.facts.installs_reasons.append(f"{how} with a file that is not known")
             elif program:
-                self.facts.executables.setdefault(os.path.basename(renamed[0] or "" if renamed else program), f"{how}(PROGRAMS)")
+                name = os.path.basename(renamed[0] or "" if renamed else program)
+                self.facts.executables.setdefault(name, f"{how}(PROGRAMS)")
+                self.facts.programs.setdefault(name, self.scope.path(program))
                 self._installed(program, False, arguments)
 
     def _files(self, arguments: Sequence[Value], is_directory: bool) -> None:

@@ -19,12 +19,13 @@ _DECLARATION = re.compile(r"\A\s*<\?xml[^>]*\?>")
 
 
 class NodeletClass(NamedTuple):
-    """One class of a plugin description: its lookup name, its C++ type, its base class, and the file that says so."""
+    """One class of a plugin description: its lookup name, its C++ type, its base class, the file that says so, and its library there."""
 
     name: str
     type: str
     base: str
     path: str
+    library: str = ""
 
 
 def read_nodelet_classes(package: Package) -> tuple[Mapping[str, NodeletClass], list[str]]:
@@ -60,11 +61,16 @@ def _parsed(data: bytes, path: str) -> list[NodeletClass]:
     parser = ParserCreate("utf-8")
     found: list[NodeletClass] = []
 
+    library = ""
+
     def start(tag: str, attributes: dict[str, str]) -> None:
-        if tag == "class":
+        nonlocal library
+        if tag == "library":
+            library = attributes.get("path", "")
+        elif tag == "class":
             name = attributes.get("name") or attributes.get("type", "")
             if name:
-                found.append(NodeletClass(name, attributes.get("type", ""), attributes.get("base_class_type", ""), path))
+                found.append(NodeletClass(name, attributes.get("type", ""), attributes.get("base_class_type", ""), path, library))
 
     def declaration(*_: object) -> None:
         raise ValueError("it declares XML entities")

@@ -1,18 +1,38 @@
-"""``python3 -m launchlint_probe < job.json``: probe the nodes of a job, one line of JSON for each thing that is known."""
+"""``python3 -I …/launchlint_probe/__main__.py [JOB]``: do a job (a file, else standard input), one line of JSON for each thing that is known."""
 
 import json
+import os
+import signal
 import sys
 
+if __name__ == "__main__":
+    sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+from launchlint_probe import processes
 from launchlint_probe.work import environment, run_all, say
 
 
 def main() -> int:
-    """Read the job from standard input and do it."""
-    job = json.load(sys.stdin)
+    """Read the job, do it, end whatever was started."""
+    signal.signal(signal.SIGTERM, _stop)
+    signal.signal(signal.SIGINT, _stop)
+    if len(sys.argv) > 1:
+        with open(sys.argv[1], encoding="utf-8") as file:
+            job = json.load(file)
+    else:
+        job = json.load(sys.stdin)
+    signal.signal(signal.SIGALRM, _stop)
+    signal.alarm(int(job.get("limits", {}).get("total", 86400)) + 30)  # nobody may be left who would stop it
     say(environment())
     left = run_all(job)
     say({"kind": "end", "left": left})
     return 1 if left else 0
+
+
+def _stop(number: int, frame: object) -> None:
+    """Asked to stop: whatever runs below this process ends with it."""
+    processes.end_all()
+    os._exit(128 + number)
 
 
 if __name__ == "__main__":

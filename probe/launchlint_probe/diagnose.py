@@ -9,6 +9,8 @@ Problem = Dict[str, str]
 
 DETAIL = 300
 """Characters of output that a problem quotes."""
+LONGEST_LINE = 400
+"""Characters of a line of output that are looked at."""
 MOST_PRINTED = 64 * 1024 * 1024
 """Bytes of output; what prints more is stopped."""
 
@@ -31,16 +33,17 @@ _SIGNS = (
     ("library-missing", r"error while loading shared libraries: ([^:\n]+)"),
     ("arguments-required", r"(?im)^(?:.*?\b)?(usage:.*|.*the following arguments are required.*|.*too few arguments.*)$"),
     ("param-required", r"(?im)^.*?((?:param(?:eter)?s?\b[^\n]*(?:not set|required|missing|must be|not found|undefined|not specified|is unset))"
-                       r"|(?:(?:no|missing|required) param(?:eter)?\b[^\n]*)|KeyError: '[~/][^']*'|(?:failed|unable|could not) to (?:get|find|read) param[^\n]*)"),
+                       r"|(?:(?:no|missing|required) param(?:eter)?\b[^\n]*)|KeyError: '[~/][^']*'|(?:(?:failed|unable) to|could ?n[o']t|cannot|can't) (?:get|find|read|load|retrieve) (?:the )?param[^\n]*)"),
     ("display-required", r"(?im)^.*?((?:cannot|could not|couldn't|unable to) (?:open|connect to) (?:X )?display[^\n]*|no display name[^\n]*"
                          r"|could not load the Qt platform plugin[^\n]*|GLX[^\n]*|TclError[^\n]*)"),
     ("device-missing", r"(?im)^.*?((?:cannot|could not|couldn't|failed to|unable to|error) ?(?:open|connect|access)[^\n]*(?:/dev/[^\s'\"]+|port|device|camera|usb)"
                        r"[^\n]*|wait[^\n]*/dev/[^\n]*|no such file or directory:? ?'?/dev/[^\n]*|no (?:devices?|cameras?) [^\n]*found[^\n]*)"),
     ("file-missing", r"(?im)^.*?((?:no such file or directory|file not found|could not (?:open|load) file)[^\n]*)"),
     ("network", r"(?im)^.*?((?:connection refused|network is unreachable|name or service not known|temporary failure in name resolution)[^\n]*)"),
-    ("error-logged", r"(?m)^(?:\x1b\[[0-9;]*m)*\[(?:FATAL|ERROR)\] ?(?:\[[^\]\n]*\] ?)*:? ?([^\n]+)"),
     ("exception", r"(?m)^(?:terminate called[^\n]*\n\s*what\(\):\s*([^\n]+)|(\w*(?:Error|Exception): [^\n]+))"),
+    ("error-logged", r"(?m)^\[ ?(?:FATAL|ERROR)\] ?(?:\[[^\]\n]*\] ?)*:? ?([^\n]+)"),
 )
+_COLOUR = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 _COMPILED = tuple((code, re.compile(pattern)) for code, pattern in _SIGNS)
 
 
@@ -77,7 +80,7 @@ def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
                             else _problem("silent", "it never contacted the master"))
         return ("failed" if contacted or known else "not-a-node"), problems
     signs = _signs(outcome.output)
-    problems.extend(signs[:2])
+    problems.extend(signs[:1] + [sign for sign in signs[1:2] if signs[0]["detail"] not in sign["detail"]])
     if outcome.code:
         problems.append(_problem("ended", _ended(outcome.code)))
     elif not signs:
@@ -96,8 +99,10 @@ def _ended(code: int) -> str:
 def _signs(output: str) -> List[Problem]:
     """What the output says, the most telling first."""
     found = []
+    plain = _COLOUR.sub("", output[-20000:])
+    shown = "\n".join(line[:LONGEST_LINE] for line in plain.splitlines())  # patterns take their time with long lines
     for code, pattern in _COMPILED:
-        matches = pattern.findall(output[-20000:])
+        matches = pattern.findall(shown)
         if matches:
             last = matches[-1]
             text = last if isinstance(last, str) else next((each for each in last if each), "")

@@ -2,6 +2,7 @@
 
 import ast
 import hashlib
+import json
 import os
 import re
 import subprocess
@@ -10,7 +11,13 @@ from xml.etree import ElementTree
 
 LARGEST_SCRIPT = 4 * 1024 * 1024
 
+MOST_FILES = 20000
+"""Files of a package's source directory that are looked at."""
+
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+_PROGRAM = re.compile(r"[A-Za-z0-9_][\w.+-]{0,199}", re.ASCII)
+_CLASS = re.compile(r"[A-Za-z_]\w*(?:(?:/|::)\w+)*", re.ASCII)
+_NO_SCRIPTS = {"test", "tests", "cmake", "build", "doc", "docs", "msg", "srv", "action", "cfg"}
 _ROS_MODULES = {"rospy", "roslib", "rosgraph", "roslaunch", "rosservice", "rostopic", "actionlib", "tf", "tf2_ros", "smach_ros", "dynamic_reconfigure"}
 
 
@@ -37,15 +44,86 @@ def default_prefixes() -> List[str]:
     return list(dict.fromkeys(found + ["/usr"]))
 
 
-def packages(prefixes: List[str]) -> Dict[str, List[str]]:
-    """Package → the directories that hold its programs. Debian puts some programs into ``lib/PACKAGE`` without a manifest."""
-    found = {}  # type: Dict[str, List[str]]
+class Packages:
+    """The packages that can be seen.
+
+    Args:
+        programs: package → the directories that hold its programs.
+        shares: package → the directories that may hold its ``msg`` folder, the one with its manifest first.
+        sources: package → its source directory, where it has one; scripts are started from there as roslaunch does.
+    """
+
+    def __init__(self, programs: Dict[str, List[str]], shares: Dict[str, List[str]], sources: Dict[str, str]) -> None:
+        self.programs = programs
+        self.shares = shares
+        self.sources = sources
+
+
+def see(prefixes: List[str], sources: List[str]) -> Packages:
+    """The packages of install and devel spaces (``prefixes``) and of source spaces."""
+    spaces = list(sources)
+    for prefix in prefixes:
+        try:
+            with open(os.path.join(prefix, ".catkin"), encoding="utf-8") as file:
+                spaces.extend(each for each in file.read().split(";") if each and os.path.isdir(each))
+        except (OSError, ValueError):
+            continue
+    own = {}  # type: Dict[str, str]
+    for space in spaces:
+        for name, directory in sorted(_source_packages(space).items()):
+            own.setdefault(name, directory)
+    programs = packages(prefixes, frozenset(own))
+    shares = {name: [directory] for name, directory in own.items()}
+    for prefix in prefixes:
+        for name in programs:
+            directory = os.path.join(prefix, "share", name)
+            if os.path.isdir(directory):
+                shares.setdefault(name, []).append(directory)
+    return Packages(programs, shares, own)
+
+
+def _source_packages(space: str) -> Dict[str, str]:
+    """The packages below a source space: directories with a manifest, none inside another."""
+    found = {}  # type: Dict[str, str]
+    for directory, inner, files in os.walk(space):
+        inner[:] = sorted(name for name in inner if not name.startswith("."))
+        if "CATKIN_IGNORE" in files:
+            inner[:] = []
+        elif "package.xml" in files:
+            inner[:] = []
+            name = _manifest_name(os.path.join(directory, "package.xml"))
+            if name:
+                found.setdefault(name, directory)
+    return found
+
+
+def _manifest_name(path: str) -> str:
+    name = manifest_text(path, "name")
+    return name if _NAME.fullmatch(name) else ""
+
+
+def manifest_text(path: str, tag: str) -> str:
+    """The text of an element of a manifest; empty where there is none."""
+    try:
+        if os.path.getsize(path) > LARGEST_SCRIPT:
+            return ""
+        return (ElementTree.parse(path).getroot().findtext(tag) or "").strip()
+    except (ElementTree.ParseError, OSError, ValueError):
+        return ""
+
+
+def packages(prefixes: List[str], own: frozenset = frozenset()) -> Dict[str, List[str]]:
+    """Package → the directories that hold its programs. Debian puts some programs into ``lib/PACKAGE`` without a manifest.
+
+    ``own`` are packages whose manifest is in a source space.
+    """
+    found = {name: [] for name in own}  # type: Dict[str, List[str]]
     for prefix in prefixes:
         for place in ("lib", "libexec"):
             top = os.path.join(prefix, place)
             for name in sorted(os.listdir(top)) if os.path.isdir(top) else ():
                 directory = os.path.join(top, name)
-                if _NAME.fullmatch(name) and os.path.isdir(directory) and (_manifest(prefix, name) or _has_nodes(directory)):
+                if _NAME.fullmatch(name) and os.path.isdir(directory) and (name in own or _manifest(prefix, name) or _has_nodes(directory)):
                     found.setdefault(name, []).append(directory)
         share = os.path.join(prefix, "share")
         for name in sorted(os.listdir(share)) if os.path.isdir(share) else ():
@@ -63,16 +141,36 @@ def _has_nodes(directory: str) -> bool:
     return any(classify(os.path.join(directory, name)) != "none" for name in sorted(os.listdir(directory))[:50])
 
 
-def executables(package: str, directories: List[str]) -> Iterator[Found]:
-    """The programs of a package, by name; of one name the first."""
+def executables(package: str, directories: List[str], source: Optional[str] = None) -> Iterator[Found]:
+    """The programs of a package, by name; of one name the first. In its source directory only nodes count: roslaunch finds scripts there."""
     seen = set()
     for directory in directories:
         for name in sorted(os.listdir(directory)):
             path = os.path.join(directory, name)
-            if name in seen or not os.path.isfile(path) or not os.access(path, os.X_OK) or ".so" in name or name.startswith("."):
+            if name in seen or not _is_program(path):
                 continue
             seen.add(name)
             yield Found(package, name, classify(path), [path], path)
+    for path in _scripts(source) if source else ():
+        name = os.path.basename(path)
+        kind = classify(path) if name not in seen and _is_program(path) else "none"
+        if kind != "none":
+            seen.add(name)
+            yield Found(package, name, kind, [path], path)
+
+
+def _is_program(path: str) -> bool:
+    name = os.path.basename(path)
+    return (_PROGRAM.fullmatch(name) is not None and ".so" not in name and os.path.isfile(path) and os.access(path, os.X_OK)
+            and os.path.isfile(os.path.realpath(path)))
+
+
+def _scripts(source: str) -> List[str]:
+    found = []
+    for directory, inner, files in os.walk(source):
+        inner[:] = sorted(name for name in inner if not name.startswith(".") and name not in _NO_SCRIPTS)
+        found.extend(os.path.join(directory, name) for name in sorted(files) if name != "setup.py")
+    return found[:MOST_FILES]
 
 
 def classify(path: str) -> str:
@@ -127,20 +225,20 @@ def _imports(text: str) -> set:
     return found | ({"rospy"} if re.search(r"\brospy\b|init_node", text) else set())
 
 
-def nodelets(prefixes: List[str], package: str, loader: Optional[str]) -> Iterator[Found]:
-    """The nodelet classes that a package exports, each as a standalone process."""
-    for prefix in prefixes:
-        manifest = _manifest(prefix, package)
-        if manifest is None or loader is None:
-            continue
-        for plugins in _plugin_files(manifest, prefix, package):
-            for name, kind in _classes(plugins):
-                if kind.endswith("Nodelet"):
-                    yield Found(package, name, "nodelet", [loader, "standalone", name], plugins)
+def nodelets(package: str, shares: List[str], loader: Optional[str]) -> Iterator[Found]:
+    """The nodelet classes that a package exports, each as a process of its own (``nodelet standalone``)."""
+    manifest = next((path for path in (os.path.join(each, "package.xml") for each in shares) if os.path.isfile(path)), None)
+    if manifest is None or loader is None:
         return
+    seen = set()
+    for plugins in _plugin_files(manifest):
+        for name, kind in _classes(plugins):
+            if kind in ("nodelet::Nodelet", "::nodelet::Nodelet") and name not in seen and _CLASS.fullmatch(name):
+                seen.add(name)
+                yield Found(package, name, "nodelet", [loader, "standalone", name], plugins)
 
 
-def _plugin_files(manifest: str, prefix: str, package: str) -> Iterator[str]:
+def _plugin_files(manifest: str) -> Iterator[str]:
     try:
         root = ElementTree.parse(manifest).getroot()
     except (ElementTree.ParseError, OSError):
@@ -163,7 +261,7 @@ def _classes(path: str) -> List[Tuple[str, str]]:
 
 def fingerprint(found: Found, settings: Any) -> str:
     """Changes when the program, what it is started with, or the probe changes."""
-    digest = hashlib.sha256(repr(settings).encode("utf-8", "replace"))
+    digest = hashlib.sha256(json.dumps([found.label, found.command, settings], sort_keys=True, default=str).encode("utf-8", "replace"))
     here = os.path.dirname(os.path.abspath(__file__))
     for path in [found.path, *sorted(os.path.join(here, name) for name in os.listdir(here) if name.endswith(".py"))]:
         try:

@@ -1,51 +1,114 @@
-"""All nodes of a job: which, in what order, how many at once; one record for each, as soon as it is there."""
+"""All nodes and launch files of a job: which, in what order, how many at once; one record for each, as soon as it is there."""
 
 import hashlib
 import json
 import os
-import shutil
 import subprocess
 import sys
+import threading
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
-from launchlint_probe import discover, session
+from launchlint_probe import changing, discover, processes, session
+from launchlint_probe.messages import Definitions, used
 
 Job = Dict[str, Any]
 Record = Dict[str, Any]
 
-LONGEST_LINE = 8 * 1024 * 1024
-"""Bytes of one record; the interface of a node that has more is left out."""
+LONGEST_LINE = 4 * 1024 * 1024
+"""Characters of one record; the interface of a node that has more is left out."""
+REPORTS = ("build.json", "dependencies.json")
+"""What building the image has left for whoever reads the records: lists of records."""
+
+_saying = threading.Lock()
+
+
+class Task:
+    """One run: what ``call`` makes of it is put into ``frame``, which names it."""
+
+    def __init__(self, frame: Record, call: Any) -> None:
+        self.frame = frame
+        self.call = call
 
 
 def say(record: Record) -> None:
     """Write one line of JSON to standard output, whole."""
     line = json.dumps(record, sort_keys=True, default=str)
     if len(line) > LONGEST_LINE:
-        record = dict(record, interface={}, status="failed", problems=[{"code": "too-large", "detail": "its interface is too large"}])
+        record = dict(record, interface={}, messages={}, status="failed", problems=[{"code": "too-large", "detail": "its interface is too large"}])
         line = json.dumps(record, sort_keys=True, default=str)
-    sys.stdout.write(line + "\n")
-    sys.stdout.flush()
+    with _saying:
+        sys.stdout.write(line + "\n")
+        sys.stdout.flush()
 
 
-def found_programs(job: Job) -> List[discover.Found]:
-    """The programs of the packages that the job names, sorted."""
+def run_all(job: Job) -> int:
+    """Do a job. Returns the number of processes that could not be ended: 0, if all is well.
+
+    Keys of the job, all optional: ``packages`` (names), ``everything`` (all packages that can be seen, not only those of source spaces),
+    ``skip`` (packages and labels), ``nodes`` (label → settings), ``launch``, ``limits`` (``quiet``, ``limit``, ``jobs``), ``shard``
+    (number from 1, count), ``done`` (fingerprints of what need not be run), ``only`` (those of what shall), ``prefixes``, ``sources`` (source spaces), ``reports`` (a directory), ``image``.
+    """
+    processes.adopt()
     prefixes = job.get("prefixes") or discover.default_prefixes()
-    known = discover.packages(prefixes)
-    wanted = job.get("packages") or sorted(known)
-    loader = _loader(known)
+    seen = discover.see(prefixes, job.get("sources", []))
+    for name in REPORTS if job.get("reports") else ():
+        _report(os.path.join(job["reports"], name))
+    definitions = Definitions(seen.shares, _module_directories(prefixes))
+    tasks = list(_node_tasks(job, _programs(job, seen))) + list(_launch_tasks(job, seen))
+    done = set(job.get("done", []))
+    only = set(job.get("only", []))
+    todo = [task for task in tasks if task.frame["hash"] not in done and (not only or task.frame["hash"] in only)]
+    say({"kind": "plan", "count": len(todo), "all": len(tasks)})
+    left = 0
+    with ThreadPoolExecutor(max_workers=max(1, int(job.get("limits", {}).get("jobs", 2)))) as pool:
+        waiting = {pool.submit(_do, task): task for task in todo}
+        for future in as_completed(waiting):
+            record = dict(future.result(), **waiting[future].frame)
+            if record["kind"] == "node":
+                record["messages"] = used([record], definitions)
+            left += len(record["left"])
+            say(record)
+    return max(left, len(processes.end_all()))
+
+
+def _do(task: Task) -> Record:
+    say(dict(task.frame, kind="start"))
+    found = task.call()  # type: Record
+    return found
+
+
+def _programs(job: Job, seen: discover.Packages) -> List[discover.Found]:
+    """The programs of the packages that the job names, sorted."""
+    wanted = job.get("packages") or sorted(seen.programs if job.get("everything") or not seen.sources else seen.sources)
+    loader = _loader(seen)
     programs = []  # type: List[discover.Found]
+    skip = set(job.get("skip", []))
     for package in wanted:
-        if package not in known:
-            say({"kind": "package", "package": package, "status": "missing"})
+        if package in skip:
             continue
-        programs.extend(discover.executables(package, known[package]))
-        programs.extend(discover.nodelets(prefixes, package, loader))
+        known = package in seen.programs
+        say({"kind": "package", "package": package, "status": "found" if known else "missing", "version": _version(seen, package)})
+        if known:
+            programs.extend(discover.executables(package, seen.programs[package], seen.sources.get(package)))
+            programs.extend(discover.nodelets(package, seen.shares.get(package, []), loader))
+    labels = {program.label for program in programs}
+    for label in sorted(set(job.get("nodes", {})) - labels):
+        say({"kind": "unknown", "label": label})
+    programs = [program for program in programs if program.label not in skip and is_mine(program.label, job.get("shard"))]
     return sorted(programs, key=lambda each: (each.package, each.kind == "nodelet", each.name))
 
 
-def _loader(known: Dict[str, List[str]]) -> Optional[str]:
-    paths = [os.path.join(directory, "nodelet") for directory in known.get("nodelet", [])]
+def _version(seen: discover.Packages, package: str) -> str:
+    for directory in seen.shares.get(package, []):
+        found = discover.manifest_text(os.path.join(directory, "package.xml"), "version")
+        if found:
+            return found
+    return ""
+
+
+def _loader(seen: discover.Packages) -> Optional[str]:
+    paths = [os.path.join(directory, "nodelet") for directory in seen.programs.get("nodelet", [])]
     return next((path for path in paths if os.access(path, os.X_OK)), None)
 
 
@@ -54,6 +117,19 @@ def is_mine(label: str, shard: Optional[List[int]]) -> bool:
     if not shard:
         return True
     return int(hashlib.sha256(label.encode("utf-8", "replace")).hexdigest(), 16) % shard[1] == shard[0] - 1
+
+
+def _node_tasks(job: Job, programs: List[discover.Found]) -> Iterator[Task]:
+    for program in programs:
+        for variant, settings, plan in plans(job, program):
+            mark = discover.fingerprint(program, [variant, settings, job.get("limits"), job.get("image")])
+            frame = {"kind": "node", "label": program.label, "package": program.package, "name": program.name, "program": program.kind,
+                     "variant": variant, "hash": mark}
+            if program.kind == "none":
+                if variant == "default":
+                    yield Task(frame, lambda: {"status": "not-a-node", "interface": {}, "problems": [], "seconds": 0.0, "left": []})
+            else:
+                yield Task(frame, lambda plan=plan: _once(plan))
 
 
 def plans(job: Job, program: discover.Found) -> Iterator[Tuple[str, Dict[str, Any], session.Plan]]:
@@ -68,67 +144,83 @@ def plans(job: Job, program: discover.Found) -> Iterator[Tuple[str, Dict[str, An
         limits = job.get("limits", {})
         yield name, settings, session.Plan(
             program.label,
-            program.command + session.split(settings.get("args", "")),
+            program.command,
             settings.get("params"),
             settings.get("remap"),
             settings.get("env"),
             settings.get("files"),
             settings.get("quiet", limits.get("quiet", 1.0)),
             settings.get("limit", limits.get("limit", 15.0)),
+            arguments=settings.get("args", ""),
         )
 
 
-def run_all(job: Job) -> int:
-    """Probe all nodes of a job. Returns the number of processes that could not be ended: 0, if all is well."""
-    done = set(job.get("done", []))
-    skip = set(job.get("skip", []))
-    todo = []  # type: List[Tuple[discover.Found, str, Dict[str, Any], session.Plan, str]]
-    for program in found_programs(job):
-        if program.label in skip or program.package in skip or not is_mine(program.label, job.get("shard")):
-            continue
-        if program.kind == "none":
-            say(_record(program, "default", {}, "", {"status": "not-a-node", "interface": {}, "problems": [], "seconds": 0.0, "left": []}))
-            continue
-        for variant, settings, plan in plans(job, program):
-            mark = discover.fingerprint(program, [variant, settings, job.get("limits"), job.get("environment")])
-            if mark not in done:
-                todo.append((program, variant, settings, plan, mark))
-    say({"kind": "plan", "count": len(todo)})
-    left = 0
-    with ThreadPoolExecutor(max_workers=max(1, int(job.get("limits", {}).get("jobs", 2)))) as pool:
-        waiting = {pool.submit(_once, each[3]): each for each in todo}
-        for future in as_completed(waiting):
-            program, variant, settings, _, mark = waiting[future]
-            record = _record(program, variant, settings, mark, future.result())
-            left += len(record["left"])
-            say(record)
-    return left
-
-
 def _once(plan: session.Plan) -> Record:
-    """Run a node; once more without a name where it choked on that."""
+    """Run a node; once more without a name where it choked on that, and once more where its names look made up on the spot."""
     record = session.run(plan)
     texts = " ".join(problem["detail"] for problem in record["problems"])
     if record["status"] == "failed" and ("__name" in texts or "__log" in texts):
         plan.with_name = False
         record = session.run(plan)
+    if changing.is_suspicious(record["interface"]):
+        again = session.run(plan)
+        if again["status"] == record["status"]:
+            record["interface"] = changing.common(record["interface"], again["interface"])
+        record["seconds"] = round(record["seconds"] + again["seconds"], 3)
+        record["left"] += again["left"]
     return record
 
 
-def _record(program: discover.Found, variant: str, settings: Dict[str, Any], mark: str, record: Record) -> Record:
-    return dict(record, kind="node", label=program.label, package=program.package, name=program.name, program=program.kind, variant=variant, settings=settings, hash=mark)
+def _launch_tasks(job: Job, seen: discover.Packages) -> Iterator[Task]:
+    """The launch files, each a run of roslaunch."""
+    limits = job.get("limits", {})
+    for entry in job.get("launch", []):
+        package, _, file = entry["file"].partition("/")
+        label = entry["file"]
+        if not is_mine(label, job.get("shard")):
+            continue
+        path = next((path for path in (os.path.join(each, file) for each in seen.shares.get(package, [])) if os.path.isfile(path)), "")
+        words = ["{}:={}".format(name, value) for name, value in sorted(entry.get("args", {}).items())]
+        program = discover.Found(package, label, "launch", ["roslaunch", path] + words, path)
+        frame = {"kind": "launch", "label": label, "package": package, "file": file, "args": entry.get("args", {}),
+                 "hash": discover.fingerprint(program, [limits, job.get("image")])}
+        plan = session.Plan(label, program.command, quiet=limits.get("quiet", 1.0), limit=2 * limits.get("limit", 15.0), with_name=False, many=True)
+        if path:
+            yield Task(frame, lambda plan=plan: session.run(plan))
+        else:
+            problem = {"code": "launch-missing", "detail": "there is no such file in the package" if package in seen.shares else "there is no such package"}
+            yield Task(frame, lambda problem=problem: {"status": "failed", "interface": {}, "problems": [problem], "seconds": 0.0, "left": []})
+
+
+def _module_directories(prefixes: List[str]) -> List[str]:
+    """Where Python modules of messages are."""
+    found = [each for each in os.environ.get("PYTHONPATH", "").split(os.pathsep) if each]
+    for prefix in prefixes:
+        found.append(os.path.join(prefix, "lib", "python3", "dist-packages"))
+        found.append(os.path.join(prefix, "lib", "python2.7", "dist-packages"))
+    return [each for each in dict.fromkeys(found) if os.path.isdir(each)]
+
+
+def _report(path: str) -> None:
+    """Pass on what was found when the image was built."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            for record in json.load(file):
+                say(record)
+    except (OSError, ValueError):
+        return
 
 
 def environment() -> Record:
     """What this machine or container is."""
-    distro = os.environ.get("ROS_DISTRO") or _ros_version()
-    return {"kind": "environment", "distro": distro, "base": _os_name(), "rospack": shutil.which("rospack") or ""}
+    return {"kind": "environment", "distro": os.environ.get("ROS_DISTRO") or _ros_version(), "base": _os_name()}
 
 
 def _ros_version() -> str:
     try:
-        done = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "libroscpp-dev"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=10)
-        return "debian " + done.stdout.decode("ascii", "replace").strip() if done.returncode == 0 else ""
+        done = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "libroscpp4d", "python3-rospy"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=10)
+        version = done.stdout.decode("ascii", "replace").strip()
+        return "debian" if version else ""
     except (OSError, subprocess.TimeoutExpired):
         return ""
 

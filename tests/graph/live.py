@@ -126,9 +126,7 @@ def free_port() -> int:
 
 
 @contextlib.contextmanager
-def started(
-    command: Callable[[int], list[str]], scratch: Path
-) -> Iterator[tuple[xmlrpc.client.ServerProxy, subprocess.Popen[bytes], Path]]:
+def started(command: Callable[[int], list[str]], scratch: Path) -> Iterator[Running]:
     """Run a command that gets the port of its master; at the end nothing of it is left, whatever happens."""
     scratch.mkdir(parents=True, exist_ok=True)
     port, mark, log = free_port(), uuid.uuid4().hex, scratch / "output.txt"

@@ -91,13 +91,23 @@ def test_an_unknown_node_may_be_anything(tmp_path: Path) -> None:
     [
         ('pkg="$(arg what)" type="cpp" name="n"', "its package depends on something that is not here"),
         ('pkg="my_pkg" type="$(arg what)" name="n"', "its executable depends on something that is not here"),
-        ('pkg="my_pkg" type="cpp" name="$(arg what)"', "its name depends on something that is not here"),
         ('pkg="my_pkg" type="cpp" name="n" ns="$(arg what)"', "its namespace depends on something that is not here"),
     ],
 )
 def test_a_start_that_cannot_be_known(attributes: str, reason: str, tmp_path: Path) -> None:
     (instance,) = graph(tmp_path, f'<arg name="what" value="$(find absent)"/><node {attributes}/>', TALK).instances
     assert (instance.reason, edges(instance)) == (reason, [])
+
+
+def test_a_name_that_is_not_known(tmp_path: Path) -> None:
+    """What does not lie below the name is known all the same; what does may be anywhere beside it."""
+    nodes = '<node pkg="my_pkg" type="cpp" name="$(arg what)"/><node pkg="my_pkg" type="server" name="$(arg what)_server" ns="a"/>'
+    found = graph(tmp_path, f'<arg name="what" value="$(find absent)"/>{nodes}', TALK)
+    assert [each.knowledge for each in found.instances] == ["known", "known"]
+    assert channels(found) == ["topic /in:  > /$(arg what)", "topic /out: /$(arg what) > "]
+    assert [[(doubt.category, doubt.pattern) for doubt in each.doubts] for each in found.instances] == [[], [("services", "/a/*/reset")]]
+    assert found.may_offer("service", "/a/b_server/reset") == "/a/$(arg what)_server has services whose names cannot be known (~reset)"
+    assert found.may_offer("service", "/reset") == ""
 
 
 def test_a_condition_that_was_assumed(tmp_path: Path) -> None:

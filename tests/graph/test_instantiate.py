@@ -158,7 +158,8 @@ def test_an_action_has_topics(tmp_path: Path) -> None:
     ],
 )
 def test_images(category: str, inside: str, found: list[str], tmp_path: Path) -> None:
-    node = program(**{category: [{"name": "image", "type": IMAGE, "transport": "image"}]})
+    interface: dict[str, Any] = {category: [{"name": "image", "type": IMAGE, "transport": "image"}]}
+    node = program(**interface)
     names = sorted(edge.partition(" ")[2] for edge in edges(instance(tmp_path, node, inside=inside)))
     assert names == found
 

@@ -29,8 +29,6 @@ ROLES = ("publisher", "subscriber", "server")
 AT_ONCE = 3
 """Launch files that run at the same time: they mostly wait."""
 
-pytestmark = pytest.mark.ros
-
 
 class Comparison:
     """One launch file: predicted, and live as soon as somebody asks."""
@@ -42,7 +40,7 @@ class Comparison:
         self._live: Future[live.Live] = pool.submit(live.run, LAUNCH / f"{name}.launch", scratch, lambda edges: not self.lost(edges))
 
     @property
-    def live(self) -> live.Live:
+    def found(self) -> live.Live:
         return self._live.result(timeout=300)
 
     def lost(self, edges: Collection[live.Edge]) -> list[live.Edge]:
@@ -88,17 +86,19 @@ def comparisons(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, 
         yield {name: Comparison(name, pool, tmp_path_factory.mktemp(name)) for name in FILES}
 
 
+@pytest.mark.ros
 @pytest.mark.parametrize("name", FILES)
 def test_the_live_graph_is_the_predicted_one(name: str, comparisons: dict[str, Comparison]) -> None:
     comparison = comparisons[name]
     assert {instance.name: instance.reason for instance in comparison.graph.instances if instance.is_unknown} == {}
-    found = comparison.live
+    found = comparison.found
     assert (comparison.lost(found.edges), comparison.foreign(found.edges)) == ([], []), found.log
 
 
+@pytest.mark.ros
 @pytest.mark.parametrize("name", FILES)
 def test_the_live_types_are_the_predicted_ones(name: str, comparisons: dict[str, Comparison]) -> None:
-    found = comparisons[name].live
+    found = comparisons[name].found
     wrong = {
         (endpoint.kind, live.plain(endpoint.name)): (endpoint.type, real)
         for endpoint in visible(comparisons[name].graph)
@@ -107,3 +107,8 @@ def test_the_live_types_are_the_predicted_ones(name: str, comparisons: dict[str,
         if (real := found.types.get((endpoint.kind, live.plain(endpoint.name)), "")) not in ("*", endpoint.type)
     }
     assert wrong == {}
+
+
+def test_ci_installs_what_the_launch_files_start(root: Path) -> None:
+    words = (root / ".ci" / "run").read_text(encoding="utf-8").split()
+    assert [package for package in live.DEBIAN if package not in words] == []

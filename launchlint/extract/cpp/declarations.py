@@ -13,7 +13,14 @@ _SCOPES = frozenset(
     ("translation_unit", "declaration_list", "linkage_specification", "preproc_if", "preproc_ifdef", "preproc_else", "preproc_elif")
     + ("preproc_elifdef", "ERROR", "access_specifier", "field_declaration_list", "friend_declaration")
 )
-_WRAPPERS = ("pointer_declarator", "reference_declarator", "parenthesized_declarator", "array_declarator", "init_declarator", "attributed_declarator")
+_WRAPPERS = (
+    "pointer_declarator",
+    "reference_declarator",
+    "parenthesized_declarator",
+    "array_declarator",
+    "init_declarator",
+    "attributed_declarator",
+)
 _DEEPEST = 60
 _MESSAGE = re.compile(r"(\w+)/(\w+)\.h")
 
@@ -35,7 +42,9 @@ class Function:
 
     __slots__ = ("body", "initialisers", "line", "name", "owner", "parameters", "path", "relevant", "returns", "scope", "template")
 
-    def __init__(self, name: str, scope: str, parameters: tuple[Parameter, ...], returns: Type, node: Node, path: str, template: tuple[str, ...]) -> None:
+    def __init__(
+        self, name: str, scope: str, parameters: tuple[Parameter, ...], returns: Type, node: Node, path: str, template: tuple[str, ...]
+    ) -> None:
         self.name = name
         self.scope = scope
         self.parameters = parameters
@@ -129,7 +138,9 @@ class Declarations:
                 self._scope(body.children, inner, path, (), depth + 1)
         elif kind == "template_declaration":
             names = _template(node.field("parameters"))
-            self._scope([each for each in node.children if each.kind != "template_parameter_list"], scope, path, template + names, depth + 1)
+            self._scope(
+                [each for each in node.children if each.kind != "template_parameter_list"], scope, path, template + names, depth + 1
+            )
         elif kind == "type_definition":
             self._types_in(node, scope, path, depth)
             named = node.field("type")
@@ -269,7 +280,9 @@ class Declarations:
         returns = node.field("type")
         parameters = parameters_of(function.field("parameters"))
         qualified = joined(scope, name.removeprefix("::"))
-        found = Function(qualified, qualified.rpartition("::")[0], parameters, parse_type(returns.text) if returns else UNTYPED, node, path, template)
+        found = Function(
+            qualified, qualified.rpartition("::")[0], parameters, parse_type(returns.text) if returns else UNTYPED, node, path, template
+        )
         self._owned.append(found)
 
     def finish(self) -> None:
@@ -316,7 +329,15 @@ def name_of(declarator: Node | None) -> str:
     return ""
 
 
-_NAMES = ("identifier", "field_identifier", "type_identifier", "qualified_identifier", "destructor_name", "operator_name", "template_function")
+_NAMES = (
+    "identifier",
+    "field_identifier",
+    "type_identifier",
+    "qualified_identifier",
+    "destructor_name",
+    "operator_name",
+    "template_function",
+)
 
 
 def parameters_of(node: Node | None) -> tuple[Parameter, ...]:
@@ -333,7 +354,12 @@ def parameters_of(node: Node | None) -> tuple[Parameter, ...]:
         for _ in range(_DEEPEST):
             if inner is None:
                 break
-            shared = shared or inner.kind in ("pointer_declarator", "reference_declarator", "abstract_reference_declarator", "abstract_pointer_declarator")
+            shared = shared or inner.kind in (
+                "pointer_declarator",
+                "reference_declarator",
+                "abstract_reference_declarator",
+                "abstract_pointer_declarator",
+            )
             inner = inner.field("declarator") or (inner.children[-1] if inner.kind == "reference_declarator" and inner.children else None)
         found.append(Parameter(name_of(declarator), parse_type(named.text), shared, each.field("default_value")))
     return tuple(found)

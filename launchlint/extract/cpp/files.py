@@ -54,7 +54,9 @@ def read_files(sources: Sequence[str], include_directories: Sequence[str], root:
             continue
         total += len(data)
         pending.append((path, _tree(path, data)))
-        included = [_found(match[2].decode("utf-8", "replace"), match[1] == b'"', path, include_directories) for match in _INCLUDE.finditer(data)]
+        included = [
+            _found(match[2].decode("utf-8", "replace"), match[1] == b'"', path, include_directories) for match in _INCLUDE.finditer(data)
+        ]
         pending += [(each, None) for each in reversed(included) if each is not None]
     return found, problems
 

@@ -52,8 +52,9 @@ class Pending(NamedTuple):
 class Machine:
     """One run over one program."""
 
-    def __init__(self, declarations: Declarations) -> None:
+    def __init__(self, declarations: Declarations, root: str = ".") -> None:
         self.declarations = declarations
+        self.root = root
         self.names = Names(declarations)
         self.facts: dict[Fact, None] = {}
         self.doubts: dict[Doubt, None] = {}
@@ -194,7 +195,9 @@ class Machine:
         this = function.this
         given = list(arguments)
         if function.bound is not None:
-            given = [Argument(arguments[each] if False else UNKNOWN) if isinstance(each, int) else Argument(each) for each in function.bound]
+            given = [
+                Argument(arguments[each] if False else UNKNOWN) if isinstance(each, int) else Argument(each) for each in function.bound
+            ]
             for position, each in enumerate(function.bound):
                 if isinstance(each, int) and 0 <= each < len(arguments):
                     given[position] = arguments[each]

@@ -11,6 +11,7 @@ from launchlint.extract.cpp.spelled_type import POINTERS, UNTYPED, Type
 from launchlint.extract.cpp.values import UNKNOWN, Either, Number, Text, Value, choices, plain
 
 _MOST_STEPS = 24
+_DEEPEST = 4
 _POINTER_ENDS = ("ConstPtr", "Ptr", "ConstSharedPtr", "SharedPtr", "const_ptr", "Type", "WPtr")
 _PARTS_OF_SERVICE = ("Request", "Response", "RequestType", "ResponseType")
 _NAME = re.compile(r"[A-Za-z]\w*")
@@ -23,6 +24,7 @@ NODE_NAME = "\x01"
 NODE_NAMESPACE = "\x02"
 """Stands for the namespace of the node, without a slash behind it."""
 ANY = "{any}"
+
 
 class Names:
     """Looks names of types up in what a program declares."""
@@ -75,7 +77,7 @@ class Names:
             current = current.rpartition("::")[0]
         return next((joined(used, name) for used in self.declarations.used if joined(used, name) in self.declarations.classes), None)
 
-    def resolve(self, type_: Type, frame: Frame, scope: str | None = None) -> Type:
+    def resolve(self, type_: Type, frame: Frame, scope: str | None = None, depth: int = 0) -> Type:
         """``type_`` with its full name, smart pointers and aliases looked through; template arguments resolved, too."""
         start = frame.scope if scope is None else scope
         for _ in range(_MOST_STEPS):
@@ -88,7 +90,9 @@ class Names:
             if following is None:
                 break
             type_, start = following
-        arguments = tuple(self.resolve(each, frame, scope) if each.arguments or each.name else each for each in type_.arguments[:6])
+        if depth > _DEEPEST:
+            return type_._replace(arguments=())
+        arguments = tuple(self.resolve(each, frame, scope, depth + 1) for each in type_.arguments[:6])
         return type_._replace(arguments=arguments)
 
     def _step(self, type_: Type, frame: Frame, scope: str) -> tuple[Type, str] | None:
@@ -122,7 +126,9 @@ class Names:
                 if head in declarations.aliases:
                     named, where = declarations.aliases[head]
                     if named.name not in (first, head):
-                        return (Type(joined(named.name, rest), type_.arguments) if not named.arguments else named._replace(member=rest)), where
+                        return (
+                            Type(joined(named.name, rest), type_.arguments) if not named.arguments else named._replace(member=rest)
+                        ), where
         return None
 
     def declared(self, type_: Type) -> Class | None:
@@ -173,9 +179,11 @@ class Names:
                         return f"{used}/{spelling}"
         return f"{parts[0]}/{last}" if len(parts) == 2 and f"{parts[0]}/{last}" in ("tf/tfMessage", "tf/FrameGraph") else ""
 
+
 def braced(text: str) -> str:
     """Plain text as a template."""
     return text.replace("{", "{{").replace("}", "}}").replace(NODE_NAME, "").replace(NODE_NAMESPACE, "")
+
 
 def together(first: Value, second: Value) -> Value:
     """Two texts, one behind the other."""
@@ -186,6 +194,7 @@ def together(first: Value, second: Value) -> Value:
         return either(found)
     return Text(template(first) + template(second))
 
+
 def template(value: Value) -> str:
     """What ``value`` puts into a text."""
     if isinstance(value, Text):
@@ -193,6 +202,7 @@ def template(value: Value) -> str:
     if isinstance(value, Number):
         return plain(value) or ANY
     return ANY
+
 
 def in_namespace(namespace: str, name: str) -> str:
     """A name as a node handle of ``namespace`` makes it (ros::NodeHandle::resolveName)."""
@@ -204,11 +214,13 @@ def in_namespace(namespace: str, name: str) -> str:
         return f"~{name}"
     return f"{namespace.rstrip('/')}/{name}"
 
+
 def below(namespace: str, name: str) -> str:
     """The namespace of a node handle made of another one and a name."""
     if name.startswith("~"):
         return "~" + name[1:].lstrip("/")
     return in_namespace(namespace, name)
+
 
 def finished(name: str) -> str:
     """A name as the library format has it: the node's own name in front is ``~``, doubled and last slashes are gone."""
@@ -226,6 +238,7 @@ def finished(name: str) -> str:
         name = name.replace(ANY + ANY, ANY)
     return name.rstrip("/") if len(name) > 1 else name
 
+
 def full_name(namespace: str) -> str:
     """What ros::NodeHandle::getNamespace() gives, unfinished."""
     if namespace.startswith("/"):
@@ -234,5 +247,6 @@ def full_name(namespace: str) -> str:
         rest = namespace[1:].lstrip("/")
         return NODE_NAME + ("/" + rest if rest else "")
     return NODE_NAMESPACE + ("/" + namespace if namespace else "")
+
 
 __all__ = ["UNKNOWN", "UNTYPED", "Names"]

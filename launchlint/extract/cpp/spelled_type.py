@@ -30,7 +30,16 @@ UNTYPED = Type("")
 """A type that is not known, or ``auto``."""
 
 POINTERS = frozenset(
-    ("boost::shared_ptr", "std::shared_ptr", "shared_ptr", "std::unique_ptr", "unique_ptr", "boost::scoped_ptr", "scoped_ptr", "boost::intrusive_ptr")
+    (
+        "boost::shared_ptr",
+        "std::shared_ptr",
+        "shared_ptr",
+        "std::unique_ptr",
+        "unique_ptr",
+        "boost::scoped_ptr",
+        "scoped_ptr",
+        "boost::intrusive_ptr",
+    )
     + ("boost::weak_ptr", "std::weak_ptr", "std::auto_ptr", "boost::optional", "std::optional", "QSharedPointer", "boost::unique_ptr")
 )
 """Types that stand for what they point to."""

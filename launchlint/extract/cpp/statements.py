@@ -16,7 +16,15 @@ if TYPE_CHECKING:
 
 _MOST_TURNS = 40
 _NOT_FOLLOWED = frozenset(
-    ("using_declaration", "static_assert_declaration", "preproc_include", "preproc_call", "goto_statement", "comment", "function_definition")
+    (
+        "using_declaration",
+        "static_assert_declaration",
+        "preproc_include",
+        "preproc_call",
+        "goto_statement",
+        "comment",
+        "function_definition",
+    )
 )
 
 
@@ -100,7 +108,9 @@ def declare(machine: Machine, node: Node, frame: Frame) -> Value:
             parameters = function.field("parameters")
             sources = parameters.children if parameters else []
             arguments = [
-                Argument(machine.evaluate(each.field("type"), frame), frame.variable(each.text), each) for each in sources if each.field("type")
+                Argument(machine.evaluate(each.field("type"), frame), frame.variable(each.text), each)
+                for each in sources
+                if each.field("type")
             ]
             del cells
             value = classes.construct(machine, type_, arguments, node, frame)

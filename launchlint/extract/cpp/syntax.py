@@ -25,7 +25,9 @@ _BLANKED = re.compile(
 )
 _EXPORTED = re.compile(r"\b(?:class|struct)[ \t]+([A-Z][A-Z0-9_]+(?:\([^()\n]*\))?)(?=[ \t]+[A-Za-z_]\w*[ \t\n]*(?:final[ \t]*)?[:{\n])")
 _SLOTS = re.compile(r"\b(?:public|private|protected)[ \t]+(Q_SLOTS|slots)[ \t]*:|^[ \t]*(Q_SIGNALS|signals)[ \t]*:", re.MULTILINE)
-_ATTRIBUTE = re.compile(r"__attribute__[ \t]*\(\([^()\n]*(?:\([^()\n]*\)[^()\n]*)*\)\)|\bROS_FORCE_INLINE\b|\b__forceinline\b|\bROS_DEPRECATED\b")
+_ATTRIBUTE = re.compile(
+    r"__attribute__[ \t]*\(\([^()\n]*(?:\([^()\n]*\)[^()\n]*)*\)\)|\bROS_FORCE_INLINE\b|\b__forceinline\b|\bROS_DEPRECATED\b"
+)
 _EACH = re.compile(r"\b(?:BOOST_|Q_)?FOREACH[ \t]*\(|\bforeach[ \t]*\(|\bQ_FOREACH[ \t]*\(")
 
 

@@ -24,11 +24,11 @@ Log = dict[tuple[int, Any], tuple[dict[Any, Any], Any, Any]]
 """What was there before something was written: (which mapping, key) → (mapping, key, value)."""
 
 
-class Exhausted(Exception):  # noqa: N818 - it is no error, it ends the walk
+class Exhausted(Exception):
     """The program is too much to be followed."""
 
 
-class Ended(Exception):  # noqa: N818 - it is no error of ours
+class Ended(Exception):
     """The followed program ends here, or raises."""
 
 
@@ -96,7 +96,7 @@ class Memory:
             before = mapping.get(key, MISSING)
             outcomes: list[tuple[str, Any]] = []
             for condition, way in ways:
-                if way.flow == 0 or (mapping is not local and way.flow != ENDED):
+                if way.flow < RETURNED or (mapping is not local and way.flow != ENDED):
                     outcomes.append((condition, way.written[place][2] if place in way.written else before))
             if outcomes:
                 self.store(mapping, key, _merged(key, outcomes))
@@ -117,8 +117,8 @@ class Memory:
         self.facts.append(Fact(**{"when": self.when, **fact}, condition=everything))
 
 
-ENDED = 4
-"""How a way can end: 0 it goes on, then a loop's break and continue, a return, the end of the program."""
+GOES_ON, BROKEN, CONTINUED, RETURNED, ENDED = range(5)
+"""How a way can end: it goes on, with a loop's break or continue, with a return, with the end of the program."""
 
 
 def _merged(key: Any, outcomes: list[tuple[str, Any]]) -> Any:

@@ -30,7 +30,7 @@ class ModuleFinder:
         self._found: dict[tuple[str, str], str | None] = {}
 
     def find(self, name: str, beside: str, package: str) -> str | None:
-        """The file of module ``name`` (dotted) for a script in the directory ``beside`` of the package at ``package``; None where there is none.
+        """The file of module ``name`` (dotted) for a script in directory ``beside`` of the package at ``package``, or None.
 
         A module of the own package is preferred to one of the same name in another.
         """

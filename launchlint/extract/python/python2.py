@@ -33,9 +33,8 @@ def rewritten(source: str) -> str:
     lines = [_untabbed(line) for line in source.replace("\r\n", "\n").replace("\r", "\n").split("\n")]
     result: list[str] = []
     statement: list[_Token] = []
-    depth = count = 0
-    for match in _TOKEN.finditer("\n".join(lines)):
-        count += 1
+    depth = 0
+    for count, match in enumerate(_TOKEN.finditer("\n".join(lines))):
         if count > _MOST_TOKENS:
             raise ValueError("it is too long")
         token = _Token(match.lastgroup or "", match[0])

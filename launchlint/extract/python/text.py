@@ -28,7 +28,7 @@ _PLAIN = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*|~|/", re.ASCII)
 _LITERAL = re.compile(r"[\w/~]*", re.ASCII)
 _PARAM = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*", re.ASCII)
 _ONLY_SLOT = re.compile(r"\{(?:[^{}]|\{[^{}]*\})*\}")
-_FORMAT = re.compile(r"%(?:\((?P<key>[^()]*)\))?(?P<flags>[#0\- +]*)(?P<width>\d+|\*)?(?P<precision>\.\d+)?[hlL]?(?P<kind>[diouxXeEfFgGcrsa%])")
+_FORMAT = re.compile(r"%(?:\((?P<key>[^()]*)\))?[#0\- +]*(?P<width>\d+|\*)?(?:\.\d+)?[hlL]?(?P<kind>[diouxXeEfFgGcrsa%])")
 
 
 def escaped(text: str) -> str:

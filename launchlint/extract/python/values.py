@@ -63,7 +63,7 @@ MISSING = Missing()
 
 
 class Seq:
-    """A list, tuple or set. Its content is in a mapping, so that changing it can be taken back: ``items`` and whether that is ``complete``."""
+    """A list, tuple or set. Its content is in a mapping, so that changing it can be taken back: its items and whether they are all."""
 
     __slots__ = ("content",)
 

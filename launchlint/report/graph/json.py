@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from typing import Any
 
 
+MOST_NODES = 16
+"""Names of nodes that are listed of a port: those of outer containers would else repeat all those of inner ones."""
+
+
 def text(value: Any) -> str:
     """JSON that any strict reader takes, indented, with a newline at its end."""
     return json.dumps(_strict(value), indent=2, allow_nan=False) + "\n"
@@ -43,7 +47,8 @@ def _port(port: Port) -> dict[str, Any]:
         "kind": port.kind,
         "name": port.name,
         "direction": "out" if port.offers else "in",
-        "nodes": port.nodes,
+        "nodes": port.nodes[:MOST_NODES],
+        "count": len(port.nodes),
         "inner": port.inner,
         "outer": port.outer,
     }

@@ -107,8 +107,16 @@ def _unknown(node: TopologyNode) -> Iterator[str]:
 def _rows(
     connections: Sequence[Connection], partners: Partners, node: TopologyNode, topology: Topology, *, dangling: bool
 ) -> Iterator[str]:
-    met = [each for each in connections if partners.count(each) or partners.is_its_own(each) or remapped(each.remaps)]
-    alone = [each for each in connections if not (partners.count(each) or partners.is_its_own(each) or remapped(each.remaps))]
+    met: list[Connection] = []
+    alone: list[Connection] = []
+    itself: dict[str, None] = {}
+    for each in connections:
+        if partners.count(each) or (remapped(each.remaps) and not partners.is_its_own(each)):
+            met.append(each)
+        elif partners.is_its_own(each):
+            itself[visible(each.name)] = None
+        else:
+            alone.append(each)
     verbs = [_verb(each) for each in met]
     first = max(map(len, verbs), default=0)
     second = min(max((len(visible(each.name)) for each in met), default=0), WIDEST_NAME)
@@ -118,7 +126,9 @@ def _rows(
         only = "" if each.only == node.only else f"  [{when(each.only, topology.configurations)}]" if each.only else ""
         yield f"    {verb:{first}}  {visible(each.name):{second}}  {arrow} {_partners(each, partners)}{type_}{only}"
         if remapped(each.remaps):
-            yield f"    {'':{first}}    {remapped(each.remaps)}"
+            yield f"    {'':{first}}    {remapped(each.remaps, node.place)}"
+    if itself:
+        yield from _wrapped("    talks to itself: ", list(itself))
     yield from _alone(alone, node, topology, dangling=dangling)
 
 
@@ -154,7 +164,7 @@ def _params(params: Sequence[TopologyParam], node: TopologyNode, topology: Topol
         name = f"~{param.name[len(node.name) + 1 :]}" if private else param.name
         value = param.value if len(param.value) <= LONGEST_VALUE else f"{param.value[: LONGEST_VALUE - 1]}…"
         only = f" [{when(param.only, topology.configurations)}]" if param.only and param.only != node.only else ""
-        words.append(visible(f"{name} = {value}") + only)
+        words.append(visible(f"{name} = {value}" if value else f'{name} = ""') + only)
     if len(params) > MOST_PARAMS:
         words.append(f"and {len(params) - MOST_PARAMS} more")
     if words:

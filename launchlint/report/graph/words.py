@@ -43,11 +43,16 @@ def place(text: str) -> str:
     return visible(text.rpartition(":")[0])
 
 
-def remapped(steps: Sequence[RemapStep]) -> str:
-    """``remapped from /a (robot.launch:3)``; empty where nothing was renamed."""
+def remapped(steps: Sequence[RemapStep], near: str = "") -> str:
+    """``remapped from /a (robot.launch:3)``; empty where nothing was renamed. In the file of the place ``near`` only the line is told."""
     real = [step for step in steps if step.source != step.target]
-    said = [f"{visible(step.source)} ({place(step.place) if step.place else 'args'})" for step in real]
+    said = [f"{visible(step.source)} ({_written(step.place, near)})" for step in real]
     return f"remapped from {', then from '.join(said)}" if said else ""
+
+
+def _written(at: str, near: str) -> str:
+    file, _, line = at.rpartition(":")[0].rpartition(":")
+    return f"line {line}" if file and near.startswith(f"{file}:") else place(at) if at else "args"
 
 
 def when(only: Sequence[str], configurations: Sequence[str]) -> str:
@@ -61,9 +66,11 @@ def when(only: Sequence[str], configurations: Sequence[str]) -> str:
 
 
 def _with(configurations: Sequence[str]) -> str:
-    words = [visible(each) for each in configurations if each]
-    given = f"with {' or '.join(words)}" if words else ""
-    return " or ".join(filter(None, ("by default" if "" in configurations else "", given)))
+    """``by default or with sim:=true``; of configurations that only give more args than another one the latter is enough."""
+    given = {each: frozenset(each.split(" ")) for each in configurations if each}
+    words = [visible(each) for each, args in given.items() if not any(other < args for other in given.values())]
+    shown = f"with {' or '.join(words)}" if words else ""
+    return " or ".join(filter(None, ("by default" if "" in configurations else "", shown)))
 
 
 def does(connection: Connection) -> str:

@@ -1,0 +1,410 @@
+"""Objects: how they are made, what their members are, which function a call means."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from launchlint.extract.cpp.declarations import Class, Field, Function, joined
+from launchlint.extract.cpp.frame import Frame
+from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, LISTS, POINTERS, TEXTS, UNTYPED, Type
+from launchlint.extract.cpp.syntax import Node
+from launchlint.extract.cpp.values import (
+    NULL,
+    UNKNOWN,
+    Callable,
+    Cell,
+    Closure,
+    Either,
+    Handle,
+    Items,
+    Null,
+    Number,
+    Text,
+    Thing,
+    Value,
+    choices,
+)
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.extract.cpp.machine import Argument, Machine
+
+_WORD = re.compile(r"[A-Za-z_]\w*")
+_TELLING = frozenset(
+    """advertise advertiseService advertiseCamera subscribe subscribeCamera serviceClient getParam getParamCached param hasParam searchParam NodeHandle
+    waitForMessage waitForService createClient TransformListener TransformBroadcaster StaticTransformBroadcaster SimpleActionServer SimpleActionClient
+    ActionServer ActionClient Subscriber Publisher Server ImageTransport Updater createTimer createWallTimer getNodeHandle getPrivateNodeHandle
+    CameraInfoManager RealtimePublisher initParam thread""".split()
+)
+_MOST_SUBCLASSES = 8
+
+
+# -- making ---------------------------------------------------------------------------------------------------------------
+
+
+def arguments(machine: Machine, node: Node | None, frame: Frame) -> list[Argument]:
+    """The arguments of a call, evaluated."""
+    from launchlint.extract.cpp.expressions import cell_of
+    from launchlint.extract.cpp.machine import Argument
+
+    found: list[Argument] = []
+    for each in node.children if node else ():
+        if each.kind.startswith("preproc"):
+            continue
+        cell = cell_of(machine, each, frame) if each.kind in _PLACES else None
+        value = machine.read(cell) if cell is not None and each.kind != "pointer_expression" else machine.evaluate(each, frame)
+        found.append(Argument(value, cell, each))
+    return found
+
+
+_PLACES = frozenset(("identifier", "field_expression", "qualified_identifier", "pointer_expression", "parenthesized_expression"))
+
+
+def construct(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, frame: Frame) -> Value:
+    """Make an object of ``type_``: what its constructor does is followed."""
+    from launchlint.extract.cpp import ros
+
+    if is_pointer_type(machine, type_, frame):
+        return given[0].value if given else NULL
+    resolved = machine.names.resolve(type_, frame)
+    name = resolved.name
+    if name in TEXTS or name.endswith("string"):
+        first = given[0].value if given else Text("")
+        return first if isinstance(first, (Text, Either)) else UNKNOWN
+    if name in DOUBLES or name in INTEGERS or name == "bool":
+        return converted(machine, given[0].value, resolved, frame) if given else UNKNOWN
+    if name in LISTS:
+        if len(given) == 1 and isinstance(given[0].value, Items):
+            return given[0].value
+        return UNKNOWN if given else Items(())
+    declared = machine.names.declared(resolved)
+    if declared is None:
+        return ros.make(machine, resolved, given, node, frame)
+    if len(given) == 1 and isinstance(given[0].value, Thing) and is_a(machine, given[0].value, declared.name):
+        return given[0].value
+    return make(machine, declared, resolved, given, node, frame)
+
+
+def make(machine: Machine, declared: Class, type_: Type, given: Sequence[Argument], node: Node, frame: Frame) -> Value:
+    """Make an object of a class of the program."""
+    machine.serial += 1
+    thing = Thing(type_, declared, machine.serial, dict(zip(declared.template, type_.arguments, strict=False)))
+    begin(machine, thing, declared, given, node, frame)
+    return thing
+
+
+def begin(machine: Machine, thing: Thing, declared: Class, given: Sequence[Argument], node: Node, frame: Frame) -> None:
+    """Run the constructor of ``declared`` (the object's class, or a base of it) on an object."""
+    constructors = [
+        each for each in machine.declarations.functions.get(joined(declared.name, declared.name.rpartition("::")[2]), []) if each.body
+    ]
+    chosen_one = chosen(machine, constructors, given, None)
+    if chosen_one is not None:
+        machine.call(chosen_one, thing, given)
+        return
+    for each in given:
+        if isinstance(each.value, Handle) and not constructors and given:
+            machine.doubt_all(f"{declared.name} is given a node handle, and its constructor is not in these sources", frame.path, node.line)
+    inner = Frame(declared.path, declared.name, thing, dict(bindings_in(machine, thing, declared)))
+    _members(machine, thing, declared, {}, inner, node)
+
+
+def initialise(machine: Machine, function: Function, this: Thing | None, frame: Frame) -> None:
+    """The bases and members of an object, as the initialiser list of its constructor says."""
+    declared = machine.declarations.classes.get(function.owner)
+    if this is None or declared is None:
+        return
+    listed: dict[str, Node] = {}
+    for each in function.initialisers.children if function.initialisers else ():
+        if each.kind == "field_initializer" and each.children:
+            name = each.children[0].text.partition("<")[0].replace(" ", "").rpartition("::")[2]
+            listed[name] = each
+    own = listed.get(declared.name.rpartition("::")[2])
+    if own is not None:
+        begin(machine, this, declared, arguments(machine, own.child("argument_list", "initializer_list"), frame), own, frame)
+        return
+    if function.body is not None:
+        _members(machine, this, declared, listed, frame, function.body)
+
+
+def _members(machine: Machine, this: Thing, declared: Class, listed: dict[str, Node], frame: Frame, node: Node) -> None:
+    for base in declared.bases:
+        initialiser = listed.get(base.last)
+        given = arguments(machine, initialiser.child("argument_list", "initializer_list"), frame) if initialiser else []
+        _base(machine, this, base, given, initialiser or node, frame)
+    for name, field in declared.fields.items():
+        initialiser = listed.get(name)
+        type_ = field.type
+        if initialiser is not None:
+            given = arguments(machine, initialiser.child("argument_list", "initializer_list"), frame)
+            if field.pointer:
+                value: Value = given[0].value if given else NULL
+            else:
+                value = construct(machine, type_, given, initialiser, frame)
+                if isinstance(value, type(UNKNOWN)) and len(given) == 1 and not type_.name:
+                    value = given[0].value
+            if field.pointer and given and given[0].cell is not None and not isinstance(given[0].value, (Thing, Handle)):
+                this.fields[name] = given[0].cell
+                continue
+        elif field.initial is not None:
+            value = _initial(machine, field, frame)
+        elif field.pointer or field.array:
+            value = UNKNOWN
+        else:
+            value = default(machine, type_, node, frame)
+        cell = this.fields.get(name)
+        if cell is None:
+            this.fields[name] = machine.cell(value, type_, field.constant)
+        else:
+            machine.write(cell, value)
+
+
+def _initial(machine: Machine, field: Field, frame: Frame) -> Value:
+    initial = field.initial
+    if initial is None:
+        return UNKNOWN
+    if initial.kind == "initializer_list" and not field.array and not is_list(machine, field.type, frame):
+        return construct(machine, field.type, arguments(machine, initial, frame), initial, frame)
+    if initial.kind == "argument_list":
+        return construct(machine, field.type, arguments(machine, initial, frame), initial, frame)
+    value = machine.evaluate(initial, frame)
+    return value if field.pointer or field.array else converted(machine, value, field.type, frame, initial)
+
+
+def _base(machine: Machine, this: Thing, base: Type, given: Sequence[Argument], node: Node, frame: Frame) -> None:
+    from launchlint.extract.cpp import ros
+
+    resolved = machine.names.resolve(base, frame)
+    declared = machine.names.declared(resolved)
+    if declared is not None:
+        if declared.name != (this.declared.name if this.declared else ""):
+            begin(machine, this, declared, given, node, frame)
+        return
+    value = ros.make(machine, resolved, given, node, frame)
+    if isinstance(value, Handle):
+        this.fields["<handle>"] = machine.cell(value)
+    elif isinstance(value, Thing):
+        this.fields.update(value.fields)
+
+
+def default(machine: Machine, type_: Type, node: Node, frame: Frame) -> Value:
+    """The value of a variable that is declared without one."""
+    return construct(machine, type_, [], node, frame) if type_.name else UNKNOWN
+
+
+def is_pointer_type(machine: Machine, type_: Type, frame: Frame) -> bool:
+    """Whether it is a smart pointer, or another name of one."""
+    if type_.name in POINTERS or type_.name.endswith(("::Ptr", "::ConstPtr")) or type_.member in ("Ptr", "ConstPtr"):
+        return True
+    if type_.name.endswith("Ptr"):
+        full = next(
+            (
+                joined(each, type_.name)
+                for each in machine.names.scopes(frame.scope)
+                if joined(each, type_.name) in machine.declarations.aliases
+            ),
+            "",
+        )
+        if full:
+            return machine.declarations.aliases[full][0].name in POINTERS
+        return joined("", type_.name) not in machine.declarations.classes
+    return False
+
+
+def is_list(machine: Machine, type_: Type, frame: Frame) -> bool:
+    """Whether it is a container."""
+    return machine.names.resolve(type_, frame).name in LISTS or machine.names.resolve(type_, frame).name in (
+        "std::map",
+        "std::unordered_map",
+        "std::pair",
+    )
+
+
+def converted(machine: Machine, value: Value, type_: Type, frame: Frame, node: Node | None = None) -> Value:
+    """``value`` as a variable of ``type_`` holds it."""
+    if isinstance(value, Number):
+        name = type_.name if type_.name in DOUBLES or type_.name in INTEGERS else machine.names.resolve(type_, frame).name
+        if name in DOUBLES:
+            return Number(float(value.value))
+        if name in INTEGERS and (not isinstance(value.value, float) or abs(value.value) < 1e15):
+            return Number(int(value.value))
+        if name == "bool":
+            return Number(bool(value.value))
+        if is_pointer_type(machine, type_, frame):
+            return NULL
+        return value
+    if isinstance(value, Text) and type_.name.endswith("NodeHandle"):
+        from launchlint.extract.cpp.naming import below
+
+        return Handle(below("", value.template))
+    return value
+
+
+# -- members --------------------------------------------------------------------------------------------------------------
+
+
+def chain(machine: Machine, this: Thing) -> list[Class]:
+    """The class of an object and its bases."""
+    if this.declared is None:
+        return []
+    return [this.declared, *machine.names.bases(this.declared.name)]
+
+
+def is_a(machine: Machine, this: Thing, name: str) -> bool:
+    """Whether an object is of a class or of one derived from it."""
+    return any(each.name == name for each in chain(machine, this))
+
+
+def member(machine: Machine, this: Thing | None, name: str) -> Cell | None:
+    """A member variable of an object."""
+    if this is None:
+        return None
+    if name in this.fields:
+        return this.fields[name]
+    for declared in chain(machine, this):
+        field = declared.fields.get(name)
+        if field is None:
+            continue
+        inner = Frame(declared.path, declared.name, this, dict(bindings_in(machine, this, declared)))
+        value: Value = UNKNOWN
+        if field.initial is None:
+            outside = machine.declarations.variables.get(joined(declared.name, name))
+            if outside is not None and outside.initial is not None:
+                value = _initial(machine, outside, inner)
+        elif field.constant:
+            value = _initial(machine, field, inner)
+        cell = Cell(value, field.type, 0, field.constant)
+        this.fields[name] = cell
+        return cell
+    return None
+
+
+def bindings_in(machine: Machine, this: Thing, owner: Class | None) -> dict[str, Type]:
+    """The template arguments of ``owner``, the object's class or one of its bases."""
+    if owner is None or this.declared is None or owner is this.declared:
+        return this.bindings
+    frames: list[tuple[Class, dict[str, Type]]] = [(this.declared, this.bindings)]
+    seen: set[str] = set()
+    while frames and len(seen) < 60:
+        declared, known = frames.pop(0)
+        if declared.name in seen:
+            continue
+        seen.add(declared.name)
+        if declared is owner:
+            return known
+        frame = Frame("", declared.name, None, known)
+        for base in declared.bases:
+            resolved = machine.names.resolve(base, frame)
+            found = machine.names.declared(resolved)
+            if found is not None:
+                frames.append((found, dict(zip(found.template, resolved.arguments, strict=False))))
+    return {}
+
+
+def methods(machine: Machine, this: Thing, name: str) -> list[Function]:
+    """The functions of that name that a call on the object means."""
+    for declared in chain(machine, this):
+        found = [each for each in machine.declarations.functions.get(joined(declared.name, name), []) if each.body]
+        if found:
+            return found
+    return []
+
+
+def overriders(machine: Machine, this: Thing, name: str) -> list[tuple[Class, list[Function]]]:
+    """Derived classes that have the function, for an object of which only a base class is known."""
+    if this.declared is None:
+        return []
+    found = []
+    for declared in machine.declarations.classes.values():
+        if declared is not this.declared and any(each is this.declared for each in machine.names.bases(declared.name)):
+            functions = [each for each in machine.declarations.functions.get(joined(declared.name, name), []) if each.body]
+            if functions:
+                found.append((declared, functions))
+    return found[:_MOST_SUBCLASSES]
+
+
+# -- choosing -------------------------------------------------------------------------------------------------------------
+
+
+def chosen(machine: Machine, functions: Sequence[Function], given: Sequence[Argument] | None, this: Thing | None) -> Function | None:
+    """The overload that fits the arguments best; None of them known: the first that has a body."""
+    candidates = [each for each in functions if each.body is not None]
+    if len(candidates) <= 1 or given is None:
+        return candidates[0] if candidates else None
+    best, most = candidates[0], -1_000
+    for function in candidates:
+        score = _fit(machine, function, given)
+        if score > most:
+            best, most = function, score
+    return best
+
+
+def _fit(machine: Machine, function: Function, given: Sequence[Argument]) -> int:
+    parameters = function.parameters
+    defaults = with_defaults(machine, function)
+    needed = sum(1 for position, each in enumerate(parameters) if each.default is None and position not in defaults)
+    score = 0
+    if not needed <= len(given) <= len(parameters):
+        score -= 100
+    for parameter, argument in zip(parameters, given, strict=False):
+        score += _fits(parameter.type, argument.value)
+    return score
+
+
+def _fits(type_: Type, value: Value) -> int:
+    name = type_.name
+    first = choices(value)[0][1] if choices(value) else UNKNOWN
+    if isinstance(first, Text):
+        return 4 if name in TEXTS else -3 if name in DOUBLES or name in INTEGERS or name == "bool" or "NodeHandle" in name else 0
+    if isinstance(first, Number):
+        if isinstance(first.value, bool):
+            return 4 if name == "bool" else 0 if name in INTEGERS else -2
+        return 3 if name in DOUBLES or name in INTEGERS else 1 if name == "bool" else -3
+    if isinstance(first, Handle):
+        return 4 if "NodeHandle" in name or type_.arguments and "NodeHandle" in type_.arguments[0].name else -4
+    if isinstance(first, Thing):
+        inner = type_.arguments[0].last if type_.name in POINTERS and type_.arguments else type_.last
+        return 4 if inner == first.type.last else -2 if name in TEXTS or name in DOUBLES or name in INTEGERS else 0
+    if isinstance(first, (Callable, Closure)):
+        return 3 if "function" in name else -2 if name in TEXTS or name in INTEGERS else 0
+    return 0
+
+
+def with_defaults(machine: Machine, function: Function) -> dict[int, Node]:
+    """Default arguments that stand in the prototype of a function."""
+    found: dict[int, Node] = {}
+    for other in machine.declarations.functions.get(function.name, []):
+        if other is not function and len(other.parameters) == len(function.parameters):
+            for position, parameter in enumerate(other.parameters):
+                if parameter.default is not None:
+                    found.setdefault(position, parameter.default)
+    return found
+
+
+def is_relevant(machine: Machine, function: Function) -> bool:
+    """Whether a function, or one that it calls, may have to do with names of ROS; told by words alone."""
+    if function.relevant is None:
+        words: dict[Function, frozenset[str]] = {}
+        for functions in machine.declarations.functions.values():
+            for each in functions:
+                if each.body is not None:
+                    text = each.body.text + (each.initialisers.text if each.initialisers else "")
+                    words[each] = frozenset(_WORD.findall(text))
+        macros = {name for name, value in machine.declarations.calls.items() if not _TELLING.isdisjoint(_WORD.findall(value[1]))}
+        telling = set(_TELLING) | macros
+        changed = True
+        while changed:
+            changed = False
+            for each, used in words.items():
+                if not each.relevant and not telling.isdisjoint(used):
+                    each.relevant = True
+                    if each.last not in telling:
+                        telling.add(each.last)
+                        changed = True
+        for each in words:
+            each.relevant = bool(each.relevant)
+    return bool(function.relevant)
+
+
+__all__ = ["UNTYPED", "Null"]

@@ -1,0 +1,149 @@
+"""The interface of ROS in C++: which calls make which names. One table each for objects that are made, functions, and members."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from launchlint.extract.cpp.frame import Frame
+from launchlint.extract.cpp.naming import NODE_NAME
+from launchlint.extract.cpp.ros import functions as _functions
+from launchlint.extract.cpp.ros import handle as _handle
+from launchlint.extract.cpp.ros import library as _library
+from launchlint.extract.cpp.spelled_type import POINTERS, Type
+from launchlint.extract.cpp.syntax import Node
+from launchlint.extract.cpp.values import UNKNOWN, Callable, Cell, Closure, Handle, Text, Thing, Value, choices
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.extract.cpp.calls import Call
+    from launchlint.extract.cpp.machine import Argument, Machine
+
+TELLING_METHODS = {
+    "advertise": "publishers",
+    "subscribe": "subscribers",
+    "advertiseService": "services",
+    "serviceClient": "clients",
+    "getParam": "params",
+    "param": "params",
+}
+"""Members of a node handle, and the category of what they make."""
+
+BARE = frozenset(
+    ("message_filters::Subscriber", "image_transport::SubscriberFilter", "urdf::Model", "ros::AdvertiseOptions", "ros::SubscribeOptions")
+)
+"""Classes whose members tell something even where their constructor was not seen."""
+
+_NODELETS = {
+    "getNodeHandle": "",
+    "getPrivateNodeHandle": "~",
+    "getMTNodeHandle": "",
+    "getMTPrivateNodeHandle": "~",
+    "getSTNodeHandle": "",
+    "getSTPrivateNodeHandle": "~",
+}
+
+
+def is_made(machine: Machine, type_: Type) -> bool:
+    """Whether a resolved type is a class of ROS that is known here."""
+    return _library.known_name(machine, type_) in _library.MAKERS
+
+
+def make(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, frame: Frame) -> Value:
+    """Make an object of a class that the program does not have itself."""
+    from launchlint.extract.cpp.calls import Call
+
+    name = _library.known_name(machine, type_)
+    maker = _library.MAKERS.get(name)
+    type_ = type_._replace(name=name)
+    if maker is not None:
+        return maker(Call(machine, name, type_.arguments, given, node, frame))
+    machine.serial += 1
+    thing = Thing(type_, None, machine.serial)
+    for each in given:
+        for _, value in choices(each.value):
+            if isinstance(value, (Callable, Closure)) and not type_.name.endswith("function"):
+                machine.later(value, machine.when)
+            elif isinstance(value, (Callable, Closure)):
+                return value
+            elif isinstance(value, Handle) and name not in _library.HARMLESS:
+                machine.doubt_all(f"{name} is given a node handle, and is not in these sources", frame.path, node.line)
+    if name in _library.LOADERS:
+        machine.doubt_all(f"{name} loads plugins, which may have interfaces of their own", frame.path, node.line)
+    return thing
+
+
+def function(asked: Call) -> Value | None:
+    """A function of ROS; None where it is none that is known."""
+    name = asked.name
+    if name in _functions.FUNCTIONS:
+        return _functions.FUNCTIONS[name](asked)
+    if "::" in name:
+        first, _, rest = name.partition("::")
+        namespaces = asked.machine.declarations.namespaces
+        if first in namespaces and f"{namespaces[first]}::{rest}" in _functions.FUNCTIONS:
+            return _functions.FUNCTIONS[f"{namespaces[first]}::{rest}"](asked)
+        resolved = asked.machine.names.resolve(Type(name.rpartition("::")[0]), asked.frame)
+        full = f"{resolved.name}::{name.rpartition('::')[2]}"
+        if full in _functions.FUNCTIONS:
+            return _functions.FUNCTIONS[full](asked._replace(types=asked.types or resolved.arguments))
+    for used in asked.machine.declarations.used:
+        if f"{used}::{name}" in _functions.FUNCTIONS and used.startswith(("ros", "image_transport", "dynamic_reconfigure")):
+            return _functions.FUNCTIONS[f"{used}::{name}"](asked)
+    return None
+
+
+def handle_method(handle: Handle, asked: Call) -> Value | None:
+    """A member function of a node handle; None where it is none that is known."""
+    method_ = _handle.METHODS.get(asked.name)
+    return None if method_ is None else method_(handle, asked)
+
+
+def own_method(this: Thing, asked: Call) -> Value | None:
+    """A member function that an object has from a base class of ROS; None where that is not known."""
+    if asked.name in _NODELETS and not asked.arguments:
+        return Handle(_NODELETS[asked.name])
+    if asked.name in ("getNodeHandle", "getMTNodeHandle", "getSTNodeHandle"):
+        return Handle("")
+    if asked.name == "getName" and not asked.arguments and _is_nodelet(this, asked):
+        return Text(NODE_NAME)
+    held = this.fields.get("<handle>")
+    if held is not None and isinstance(held.value, Handle) and asked.name in _handle.METHODS:
+        return handle_method(held.value, asked)
+    if this.declared is not None:
+        for declared in [this.declared, *asked.machine.names.bases(this.declared.name)]:
+            for base in declared.bases:
+                resolved = asked.machine.names.resolve(base, Frame("", declared.name, this, this.bindings))
+                known = _library.METHODS.get((_library.known_name(asked.machine, resolved), asked.name))
+                if known is not None:
+                    return known(this, asked._replace(types=asked.types or resolved.arguments))
+    return None
+
+
+def _is_nodelet(this: Thing, asked: Call) -> bool:
+    return this.declared is not None and any(
+        "odelet" in base.name for declared in [this.declared, *asked.machine.names.bases(this.declared.name)] for base in declared.bases
+    )
+
+
+def method(this: Thing, asked: Call) -> Value | None:
+    """A member function of an object of a class of ROS; None where it is none that is known."""
+    known = _library.METHODS.get((this.type.name, asked.name))
+    if known is not None:
+        return known(this, asked)
+    if this.declared is None and any(
+        isinstance(value, (Callable, Closure)) for each in asked.arguments for _, value in choices(each.value)
+    ):
+        for each in asked.arguments:
+            asked.machine.later(each.value, "start" if asked.name in ("setCallback", "create_thread", "post") else "message")
+        return UNKNOWN
+    if this.declared is None and this.type.name in _library.LOADERS and asked.name in _library.LOADING:
+        return UNKNOWN
+    return None
+
+
+def may_be_handle(machine: Machine, cell: Cell | None, frame: Frame) -> bool:
+    """Whether a variable of which nothing is known may be a node handle."""
+    if cell is None or not cell.type.name:
+        return False
+    type_ = cell.type.arguments[0] if cell.type.name in POINTERS and cell.type.arguments else cell.type
+    return machine.names.resolve(type_, frame).last == "NodeHandle"

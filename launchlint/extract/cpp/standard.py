@@ -1,0 +1,202 @@
+"""Functions and members of the standard library and of boost that names, objects and callbacks go through."""
+
+from __future__ import annotations
+
+from launchlint.extract.cpp import classes
+from launchlint.extract.cpp.naming import template, together
+from launchlint.extract.cpp.spelled_type import Type
+from launchlint.extract.cpp.values import (
+    UNKNOWN,
+    Callable,
+    Cell,
+    Closure,
+    Either,
+    Items,
+    Null,
+    Number,
+    Text,
+    Thing,
+    Value,
+    choices,
+    either,
+    plain,
+)
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.extract.cpp.calls import Call
+
+_THROUGH = frozenset(
+    """std::move move std::forward boost::ref std::ref boost::cref std::cref boost::bind_ std::make_unique_ std::addressof boost::make_optional
+    boost::algorithm::trim_copy std::as_const boost::implicit_cast ros::names::clean""".split()
+)
+_CASTS = frozenset(
+    """static_cast dynamic_cast const_cast reinterpret_cast boost::static_pointer_cast std::static_pointer_cast boost::dynamic_pointer_cast
+    std::dynamic_pointer_cast dynamic_pointer_cast static_pointer_cast boost::const_pointer_cast boost::numeric_cast boost::polymorphic_cast""".split()
+)
+_MAKERS = frozenset(
+    ("boost::make_shared", "std::make_shared", "std::make_unique", "make_shared", "make_unique", "absl::make_unique", "boost::make_unique")
+)
+_TO_TEXT = frozenset(
+    ("std::to_string", "to_string", "boost::lexical_cast", "lexical_cast", "boost::str", "str", "std::string", "string", "QString")
+)
+_BINDERS = frozenset(("boost::bind", "std::bind", "bind", "boost::mem_fn", "std::mem_fn"))
+_NUMBERS = frozenset(("int", "double", "float", "bool", "size_t", "std::size_t", "uint32_t", "uint8_t", "unsigned"))
+CHANGING = frozenset(("push_back", "emplace_back", "insert", "append", "resize", "clear", "assign", "emplace", "push_front", "str"))
+"""Members that change a container or a text."""
+_MOST_ITEMS = 200
+
+
+def function(asked: Call) -> Value | None:
+    """The value of a call; None where the function is none of these."""
+    name = asked.name
+    machine = asked.machine
+    if name in _BINDERS:
+        return _bound(asked)
+    if name in _MAKERS and asked.types:
+        return classes.construct(machine, asked.types[0], asked.arguments, asked.node, asked.frame)
+    if name in _CASTS and asked.arguments:
+        value = asked.value(0)
+        return classes.converted(machine, value, asked.types[0], asked.frame) if asked.types and isinstance(value, Number) else value
+    if name in _THROUGH and asked.arguments:
+        return asked.value(0)
+    if name in _TO_TEXT and asked.arguments:
+        return _text(asked)
+    if name in _NUMBERS and len(asked.arguments) == 1:
+        return classes.converted(machine, asked.value(0), Type(name), asked.frame)
+    if name in ("sprintf", "snprintf", "std::snprintf", "std::sprintf"):
+        return _printed(asked, 1 if name.endswith("sprintf") and "n" not in name.removeprefix("std::")[:2] else 2)
+    if name in ("strcpy", "std::strcpy", "strncpy") and asked.cell(0) is not None:
+        machine.write(asked.arguments[0].cell or Cell(UNKNOWN), asked.value(1))
+        return UNKNOWN
+    if name in ("boost::format", "format") and asked.arguments:
+        thing = Thing(Type("boost::format"), None, 0)
+        thing.fields["<text>"] = machine.cell(asked.value(0))
+        return thing
+    if name in ("boost::function", "std::function") and asked.arguments:
+        return asked.value(0)
+    if name in ("std::make_pair", "make_pair", "std::pair", "std::make_tuple"):
+        return Items(tuple(each.value for each in asked.arguments))
+    return None
+
+
+def _bound(asked: Call) -> Value:
+    found: list[tuple[str, Value]] = []
+    rest: list[int | Value] = []
+    for each in asked.arguments[1:]:
+        text = each.node.text.rpartition("::")[2] if each.node is not None else ""
+        rest.append(int(text[1:]) - 1 if text[:1] == "_" and text[1:].isdigit() and len(text) < 4 else each.value)
+    for condition, value in choices(asked.value(0)):
+        if isinstance(value, Callable) and value.bound is None:
+            this, given = value.this, list(rest)
+            if this is None and given and value.functions and value.functions[0].owner:
+                first = given[0]
+                if isinstance(first, Either):
+                    first = first.choices[0][1]
+                if isinstance(first, Thing):
+                    this, given = first, given[1:]
+            found.append((condition, Callable(value.functions, this, tuple(given))))
+        else:
+            found.append((condition, value))
+    return either(found) if found else UNKNOWN
+
+
+def _text(asked: Call) -> Value:
+    value = asked.value(0)
+    if asked.name.endswith("lexical_cast") and asked.types and asked.types[0].name != "std::string":
+        return value if isinstance(value, Number) else UNKNOWN
+    if isinstance(value, Thing):
+        cell = value.fields.get("<text>")
+        return cell.value if cell is not None else UNKNOWN
+    if isinstance(value, (Text, Either)):
+        return value
+    return Text(plain(value) or "{any}") if isinstance(value, Number) else Text("{any}")
+
+
+def _printed(asked: Call, position: int) -> Value:
+    from launchlint.extract.cpp.expressions import filled
+
+    text = asked.value(position)
+    cell = asked.cell(0)
+    if isinstance(text, Text) and cell is not None:
+        done = text.template
+        for each in asked.arguments[position + 1 : position + 12]:
+            done = filled(done, template(each.value))
+        asked.machine.write(cell, Text(done))
+    elif cell is not None:
+        asked.machine.write(cell, UNKNOWN)
+    return UNKNOWN
+
+
+def method(value: Value, asked: Call, cell: Cell | None) -> Value:
+    """A member function of a text or a list."""
+    name = asked.name
+    machine = asked.machine
+    if isinstance(value, Text):
+        if name in ("c_str", "data", "str", "toStdString", "begin"):
+            return value
+        if name in ("empty", "isEmpty", "size", "length") and "{" not in value.template and "\x01" not in value.template:
+            return Number(not value.template) if "mpty" in name else Number(len(value.template))
+        if name in ("append", "push_back", "operator+=") and cell is not None:
+            changed = together(value, asked.value(0))
+            machine.write(cell, changed)
+            return changed
+        if name in ("assign", "operator=") and cell is not None:
+            machine.write(cell, asked.value(0))
+            return asked.value(0)
+        if name in ("substr", "at", "front", "back"):
+            return _part(value, asked)
+        if name in ("erase", "replace", "insert", "resize", "pop_back", "clear") and cell is not None:
+            machine.write(cell, Text("") if name == "clear" else UNKNOWN)
+        return UNKNOWN
+    if isinstance(value, Items):
+        if name in ("size", "length"):
+            return Number(len(value.items))
+        if name == "empty":
+            return Number(not value.items)
+        if name in ("push_back", "emplace_back", "insert", "emplace", "push_front") and cell is not None:
+            if len(asked.arguments) == 1 and len(value.items) < _MOST_ITEMS:
+                machine.write(cell, Items((*value.items, asked.value(0))))
+            else:
+                machine.write(cell, UNKNOWN)
+            return UNKNOWN
+        if name in ("at", "operator[]"):
+            index = asked.value(0)
+            if isinstance(index, Number) and isinstance(index.value, int) and 0 <= index.value < len(value.items):
+                return value.items[index.value]
+            return UNKNOWN
+        if name in ("front", "back") and value.items:
+            return value.items[0 if name == "front" else -1]
+        if name == "clear" and cell is not None:
+            machine.write(cell, Items(()))
+        elif name in ("resize", "assign", "erase", "pop_back", "swap") and cell is not None:
+            machine.write(cell, UNKNOWN)
+        return UNKNOWN
+    return UNKNOWN
+
+
+def _part(value: Text, asked: Call) -> Value:
+    bounds = [each.value.value for each in asked.arguments if isinstance(each.value, Number) and isinstance(each.value.value, int)]
+    if asked.name != "substr" or "{" in value.template or "\x01" in value.template or len(bounds) != len(asked.arguments) or not bounds:
+        return UNKNOWN
+    start = bounds[0]
+    if start < 0 or start > len(value.template):
+        return UNKNOWN
+    return Text(value.template[start : start + bounds[1]] if len(bounds) > 1 and bounds[1] >= 0 else value.template[start:])
+
+
+def thing_method(value: Thing, asked: Call) -> Value | None:
+    """A member function of a stream or a format."""
+    cell = value.fields.get("<text>")
+    if asked.name == "str":
+        if asked.arguments:
+            if cell is not None:
+                asked.machine.write(cell, asked.value(0))
+            return UNKNOWN
+        if cell is not None:
+            return cell.value
+        return Text("") if value.type.last in ("stringstream", "ostringstream") else UNKNOWN
+    return None
+
+
+__all__ = ["Closure", "Null", "function", "method", "thing_method"]

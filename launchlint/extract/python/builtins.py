@@ -1,0 +1,292 @@
+"""Python's own functions, and the methods of strings, lists and dicts, as far as names are made with them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+
+from launchlint.extract.python.text import ANY, braces, distribute, joined, path_joined, template, text
+from launchlint.extract.python.values import (
+    COMPLETE,
+    ENTRIES,
+    ITEMS,
+    MISSING,
+    MOST_ITEMS,
+    NAMESPACE,
+    NODE,
+    UNKNOWN,
+    Argv,
+    Choice,
+    Class,
+    External,
+    Instance,
+    Map,
+    Param,
+    Seq,
+    Text,
+    Value,
+    choice,
+)
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.extract.python.expressions import Expressions
+
+NAMES = frozenset(
+    """abs all any bool callable chr dict dir divmod enumerate filter float format frozenset getattr hasattr hash hex id input int isinstance
+    issubclass iter len list map max min next object open ord pow print property range raw_input repr reversed round set setattr
+    sorted staticmethod classmethod str sum super tuple type unicode unichr vars xrange zip basestring long file reduce eval exec compile
+    globals locals __import__ bytes bytearray memoryview exit quit cmp apply delattr slice complex bin oct ascii breakpoint
+    Exception ValueError KeyError IndexError TypeError IOError OSError RuntimeError AttributeError ImportError NotImplementedError
+    KeyboardInterrupt SystemExit StopIteration AssertionError NameError ZeroDivisionError BaseException StandardError EOFError
+    UnicodeDecodeError UnicodeEncodeError UnicodeError DeprecationWarning Warning UserWarning NotImplemented Ellipsis __debug__
+    ConnectionError TimeoutError FileNotFoundError PermissionError ModuleNotFoundError ArithmeticError OverflowError LookupError
+    ConnectionRefusedError ConnectionResetError BrokenPipeError InterruptedError BlockingIOError EnvironmentError FileExistsError
+    MemoryError RecursionError SyntaxError SystemError IsADirectoryError NotADirectoryError WindowsError FutureWarning""".split()
+)
+
+KEEPING = frozenset("dict list tuple str isinstance len zip enumerate sorted set range xrange iter".split())
+"""Those that call nothing they are given."""
+
+_CHANGING = frozenset(("sort", "reverse", "discard", "remove", "pop", "clear", "popitem", "insert", "popleft", "rotate"))
+
+
+def function(run: Expressions, name: str, positional: Sequence[Value], keywords: dict[str, Value]) -> Value:
+    """The value of a call of a built-in function."""
+    first = positional[0] if positional else MISSING
+    if name in ("str", "unicode", "repr", "format", "ascii"):
+        if name == "repr" or isinstance(first, (Seq, Map)):
+            return UNKNOWN
+        return "" if first is MISSING else distribute(lambda each: each if isinstance(each, (Param, Text)) else text(template(each)), first)
+    if name in ("int", "float", "bool", "long", "abs", "round"):
+        return _number(name, first)
+    if name in ("list", "tuple", "set", "sorted", "reversed", "frozenset", "iter"):
+        return _sequence(name, first, run)
+    if name == "dict":
+        entries = dict(first.entries) if isinstance(first, Map) else {}
+        return Map({**entries, **keywords}, first is MISSING or (isinstance(first, Map) and first.complete))
+    if name == "len":
+        return _length(first)
+    if name in ("range", "xrange"):
+        return _range(positional)
+    if name == "enumerate":
+        items, complete = run.rounds(first)
+        start = positional[1] if len(positional) > 1 else keywords.get("start", 0)
+        start = start if isinstance(start, int) else 0
+        return Seq([Seq([start + at if complete else UNKNOWN, item]) for at, item in enumerate(items)], complete)
+    if name == "zip":
+        lists = [run.rounds(each) for each in positional]
+        return Seq([Seq(list(each)) for each in zip(*(items for items, _ in lists), strict=False)], all(complete for _, complete in lists))
+    if name == "isinstance" and len(positional) == 2:
+        return _is_instance(positional[0], positional[1])
+    if name in ("min", "max") and len(positional) > 1 and all(isinstance(each, (int, float)) for each in positional):
+        return min(positional) if name == "min" else max(positional)
+    return UNKNOWN
+
+
+_NUMBERS: dict[str, Callable[[Value], Value]] = {"int": int, "long": int, "float": float, "bool": bool, "abs": abs, "round": round}
+
+
+def _number(name: str, value: Value) -> Value:
+    if value is MISSING:
+        return UNKNOWN
+    if isinstance(value, (Param, Choice, Text)) and name in ("int", "float", "long"):
+        return value
+    try:
+        if isinstance(value, (int, float, str)) and not (isinstance(value, str) and len(value) > 50):
+            make: Callable[[Value], Value] = _NUMBERS[name]
+            return make(value)
+    except (ValueError, TypeError, OverflowError):
+        return UNKNOWN
+    return UNKNOWN
+
+
+def _sequence(name: str, value: Value, run: Expressions) -> Value:
+    if value is MISSING:
+        return Seq([])
+    if isinstance(value, Argv):
+        return value
+    if isinstance(value, (Seq, Map)) or (isinstance(value, str) and name != "iter"):
+        items, complete = run.rounds(value)
+        if name == "reversed":
+            items = items[::-1]
+        if name == "sorted" and all(isinstance(each, str) for each in items):
+            items = sorted(items)
+        return Seq(list(items), complete)
+    return UNKNOWN
+
+
+def _length(value: Value) -> Value:
+    if isinstance(value, str):
+        return len(value)
+    if isinstance(value, Seq) and value.complete:
+        return len(value.items)
+    return len(value.entries) if isinstance(value, Map) and value.complete else UNKNOWN
+
+
+def _range(bounds: Sequence[Value]) -> Value:
+    if 1 <= len(bounds) <= 3 and all(isinstance(each, int) and abs(each) < 1 << 31 for each in bounds) and (len(bounds) < 3 or bounds[2]):
+        steps = range(*bounds)
+        return Seq(list(steps)) if len(steps) <= MOST_ITEMS else Seq([], False)
+    return Seq([], False)
+
+
+_KINDS = {"str": "str basestring unicode", "bool": "bool int", "int": "int long", "float": "float", "NoneType": ""}
+
+
+def _is_instance(value: Value, types: Value) -> Value:
+    wanted = types.items if isinstance(types, Seq) else [types]
+    names = {each.name.removeprefix("builtins.") for each in wanted if isinstance(each, External)}
+    if isinstance(value, (str, bool, int, float)) or value is None:
+        own = _KINDS[type(value).__name__].split()
+        return bool(names.intersection(own)) if len(names) == len(wanted) else UNKNOWN
+    if isinstance(value, Instance) and all(isinstance(each, Class) for each in wanted):
+        return any(each is above for each in wanted for above in value.type.ancestors())
+    return UNKNOWN
+
+
+def method(run: Expressions, receiver: Value, name: str, positional: Sequence[Value], keywords: dict[str, Value]) -> Value:
+    """The value of a call of a method of a string, list or dict."""
+    if isinstance(receiver, Seq):
+        return _seq_method(run, receiver, name, positional)
+    if isinstance(receiver, Map):
+        return _map_method(run, receiver, name, positional, keywords)
+    if isinstance(receiver, Argv):
+        return UNKNOWN
+    return _text_method(run, receiver, name, positional, keywords)
+
+
+def _text_method(run: Expressions, receiver: Value, name: str, positional: Sequence[Value], keywords: dict[str, Value]) -> Value:
+    if name == "format" and isinstance(receiver, str):
+        return braces(receiver, positional, keywords)
+    if name == "join" and isinstance(receiver, str):
+        items, complete = run.rounds(positional[0] if positional else UNKNOWN)
+        parts = [part for item in items for part in (receiver, item)][1:]
+        return joined(parts) if complete else UNKNOWN
+    if name in ("encode", "decode"):
+        return receiver
+    if isinstance(receiver, str):
+        return _string_method(receiver, name, positional)
+    if isinstance(receiver, Text):
+        return _open_text_method(receiver.template, name, positional)
+    if isinstance(receiver, Param) and name in ("strip", "lower", "upper", "lstrip", "rstrip") and not positional:
+        default = _string_method(receiver.default, name, ()) if isinstance(receiver.default, str) else receiver.default
+        return Param(receiver.name, default) if name in ("strip", "lstrip", "rstrip") else UNKNOWN
+    return UNKNOWN
+
+
+_PURE = frozenset(
+    """strip lstrip rstrip lower upper title capitalize replace split rsplit splitlines startswith endswith find rfind count index isdigit
+    isalpha isalnum islower isupper isspace partition rpartition zfill removeprefix removesuffix swapcase""".split()
+)
+
+
+def _string_method(receiver: str, name: str, positional: Sequence[Value]) -> Value:
+    if name not in _PURE or not all(isinstance(each, (str, int, type(None))) for each in positional) or len(receiver) > 1000:
+        return UNKNOWN
+    if any((isinstance(each, int) and abs(each) > 1000) or (isinstance(each, str) and len(each) > 100) for each in positional):
+        return UNKNOWN
+    try:
+        result = getattr(receiver, name)(*positional)
+    except (TypeError, ValueError, IndexError):
+        return UNKNOWN
+    return Seq(list(result)) if isinstance(result, (list, tuple)) else result
+
+
+def _open_text_method(spelled: str, name: str, positional: Sequence[Value]) -> Value:
+    """Methods of a string of which only parts are known."""
+    if name in ("strip", "lstrip", "rstrip") and not positional:
+        return Text(spelled)
+    what = positional[0] if positional else None
+    if name in ("rstrip", "strip") and what == "/" and spelled.endswith(NAMESPACE) and name == "rstrip":
+        return text(spelled[: -len(NAMESPACE)] + NAMESPACE)
+    if name == "rstrip" and isinstance(what, str):
+        end = spelled.rstrip(what)
+        return text(end) if end[-1:] != "}" else text(end + ANY)
+    if name == "lstrip" and isinstance(what, str) and spelled[:1] not in ("{", NODE, NAMESPACE):
+        return text(spelled.lstrip(what) if spelled.lstrip(what)[:1] not in ("{", NODE, NAMESPACE, "") else ANY)
+    if name in ("startswith", "endswith") and isinstance(what, str):
+        literal = re.match(r"[^{}\ue000\ue001]*", spelled)
+        if name == "startswith" and literal is not None and len(literal[0]) >= len(what):
+            return literal[0].startswith(what)
+        return UNKNOWN
+    if name in ("split", "rsplit") and what == "/" and spelled == NODE:
+        return Seq([UNKNOWN, Text("{node}")])
+    if name == "replace" and len(positional) == 2 and all(isinstance(each, str) for each in positional):
+        return UNKNOWN
+    return UNKNOWN
+
+
+def _seq_method(run: Expressions, receiver: Seq, name: str, positional: Sequence[Value]) -> Value:
+    content = receiver.content
+    first = positional[0] if positional else UNKNOWN
+    if name in ("append", "add", "appendleft", "put", "insert"):
+        item = positional[-1] if positional else UNKNOWN
+        if len(receiver.items) < MOST_ITEMS:
+            run.store(content, ITEMS, [*receiver.items, item])
+        else:
+            run.store(content, COMPLETE, False)
+        return None
+    if name in ("extend", "update"):
+        items, complete = run.rounds(first)
+        run.store(content, ITEMS, [*receiver.items, *(items if complete else [])][:MOST_ITEMS])
+        run.store(content, COMPLETE, receiver.complete and complete and len(receiver.items) < MOST_ITEMS)
+        return None
+    if name == "index" and receiver.complete:
+        return next((at for at, each in enumerate(receiver.items) if isinstance(each, str) and each == first), UNKNOWN)
+    if name == "copy":
+        return Seq(list(receiver.items), receiver.complete)
+    if name in ("pop", "popleft") and receiver.complete and receiver.items:
+        at = 0 if name == "popleft" else first if isinstance(first, int) and -len(receiver.items) <= first < len(receiver.items) else -1
+        items = list(receiver.items)
+        taken = items.pop(at)
+        run.store(content, ITEMS, items)
+        return taken
+    if name in _CHANGING and name not in ("sort", "reverse"):
+        run.store(content, COMPLETE, False)
+    return UNKNOWN
+
+
+def _map_method(run: Expressions, receiver: Map, name: str, positional: Sequence[Value], keywords: dict[str, Value]) -> Value:
+    entries = receiver.entries
+    first = positional[0] if positional else UNKNOWN
+    if name in ("items", "iteritems", "viewitems"):
+        return Seq([Seq([key, value]) for key, value in entries.items()], receiver.complete)
+    if name in ("keys", "iterkeys", "viewkeys"):
+        return Seq(list(entries), receiver.complete)
+    if name in ("values", "itervalues", "viewvalues"):
+        return Seq(list(entries.values()), receiver.complete)
+    if name in ("get", "pop", "setdefault"):
+        default = positional[1] if len(positional) > 1 else None
+        if isinstance(first, (str, int, Text)):
+            if first in entries:
+                return entries[first]
+            if name == "setdefault":
+                run.store(receiver.content, ENTRIES, {**entries, first: default})
+            return default if receiver.complete else UNKNOWN
+        return choice([("", each) for each in [*entries.values(), default]]) if receiver.complete else UNKNOWN
+    if name == "update":
+        other = first.entries if isinstance(first, Map) else {}
+        run.store(receiver.content, ENTRIES, {**entries, **other, **keywords})
+        run.store(receiver.content, COMPLETE, receiver.complete and (not positional or (isinstance(first, Map) and first.complete)))
+        return None
+    if name == "copy":
+        return Map(dict(entries), receiver.complete)
+    if name in _CHANGING:
+        run.store(receiver.content, COMPLETE, False)
+    return UNKNOWN
+
+
+def path_function(name: str, positional: Sequence[Value]) -> Value:
+    """``os.path.join`` and the like."""
+    if name == "join":
+        return path_joined(positional)
+    first = positional[0] if positional else UNKNOWN
+    if isinstance(first, str) and name in ("basename", "dirname", "normpath") and len(first) < 1000:
+        import posixpath
+
+        result: str = getattr(posixpath, name)(first)
+        return result
+    if isinstance(first, Text) and first.template == NODE and name == "basename":
+        return Text("{node}")
+    return UNKNOWN

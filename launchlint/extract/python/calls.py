@@ -1,0 +1,346 @@
+"""Calls: functions, methods and classes of the program, and what is passed on to modules that are not followed."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+
+from launchlint.extract.python import builtins, recognised
+from launchlint.extract.python.arguments import Call
+from launchlint.extract.python.expressions import Expressions
+from launchlint.extract.python.memory import ENDED, GOES_ON, Ended
+from launchlint.extract.python.values import (
+    MISSING,
+    UNKNOWN,
+    Argv,
+    Bound,
+    Choice,
+    Class,
+    External,
+    Function,
+    Handle,
+    Instance,
+    Map,
+    Module,
+    Param,
+    Partial,
+    Scope,
+    Seq,
+    Super,
+    Text,
+    Unknown,
+    Value,
+    alternatives,
+    choice,
+    conjunction,
+)
+
+DEEPEST_CALL = 30
+MOST_CALLBACKS = 500
+
+
+class Callback:
+    """A function that somebody else will call: with what, and under which conditions that was arranged."""
+
+    __slots__ = ("condition", "function", "keywords", "known", "positional", "when")
+
+    def __init__(self, function: Value, positional: list[Value] | None, keywords: dict[str, Value], when: str, condition: str) -> None:
+        self.function = function
+        self.known = positional is not None
+        self.positional = positional or []
+        self.keywords = keywords
+        self.when = when
+        self.condition = condition
+
+
+class Calls(Expressions):
+    """Calling and attributes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.active: list[int] = []
+        self.executed: set[int] = set()
+        self.callbacks: list[Callback] = []
+        self.arranged: set[tuple[int, int]] = set()
+        self.instances: list[Instance] = []
+        self.escaped: list[Instance] = []
+        self.unknown_methods: set[str] = set()
+        self.options: dict[str, int] = {}
+        self._returns: list[list[tuple[str, Value]]] = []
+        self._yields: list[list[Value]] = []
+        self._marks: list[int] = []
+
+    def execute(self, body: Sequence[ast.stmt], scope: Scope) -> int:
+        """Go through statements; how that ended."""
+        raise NotImplementedError
+
+    def configuration(self, package: str, name: str, namespace: Value, made: Call) -> None:
+        """Note the params of ``package.cfg.<name>Config`` below a namespace."""
+        raise NotImplementedError
+
+    def configured(self, name: Value, type_: Value, default: Value, made: Call) -> None:
+        """Note a param that a ``.cfg`` file describes."""
+        raise NotImplementedError
+
+    def submodule(self, module: Module, name: str) -> Value:
+        """A module of a package, by its name in it; MISSING where there is none."""
+        raise NotImplementedError
+
+    # -- calling ------------------------------------------------------------------------------------------------------
+
+    def call(self, function: Value, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
+        """Call ``function`` from a place in the module of ``scope``."""
+        if isinstance(function, Function):
+            return self.call_function(function, positional, keywords)
+        if isinstance(function, Bound):
+            if isinstance(function.function, Function):
+                return self.call_function(function.function, [function.receiver, *positional], keywords)
+            return self.call_method(function.receiver, function.function, positional, keywords, node, scope)
+        if isinstance(function, Class):
+            return self.create(function, positional, keywords, node, scope)
+        if isinstance(function, Partial):
+            return self.call(function.function, [*function.positional, *positional], {**dict(function.keywords), **keywords}, node, scope)
+        if isinstance(function, External):
+            return self.call_external(function.name, positional, keywords, node, scope)
+        if isinstance(function, Instance):
+            method = self.attribute(function, "__call__", node, scope)
+            if isinstance(method, Bound):
+                return self.call(method, positional, keywords, node, scope)
+        if isinstance(function, Choice):
+            return choice([(condition, self.call(each, positional, keywords, node, scope)) for condition, each in function.alternatives])
+        self.escape([*positional, *keywords.values()], "start")
+        return UNKNOWN
+
+    def call_external(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
+        """Call something of a module that is not followed."""
+        if name.startswith("builtins."):
+            word = name[len("builtins.") :]
+            if word in ("exit", "quit"):
+                raise Ended
+            if word == "super":
+                return self._super(positional, scope)
+            if word in ("getattr", "hasattr") and len(positional) > 1:
+                return self._getattr(word, positional, node, scope)
+            if word == "setattr" and len(positional) == 3 and isinstance(positional[1], str) and isinstance(positional[0], Instance):
+                self.store(positional[0].attributes, positional[1], positional[2])
+                return None
+            if word in ("map", "filter") and len(positional) > 1:
+                items, complete = self.rounds(positional[1])
+                results = [self.call(positional[0], [item], {}, node, scope) for item in items]
+                return Seq(results if word == "map" else items, complete and word == "map")
+            if word not in builtins.KEEPING:
+                self.escape([*positional, *keywords.values()], "start")
+            return builtins.function(self, word, positional, keywords)
+        return recognised.call(self, name, positional, keywords, node, scope)
+
+    def call_method(
+        self, receiver: Value, name: Value, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
+    ) -> Value:
+        """Call a method of something that is no object of a followed class."""
+        if isinstance(name, External):  # a method that a followed class inherits from one that is not followed
+            if isinstance(receiver, Instance) and name.name.endswith(".__init__"):
+                recognised.inherited(self, name.name[: -len(".__init__")], receiver, positional, keywords, node, scope)
+                return None
+            return recognised.inherited_method(self, name.name, receiver, positional, keywords, node, scope)
+        if isinstance(receiver, Handle):
+            return recognised.method(self, receiver, str(name), positional, keywords, node, scope)
+        if isinstance(receiver, (str, Text, Param, Seq, Map, Argv)):
+            result = builtins.method(self, receiver, str(name), positional, keywords)
+            if result is UNKNOWN:
+                self.escape([*positional, *keywords.values()], "start")
+            return result
+        self.escape([*positional, *keywords.values()], "start")
+        return UNKNOWN
+
+    def call_function(self, function: Function, positional: list[Value], keywords: dict[str, Value]) -> Value:
+        """Call a function of the program with its parameters bound."""
+        node = function.node
+        self.step()
+        if self.active.count(id(node)) >= 2 or len(self.active) >= DEEPEST_CALL:
+            return UNKNOWN
+        scope = Scope(function.scope.module, function.scope)
+        self._bind(function, positional, keywords, scope)
+        if function.owner is not None:
+            scope.variables["__class__"] = function.owner
+        self.executed.add(id(node))
+        if isinstance(node, ast.Lambda):
+            self.active.append(id(node))
+            try:
+                return self.evaluate(node.body, scope)
+            finally:
+                self.active.pop()
+        mark = len(self.conditions)
+        self._returns.append([])
+        self._yields.append([])
+        self._marks.append(mark)
+        self.active.append(id(node))
+        flow = ENDED
+        try:
+            flow = self.execute(node.body, scope)
+        finally:
+            self.active.pop()
+            self._marks.pop()
+            returned, yielded = self._returns.pop(), self._yields.pop()
+            del self.conditions[mark:]
+        if yielded:
+            return Seq(yielded, False)
+        if flow == ENDED and not returned:
+            raise Ended
+        if flow == GOES_ON:
+            returned.append(("", None))
+        return choice(returned)
+
+    def returned(self, value: Value) -> None:
+        """Take what a ``return`` gives."""
+        if self._returns:
+            self._returns[-1].append((conjunction(self.conditions[self._marks[-1] :]), value))
+
+    def yielded(self, value: Value) -> None:
+        """Take what a generator gives."""
+        if self._yields:
+            self._yields[-1].append(value)
+
+    def _bind(self, function: Function, positional: list[Value], keywords: dict[str, Value], scope: Scope) -> None:
+        arguments = function.node.args
+        names = [each.arg for each in (*arguments.posonlyargs, *arguments.args)]
+        variables = scope.variables
+        for name, default in zip(names[len(names) - len(function.defaults) :], function.defaults, strict=True):
+            variables[name] = default
+        variables.update(function.keyword_defaults)
+        variables.update(zip(names, positional, strict=False))
+        known = {*names, *(each.arg for each in arguments.kwonlyargs)}
+        variables.update({name: value for name, value in keywords.items() if name in known})
+        for name in known:
+            variables.setdefault(name, UNKNOWN)
+        if arguments.vararg is not None:
+            variables[arguments.vararg.arg] = Seq(positional[len(names) :])
+        if arguments.kwarg is not None:
+            variables[arguments.kwarg.arg] = Map({name: value for name, value in keywords.items() if name not in known})
+
+    def create(self, type_: Class, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
+        """Make an object of a followed class."""
+        instance = Instance(type_)
+        self.instances.append(instance)
+        if len(self.instances) > 2_000:
+            return UNKNOWN
+        for base in type_.ancestors():
+            if isinstance(base, External):
+                recognised.inherited(self, base.name, instance, positional, keywords, node, scope)
+                break
+            if isinstance(base, Class) and "__init__" in base.attributes:
+                constructor = base.attributes["__init__"]
+                for _, each in alternatives(constructor):
+                    if isinstance(each, Function):
+                        self.call_function(each, [instance, *positional], keywords)
+                break
+        return instance
+
+    def _super(self, positional: list[Value], scope: Scope) -> Value:
+        if len(positional) >= 2 and isinstance(positional[0], Class):
+            return Super(positional[0], positional[1])
+        here: Scope | None = scope
+        while here is not None and "__class__" not in here.variables:
+            here = here.outer
+        if here is None:
+            return UNKNOWN
+        return Super(here.variables["__class__"], next(iter(here.variables.values()), UNKNOWN))
+
+    def _getattr(self, word: str, positional: list[Value], node: ast.AST, scope: Scope) -> Value:
+        if word == "hasattr" or not isinstance(positional[1], str):
+            return UNKNOWN
+        found = self.attribute(positional[0], positional[1], node, scope)
+        return found if found is not UNKNOWN or len(positional) < 3 else choice([("", UNKNOWN), ("", positional[2])])
+
+    # -- attributes -----------------------------------------------------------------------------------------------------
+
+    def attribute(self, value: Value, name: str, node: ast.AST, scope: Scope) -> Value:
+        """``value.name``."""
+        if isinstance(value, Choice):
+            return choice([(condition, self.attribute(each, name, node, scope)) for condition, each in value.alternatives])
+        if isinstance(value, Instance):
+            return self._of_instance(value, name)
+        if isinstance(value, External):
+            return recognised.attribute(value.name, name)
+        if isinstance(value, Module):
+            found = value.scope.variables.get(name, MISSING)
+            return self.submodule(value, name) if found is MISSING else found
+        if isinstance(value, Class):
+            return self._of_class(value, name, None, value)
+        if isinstance(value, Super):
+            return self._of_class(value.after, name, value.receiver if isinstance(value.receiver, Instance) else None, None, skip=True)
+        if isinstance(value, Handle):
+            found = value.state.get(("attribute", name), MISSING)
+            return Bound(value, name) if found is MISSING else found
+        if isinstance(value, (str, Text, Param, Seq, Map, Argv)):
+            return Bound(value, name)
+        if isinstance(value, Unknown):
+            self.unknown_methods.add(name)
+        if isinstance(value, Function) and name == "__name__" and not isinstance(value.node, ast.Lambda):
+            return value.node.name
+        return UNKNOWN
+
+    def _of_instance(self, instance: Instance, name: str) -> Value:
+        if name in instance.attributes:
+            return instance.attributes[name]
+        if name == "__class__":
+            return instance.type
+        found = self._of_class(instance.type, name, instance, instance.type)
+        if isinstance(found, Unknown):
+            self.unknown_methods.add(name)
+        return found
+
+    def _of_class(self, type_: Class, name: str, receiver: Instance | None, cls: Class | None, *, skip: bool = False) -> Value:
+        if name == "__name__":
+            return type_.name
+        for base in type_.ancestors():
+            if skip and base is type_:
+                continue
+            if isinstance(base, External):
+                if base.name == "builtins.object":
+                    continue
+                return Bound(receiver, External(f"{base.name}.{name}")) if receiver is not None else External(f"{base.name}.{name}")
+            if isinstance(base, Class) and name in base.attributes:
+                found = base.attributes[name]
+                return choice([(condition, self._bound(each, receiver, cls)) for condition, each in alternatives(found)])
+        return UNKNOWN
+
+    def _bound(self, found: Value, receiver: Instance | None, cls: Class | None) -> Value:
+        if not isinstance(found, Function):
+            return found
+        if found.kind == "static":
+            return found
+        if found.kind == "class":
+            return Bound(cls, found)
+        if receiver is None:
+            return found
+        return self.call_function(found, [receiver], {}) if found.kind == "property" else Bound(receiver, found)
+
+    # -- what others call -------------------------------------------------------------------------------------------------
+
+    def escape(self, values: Sequence[Value], when: str) -> None:
+        """Values are given to code that is not followed: it may call what can be called."""
+        for value in values:
+            for _, each in alternatives(value):
+                if isinstance(each, (Function, Partial)) or (isinstance(each, Bound) and isinstance(each.function, Function)):
+                    self.arrange(each, when)
+                elif isinstance(each, Instance):
+                    if not any(each is other for other in self.escaped):
+                        self.escaped.append(each)
+                elif isinstance(each, Seq) and len(each.items) <= 64:
+                    self.escape([item for item in each.items if not isinstance(item, Seq)], when)
+
+    def arrange(self, function: Value, when: str, positional: list[Value] | None = None, keywords: dict[str, Value] | None = None) -> None:
+        """Have a function called when the program has come to its end; ``positional`` where it is known with what."""
+        for _, each in alternatives(function):
+            inner = each.function if isinstance(each, Partial) else each
+            receiver = inner.receiver if isinstance(inner, Bound) else None
+            code = inner.function if isinstance(inner, Bound) else inner
+            if isinstance(code, Instance):
+                receiver = code
+            elif not isinstance(code, Function):
+                continue
+            key = (id(code.node) if isinstance(code, Function) else 0, id(receiver))
+            if (key in self.arranged and positional is None) or len(self.callbacks) >= MOST_CALLBACKS:
+                continue
+            self.arranged.add(key)
+            self.callbacks.append(Callback(each, positional, keywords or {}, when, conjunction(self.conditions)))

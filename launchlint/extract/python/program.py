@@ -1,0 +1,283 @@
+"""One Python program, from its first statement to the callbacks that are called when it has come to its end."""
+
+from __future__ import annotations
+
+import ast
+import os
+from typing import Any, NamedTuple
+
+from launchlint.extract.fact import Doubt, Fact
+from launchlint.extract.python import libraries, messages, recognised, rospy
+from launchlint.extract.python.arguments import Call, plain
+from launchlint.extract.python.calls import Callback
+from launchlint.extract.python.memory import Ended, Exhausted
+from launchlint.extract.python.modules import ModuleFinder
+from launchlint.extract.python.source import SourceError, parse
+from launchlint.extract.python.statements import Statements
+from launchlint.extract.python.text import joined, ros_name
+from launchlint.extract.python.values import MISSING, UNKNOWN, Bound, Class, External, Function, Instance, Module, Scope, Value
+
+MOST_MODULES = 200
+
+_NEVER_FOLLOWED = frozenset(
+    """rospy roslib rosgraph actionlib tf tf2_ros tf2_py message_filters dynamic_reconfigure smach smach_ros diagnostic_updater rosunit rostest
+    genpy genmsg rospkg catkin interactive_markers cv_bridge rosparam rosbag""".split()
+)
+_QUIET = {"get_name", "get_namespace", "sleep", "spin", "is_shutdown", "myargv", "ns_join", "Timer"}
+_MAKING = frozenset(name.rpartition(".")[2] for name in (*rospy.HANDLERS, *libraries.HANDLERS)) - _QUIET
+_TYPES = {f"{name}{ending}": name for name in ("bool", "int", "double", "str") for ending in ("", "_t")}
+
+
+class Extracted(NamedTuple):
+    """What a program does.
+
+    ``options`` is how its command line is read (see the library format), ``uses_rospy`` whether it imports rospy at all.
+    """
+
+    facts: tuple[Fact, ...]
+    doubts: tuple[Doubt, ...]
+    options: dict[str, int]
+    uses_rospy: bool
+
+
+def python_program(path: str, root: str, package: str, finder: ModuleFinder) -> Extracted:
+    """Follow the program at ``path``. Nothing is run or imported.
+
+    Args:
+        path: the file.
+        root: the directory that paths of facts are relative to.
+        package: directory of the package it is of; empty where it is of none.
+        finder: where its modules are looked for.
+
+    Raises:
+        SourceError: the file itself is not Python, or cannot be read.
+    """
+    run = _Run(root, package, finder, os.path.dirname(path))
+    run.follow(path)
+    facts = tuple(dict.fromkeys(_hashable(fact) for fact in run.facts))
+    return Extracted(tuple(each.fact for each in facts), tuple(run.doubts), run.options, run.uses_rospy)
+
+
+def configuration_params(path: str, root: str) -> tuple[list[Fact], bool]:
+    """The params that a dynamic_reconfigure ``.cfg`` file describes, as private ones, and whether that is all of them."""
+    run = _Run(root, "", ModuleFinder({}), os.path.dirname(path))
+    try:
+        run.follow(path)
+    except SourceError:
+        return [], False
+    return [fact for fact in run.facts if fact.category == "params"], not any(doubt.category == "params" for doubt in run.doubts)
+
+
+class _Hashed:
+    """A fact that can be a key although its default may be a list."""
+
+    __slots__ = ("fact", "key")
+
+    def __init__(self, fact: Fact) -> None:
+        self.fact = fact
+        self.key = repr(fact)
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Hashed) and self.key == other.key
+
+
+def _hashable(fact: Fact) -> _Hashed:
+    return _Hashed(fact)
+
+
+class _Run(Statements):
+    def __init__(self, root: str, package: str, finder: ModuleFinder, beside: str) -> None:
+        super().__init__()
+        self._root = root
+        self._package = package
+        self._finder = finder
+        self._beside = beside
+        self._modules: dict[str, Module] = {}
+        self.uses_rospy = False
+        self._configured: list[tuple[str, str, Any, int]] = []
+
+    # -- the run ------------------------------------------------------------------------------------------------------
+
+    def follow(self, path: str) -> None:
+        """Follow the file at ``path`` from beginning to end."""
+        tree = parse(path)
+        main = Module("__main__", self._shown(path), tree)
+        main.scope.variables.update({"__name__": "__main__", "__file__": UNKNOWN, "__doc__": UNKNOWN})
+        self._modules[os.path.realpath(path)] = main
+        try:
+            self.execute(tree.body, main.scope)
+            self._call_back()
+            self._doubt_unseen()
+        except Ended:
+            pass
+        except (Exhausted, RecursionError):
+            self.conditions.clear()
+            self.doubt("it is too much to be followed to its end", main.path, 1)
+
+    def _call_back(self) -> None:
+        """What others call, after the program has come to its end."""
+        done = 0
+        for _ in range(20):
+            while done < len(self.callbacks):
+                self._call_one(self.callbacks[done])
+                done += 1
+            self._framework_methods()
+            if done == len(self.callbacks):
+                return
+
+    def _call_one(self, callback: Callback) -> None:
+        self.conditions = [callback.condition] if callback.condition else []
+        self.when = callback.when
+        positional = callback.positional if callback.known else self._unknown_arguments(callback.function)
+        try:
+            self.call(callback.function, positional, callback.keywords, ast.Pass(lineno=1, col_offset=0), Scope(Module("", "", None), None))
+        except Ended:
+            pass
+        finally:
+            self.conditions = []
+            self.when = "start"
+
+    @staticmethod
+    def _unknown_arguments(function: Value) -> list[Value]:
+        return [UNKNOWN] * 3 if isinstance(function, (Function, Bound)) else []
+
+    def _framework_methods(self) -> None:
+        """Objects whose class has a base that is not followed, or that were given away: whoever knows them may call their methods."""
+        for instance in list(self.instances):
+            foreign = [each for each in instance.type.ancestors() if isinstance(each, External) and each.name != "builtins.object"]
+            if not foreign and not any(instance is each for each in self.escaped):
+                continue
+            for name, when in self._callable(instance, foreign):
+                method = self._of_instance(instance, name)
+                if isinstance(method, Bound) and isinstance(method.function, Function) and id(method.function.node) not in self.executed:
+                    self.arrange(method, when)
+
+    @staticmethod
+    def _callable(instance: Instance, foreign: list[External]) -> list[tuple[str, str]]:
+        names = dict.fromkeys(name for each in instance.type.ancestors() if isinstance(each, Class) for name in each.attributes)
+        bases = {each.name for each in foreign}
+        if bases and bases <= {"threading.Thread", "multiprocessing.Process"}:
+            return [("run", "start")] if "run" in names else []
+        callable_ = [name for name in names if not name.startswith("__") or name == "__call__"]
+        return [(name, "start" if name in ("run", "setUp") else "message") for name in callable_]
+
+    def _doubt_unseen(self) -> None:
+        """Functions that make names and are called, if at all, only through values that are not known."""
+        for module in self._modules.values():
+            if module.tree is None:
+                continue
+            for node in ast.walk(module.tree):
+                if not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) or node.name not in self.unknown_methods:
+                    continue
+                if id(node) in self.executed:
+                    continue
+                if any(isinstance(each, ast.Call) and _called(each) in _MAKING for each in ast.walk(node)):
+                    self.doubt(f"{node.name}() is called through a value that is not known", module.path, node.lineno)
+
+    # -- modules --------------------------------------------------------------------------------------------------------
+
+    def import_module(self, name: str, level: int, node: ast.stmt, scope: Scope) -> Value:
+        """A module by its name as an import statement says it."""
+        top = name.partition(".")[0]
+        if level == 0 and top in ("rospy", "actionlib", "tf2_ros", "message_filters"):
+            self.uses_rospy = True
+        if level == 0 and top in _NEVER_FOLLOWED:
+            return External(name)
+        if level:
+            base = scope.module.name.split(".")
+            base = base[: len(base) - level + (1 if scope.module.path.endswith("__init__.py") else 0)]
+            if not base or base == ["__main__"]:
+                return self._load(name, node, scope) if name else UNKNOWN
+            name = ".".join([*base, *([name] if name else [])])
+        found = self._load(name, node, scope)
+        if isinstance(found, External) and level == 0 and "." in scope.module.name:
+            inner = self._load(f"{scope.module.name.rpartition('.')[0]}.{name}", node, scope)  # as Python 2 has it: beside the module first
+            if isinstance(inner, Module):
+                return inner
+        return found
+
+    def submodule(self, module: Module, name: str) -> Value:
+        """A module of a package, by its name in it."""
+        if name in ("msg", "srv", "cfg"):
+            return External(f"{module.name}.{name}")
+        found = self._load(f"{module.name}.{name}", ast.Pass(lineno=1, col_offset=0), module.scope)
+        return found if isinstance(found, Module) else self.from_stars(name, module)
+
+    def _load(self, name: str, node: ast.stmt, scope: Scope) -> Value:
+        parts = name.split(".")
+        module: Value = External(name)
+        for end in range(1, len(parts) + 1):
+            full = ".".join(parts[:end])
+            path = self._finder.find(full, self._beside, self._package)
+            if path is None:
+                return External(name)
+            module = self._module(full, path, node, scope)
+            if not isinstance(module, Module):
+                return External(name)
+        return module
+
+    def _module(self, name: str, path: str, node: ast.stmt, scope: Scope) -> Value:
+        key = os.path.realpath(path)
+        if key in self._modules:
+            known = self._modules[key]
+            return External(name) if known.name == "__main__" and name != "__main__" and known.tree is None else known
+        if path.endswith(os.sep):
+            self._modules[key] = Module(name, self._shown(path), None)
+            return self._modules[key]
+        if len(self._modules) >= MOST_MODULES:
+            raise Exhausted
+        try:
+            tree = parse(path)
+        except SourceError as error:
+            self.doubt(f"the module {name} {error}", scope.module.path, getattr(node, "lineno", 1))
+            return External(name)
+        module = Module(name, self._shown(path), tree)
+        module.scope.variables.update({"__name__": name, "__file__": UNKNOWN, "__doc__": UNKNOWN})
+        self._modules[key] = module
+        self.execute(tree.body, module.scope)
+        return module
+
+    def _shown(self, path: str) -> str:
+        return os.path.relpath(path, self._root).replace(os.sep, "/")
+
+    def from_stars(self, name: str, module: Module) -> Value:
+        """A name that some ``from x import *`` may have brought."""
+        for star in module.stars:
+            full = recognised.canonical(f"{star}.{name}")
+            if full in recognised.HANDLERS:
+                return External(full)
+        found = messages.origin(name, module.stars)
+        return External(f"{found}.{name}") if found else UNKNOWN
+
+    # -- dynamic_reconfigure ------------------------------------------------------------------------------------------------
+
+    def configuration(self, package: str, name: str, namespace: Value, made: Call) -> None:
+        """The params of ``package.cfg.<name>Config`` below a namespace."""
+        path = self._finder.configuration(package, name) if name else None
+        if path is None:
+            what = f"the params of {package}.cfg.{name}Config" if name else "the params that it reconfigures"
+            made.doubt(f"{what} are not known", ("params",))
+            return
+        params, complete = configuration_params(path, self._root)
+        for each in params:
+            spelled = ros_name(joined([namespace, each.name.removeprefix("~")]))
+            self.note({**each._asdict(), "name": spelled, "when": self.when, "condition": ""}, "")
+        if not complete:
+            made.doubt(f"some params of {name}.cfg are not known", ("params",))
+
+    def note(self, fact: Any, condition: str) -> None:
+        """Note a fact under the conditions that hold here."""
+        super().note({key: value for key, value in fact.items() if key != "condition"}, condition)
+
+    def configured(self, name: Value, type_: Value, default: Value, made: Call) -> None:
+        """A param that a ``.cfg`` file describes."""
+        kind = type_.name.rpartition(".")[2] if isinstance(type_, External) else type_ if isinstance(type_, str) else ""
+        known = plain(default) if default is not MISSING else MISSING
+        made.fact("params", joined(["~", name]), default=None if known is MISSING else known, value_type=_TYPES.get(kind, ""))
+
+
+def _called(node: ast.Call) -> str:
+    return node.func.id if isinstance(node.func, ast.Name) else node.func.attr if isinstance(node.func, ast.Attribute) else ""

@@ -1,0 +1,438 @@
+"""Statements: both ways through every ``if``, loops over what is known, functions and classes made, modules imported."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Sequence
+
+from launchlint.extract.python import builtins
+from launchlint.extract.python.calls import Calls
+from launchlint.extract.python.expressions import DEEPEST, MOST_ROUNDS, hashable, negated, written
+from launchlint.extract.python.memory import BROKEN, CONTINUED, ENDED, GOES_ON, RETURNED, Branch, Ended
+from launchlint.extract.python.values import (
+    COMPLETE,
+    ENTRIES,
+    ITEMS,
+    MISSING,
+    UNKNOWN,
+    Argv,
+    Class,
+    External,
+    Function,
+    Handle,
+    Instance,
+    Map,
+    Module,
+    Scope,
+    Seq,
+    Super,
+    Value,
+    alternatives,
+)
+
+
+class Statements(Calls):
+    """Execution."""
+
+    def import_module(self, name: str, level: int, node: ast.stmt, scope: Scope) -> Value:
+        """A module by its name as an import statement says it."""
+        raise NotImplementedError
+
+    def execute(self, body: Sequence[ast.stmt], scope: Scope) -> int:
+        """Go through statements; how that ended."""
+        for statement in body:
+            self.step()
+            method = _EXECUTE.get(type(statement))
+            if method is None or self.depth > DEEPEST:
+                continue
+            self.depth += 1
+            try:
+                flow = method(self, statement, scope)
+            except Ended:
+                return ENDED
+            finally:
+                self.depth -= 1
+            if flow:
+                return flow
+        return GOES_ON
+
+    # -- simple statements ----------------------------------------------------------------------------------------------
+
+    def _expression(self, node: ast.Expr, scope: Scope) -> int:
+        if not isinstance(node.value, ast.Constant):
+            self.evaluate(node.value, scope)
+        return GOES_ON
+
+    def _assign(self, node: ast.Assign, scope: Scope) -> int:
+        value = self.evaluate(node.value, scope)
+        for target in node.targets:
+            self.assign(target, value, scope)
+        return GOES_ON
+
+    def _annotated(self, node: ast.AnnAssign, scope: Scope) -> int:
+        if node.value is not None:
+            self.assign(node.target, self.evaluate(node.value, scope), scope)
+        return GOES_ON
+
+    def _augmented(self, node: ast.AugAssign, scope: Scope) -> int:
+        left = self.evaluate(node.target, scope)
+        right = self.evaluate(node.value, scope)
+        if isinstance(left, Seq) and isinstance(node.op, ast.Add):
+            builtins.method(self, left, "extend", [right], {})
+        else:
+            self.assign(node.target, self.combine(left, type(node.op), right), scope)
+        return GOES_ON
+
+    def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
+        """Write to a variable, attribute, item or several of them."""
+        if isinstance(target, ast.Name):
+            self.store(scope.shared.get(target.id, scope).variables, target.id, value)
+        elif isinstance(target, ast.Attribute):
+            for _, owner in alternatives(self.evaluate(target.value, scope)):
+                self._set_attribute(owner, target.attr, value)
+        elif isinstance(target, (ast.Tuple, ast.List)):
+            self._unpack(target.elts, value, scope)
+        elif isinstance(target, ast.Subscript):
+            index = self.evaluate(target.slice, scope)
+            for _, owner in alternatives(self.evaluate(target.value, scope)):
+                self._set_item(owner, index, value)
+        elif isinstance(target, ast.Starred):
+            self.assign(target.value, UNKNOWN, scope)
+
+    def _set_attribute(self, owner: Value, name: str, value: Value) -> None:
+        if isinstance(owner, Super):
+            owner = owner.receiver
+        if isinstance(owner, (Instance, Class)):
+            self.store(owner.attributes, name, value)
+        elif isinstance(owner, Module):
+            self.store(owner.scope.variables, name, value)
+        elif isinstance(owner, Handle):
+            self.store(owner.state, ("attribute", name), value)
+        elif value is not UNKNOWN:
+            self.escape([value], "start")
+
+    def _set_item(self, owner: Value, index: Value, value: Value) -> None:
+        if isinstance(owner, Map):
+            if hashable(index) and len(owner.entries) < 1_000:
+                self.store(owner.content, ENTRIES, {**owner.entries, index: value})
+            else:
+                self.store(owner.content, COMPLETE, False)
+                self.escape([value], "start")
+        elif isinstance(owner, Seq):
+            if isinstance(index, int) and -len(owner.items) <= index < len(owner.items):
+                items = list(owner.items)
+                items[index] = value
+                self.store(owner.content, ITEMS, items)
+            else:
+                self.store(owner.content, COMPLETE, False)
+
+    def _unpack(self, targets: Sequence[ast.expr], value: Value, scope: Scope) -> None:
+        items: list[Value] = [UNKNOWN] * len(targets)
+        starred = any(isinstance(each, ast.Starred) for each in targets)
+        if isinstance(value, Seq) and value.complete and len(value.items) == len(targets) and not starred:
+            items = value.items
+        elif isinstance(value, Argv):
+            items = [self.item(value, at) for at in range(len(targets))]
+        for target, item in zip(targets, items, strict=True):
+            self.assign(target, item, scope)
+
+    def _delete(self, node: ast.Delete, scope: Scope) -> int:
+        for target in node.targets:
+            if isinstance(target, ast.Name):
+                self.store(scope.variables, target.id, MISSING)
+        return GOES_ON
+
+    def _return(self, node: ast.Return, scope: Scope) -> int:
+        self.returned(self.evaluate(node.value, scope))
+        return RETURNED
+
+    def _raise(self, node: ast.Raise, scope: Scope) -> int:
+        if node.exc is not None:
+            self.evaluate(node.exc, scope)
+        return ENDED
+
+    def _break(self, node: ast.Break, scope: Scope) -> int:
+        return BROKEN
+
+    def _continue(self, node: ast.Continue, scope: Scope) -> int:
+        return CONTINUED
+
+    def _assert(self, node: ast.Assert, scope: Scope) -> int:
+        self.evaluate(node.test, scope)
+        return GOES_ON
+
+    def _global(self, node: ast.Global, scope: Scope) -> int:
+        for name in node.names:
+            scope.shared[name] = scope.module.scope
+        return GOES_ON
+
+    def _nonlocal(self, node: ast.Nonlocal, scope: Scope) -> int:
+        for name in node.names:
+            outer = scope.outer
+            while outer is not None and name not in outer.variables:
+                outer = outer.outer
+            if outer is not None:
+                scope.shared[name] = outer
+        return GOES_ON
+
+    def lookup(self, name: str, scope: Scope) -> Value:
+        """The value of a variable."""
+        here: Scope | None = scope.shared.get(name, scope)
+        while here is not None:
+            if name in here.variables:
+                return here.variables[name]
+            here = here.outer
+            if here is not None and "__qualname__" in here.variables and here is not scope:
+                here = here.outer  # the names in a class body are not seen in its methods
+        if name in builtins.NAMES:
+            return External(f"builtins.{name}")
+        return self.from_stars(name, scope.module)
+
+    def from_stars(self, name: str, module: Module) -> Value:
+        """A name that some ``from x import *`` may have brought."""
+        raise NotImplementedError
+
+    # -- ways ---------------------------------------------------------------------------------------------------------
+
+    def _if(self, node: ast.If, scope: Scope) -> int:
+        known = self.truth(self.evaluate(node.test, scope))
+        if known is not None:
+            return self.execute(node.body if known else node.orelse, scope)
+        said = written(node.test)
+        otherwise = negated(said)
+        with self.branch(said) as first:
+            first.flow = self.execute(node.body, scope)
+        with self.branch(otherwise) as second:
+            second.flow = self.execute(node.orelse, scope)
+        return self._meet([(said, first), (otherwise, second)], scope)
+
+    def _meet(self, ways: list[tuple[str, Branch]], scope: Scope) -> int:
+        """Go on behind an ``if``. What follows a way out of a function or loop stands under the condition of the other ways."""
+        self.join(ways, scope.variables)
+        flows = [way.flow for _, way in ways]
+        if GOES_ON not in flows:
+            return next((flow for flow in flows if flow != ENDED), ENDED)
+        if any(flow in (BROKEN, CONTINUED, RETURNED) for flow in flows):
+            staying = [condition for condition, way in ways if way.flow == GOES_ON]
+            if len(staying) == 1 and staying[0]:
+                self.conditions.append(staying[0])
+        return GOES_ON
+
+    def _for(self, node: ast.For | ast.AsyncFor, scope: Scope) -> int:
+        items, complete = self.rounds(self.evaluate(node.iter, scope))
+        mark = len(self.conditions)
+        if not complete:
+            return self._some_rounds(node, items, scope)
+        flow = GOES_ON
+        for item in items:
+            for condition, each in alternatives(item):
+                if condition:
+                    with self.branch(condition) as branch:
+                        self.assign(node.target, each, scope)
+                        branch.flow = self.execute(node.body, scope)
+                    self.join([(condition, branch), (negated(condition), Branch())], scope.variables)
+                else:
+                    self.assign(node.target, each, scope)
+                    flow = self.execute(node.body, scope)
+            if flow in (BROKEN, RETURNED, ENDED):
+                break
+            flow = GOES_ON
+        del self.conditions[mark:]
+        if flow in (RETURNED, ENDED):
+            return flow
+        return GOES_ON if flow == BROKEN else self.execute(node.orelse, scope)
+
+    def _some_rounds(self, node: ast.For | ast.AsyncFor, items: list[Value], scope: Scope) -> int:
+        """A loop of which not all rounds are known."""
+        self._widen(node.body, scope)
+        said = " ".join(f"for {ast.unparse(node.target)} in {written(node.iter)}".split())
+        for item in items:
+            with self.branch(said if item is UNKNOWN else "") as branch:
+                self.assign(node.target, item, scope)
+                branch.flow = self.execute(node.body, scope)
+                if branch.flow in (BROKEN, CONTINUED):
+                    branch.flow = GOES_ON
+            self.join([("", branch), ("", Branch())], scope.variables)
+        return self.execute(node.orelse, scope)
+
+    def _while(self, node: ast.While, scope: Scope) -> int:
+        mark = len(self.conditions)
+        constant = isinstance(node.test, ast.Constant) or not any(isinstance(each, ast.Compare) for each in ast.walk(node.test))
+        flow = GOES_ON
+        for _ in range(MOST_ROUNDS):
+            known = self.truth(self.evaluate(node.test, scope))
+            if known is None or constant:
+                break
+            if not known:
+                del self.conditions[mark:]
+                return self.execute(node.orelse, scope)
+            flow = self.execute(node.body, scope)
+            if flow in (BROKEN, RETURNED, ENDED):
+                del self.conditions[mark:]
+                return GOES_ON if flow == BROKEN else flow
+        if known is False:
+            return self.execute(node.orelse, scope)
+        self._widen(node.body, scope)
+        if known:
+            flow = self.execute(node.body, scope)
+        else:
+            with self.branch("") as branch:
+                flow = branch.flow = self.execute(node.body, scope)
+            self.join([("", branch), ("", Branch())], scope.variables)
+            flow = GOES_ON
+        del self.conditions[mark:]
+        return flow if flow in (RETURNED, ENDED) else GOES_ON
+
+    def _widen(self, body: Sequence[ast.stmt], scope: Scope) -> None:
+        """Variables that a loop makes of their own old value are unknown in its rounds."""
+        for statement in body:
+            for each in ast.walk(statement):
+                if isinstance(each, ast.AugAssign):
+                    if not isinstance(self._quiet(each.target, scope), (Seq, Map)):
+                        self.assign(each.target, UNKNOWN, scope)
+                elif isinstance(each, ast.Assign) and len(each.targets) == 1 and isinstance(each.value, (ast.BinOp, ast.Call)):
+                    target = each.targets[0]
+                    if isinstance(target, (ast.Name, ast.Attribute)):
+                        own = ast.dump(target).replace("Store()", "Load()")
+                        if any(isinstance(part, type(target)) and ast.dump(part) == own for part in ast.walk(each.value)):
+                            self.assign(target, UNKNOWN, scope)
+
+    def _quiet(self, target: ast.expr, scope: Scope) -> Value:
+        return self.evaluate(target, scope) if isinstance(target, (ast.Name, ast.Attribute)) else UNKNOWN
+
+    def _try(self, node: ast.Try, scope: Scope) -> int:
+        flow = self.execute(node.body, scope)
+        if flow == GOES_ON:
+            flow = self.execute(node.orelse, scope)
+        ways: list[tuple[str, Branch]] = [("", Branch())]
+        ways[0][1].flow = flow
+        for handler in node.handlers:
+            said = f"except {ast.unparse(handler.type)}" if handler.type is not None else "except"
+            with self.branch(said) as branch:
+                if handler.name:
+                    self.assign(ast.Name(handler.name, ast.Store()), UNKNOWN, scope)
+                branch.flow = self.execute(handler.body, scope)
+            ways.append((said, branch))
+        self.join(ways, scope.variables)
+        flows = [way.flow for _, way in ways]
+        result = GOES_ON if GOES_ON in flows else next((each for each in flows if each != ENDED), ENDED)
+        return self.execute(node.finalbody, scope) or result
+
+    def _with(self, node: ast.With | ast.AsyncWith, scope: Scope) -> int:
+        for item in node.items:
+            value = self.evaluate(item.context_expr, scope)
+            if item.optional_vars is not None:
+                self.assign(item.optional_vars, value if isinstance(value, (Instance, Handle)) else UNKNOWN, scope)
+        return self.execute(node.body, scope)
+
+    def _match(self, node: ast.Match, scope: Scope) -> int:
+        self.evaluate(node.subject, scope)
+        subject = ast.unparse(node.subject)
+        ways: list[tuple[str, Branch]] = []
+        for case in node.cases:
+            said = f"{subject} is {ast.unparse(case.pattern)}"
+            with self.branch(said) as branch:
+                for each in ast.walk(case.pattern):
+                    if isinstance(each, (ast.MatchAs, ast.MatchStar)) and each.name is not None:
+                        self.assign(ast.Name(each.name, ast.Store()), UNKNOWN, scope)
+                branch.flow = self.execute(case.body, scope)
+            ways.append((said, branch))
+        return self._meet([*ways, ("", Branch())], scope)
+
+    # -- functions, classes, modules ------------------------------------------------------------------------------------
+
+    def _function_definition(self, node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope) -> int:
+        kind = ""
+        value: Value = None
+        for decorator in node.decorator_list:
+            name = decorator.id if isinstance(decorator, ast.Name) else getattr(decorator, "attr", "")
+            if name in ("staticmethod", "classmethod", "property", "cached_property"):
+                kind = {"staticmethod": "static", "classmethod": "class"}.get(name, "property")
+            elif name in ("setter", "deleter"):
+                return GOES_ON
+            elif isinstance(decorator, ast.Call):
+                value = decorator
+        owner = scope.variables.get("__owner__")
+        function = self.function(node, scope, owner if isinstance(owner, Class) else None, kind)
+        self.store(scope.shared.get(node.name, scope).variables, node.name, function)
+        if value is not None or (node.decorator_list and not kind):
+            self._decorate(node, function, scope)
+        return GOES_ON
+
+    def _decorate(self, node: ast.FunctionDef | ast.AsyncFunctionDef, function: Function, scope: Scope) -> None:
+        """What a decorator returns is not looked at; what it does with the function is."""
+        for decorator in node.decorator_list:
+            made = self.evaluate(decorator, scope)
+            if isinstance(made, External) and made.name.startswith(("functools.", "contextlib.", "abc.", "builtins.")):
+                continue
+            if not isinstance(made, Function):
+                self.call(made, [function], {}, decorator, scope)
+
+    def _class_definition(self, node: ast.ClassDef, scope: Scope) -> int:
+        bases = [self.evaluate(each, scope) for each in node.bases]
+        bases = [each for base in bases for _, each in alternatives(base)]
+        inner = Scope(scope.module, scope)
+        type_ = Class(node.name, bases, inner)
+        inner.variables["__qualname__"] = node.name
+        inner.variables["__owner__"] = type_
+        self.execute(node.body, inner)
+        self.store(scope.shared.get(node.name, scope).variables, node.name, type_)
+        return GOES_ON
+
+    def _import(self, node: ast.Import, scope: Scope) -> int:
+        for alias in node.names:
+            module = self.import_module(alias.name, 0, node, scope)
+            if alias.asname is not None:
+                self.store(scope.variables, alias.asname, module)
+            else:
+                first = alias.name.split(".")[0]
+                self.store(scope.variables, first, self.import_module(first, 0, node, scope) if "." in alias.name else module)
+        return GOES_ON
+
+    def _import_from(self, node: ast.ImportFrom, scope: Scope) -> int:
+        module = self.import_module(node.module or "", node.level, node, scope)
+        for alias in node.names:
+            if alias.name == "*":
+                self._import_star(module, scope)
+            else:
+                found = self.attribute(module, alias.name, node, scope)
+                self.store(scope.variables, alias.asname or alias.name, found)
+        return GOES_ON
+
+    def _import_star(self, module: Value, scope: Scope) -> None:
+        if isinstance(module, Module):
+            for name, value in list(module.scope.variables.items()):
+                if not name.startswith("_"):
+                    self.store(scope.variables, name, value)
+            scope.module.stars += module.stars
+        elif isinstance(module, External):
+            scope.module.stars.append(module.name)
+
+
+_EXECUTE: dict[type[ast.stmt], Callable[[Statements, Value, Scope], int]] = {
+    ast.Expr: Statements._expression,
+    ast.Assign: Statements._assign,
+    ast.AnnAssign: Statements._annotated,
+    ast.AugAssign: Statements._augmented,
+    ast.Delete: Statements._delete,
+    ast.Return: Statements._return,
+    ast.Raise: Statements._raise,
+    ast.Break: Statements._break,
+    ast.Continue: Statements._continue,
+    ast.Assert: Statements._assert,
+    ast.Global: Statements._global,
+    ast.Nonlocal: Statements._nonlocal,
+    ast.If: Statements._if,
+    ast.For: Statements._for,
+    ast.AsyncFor: Statements._for,
+    ast.While: Statements._while,
+    ast.Try: Statements._try,
+    ast.With: Statements._with,
+    ast.AsyncWith: Statements._with,
+    ast.Match: Statements._match,
+    ast.FunctionDef: Statements._function_definition,
+    ast.AsyncFunctionDef: Statements._function_definition,
+    ast.ClassDef: Statements._class_definition,
+    ast.Import: Statements._import,
+    ast.ImportFrom: Statements._import_from,
+}

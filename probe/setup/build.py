@@ -1,0 +1,153 @@
+"""Builds the catkin packages of a workspace one by one, each as far as it goes: ``build.py WORKSPACE``.
+
+Sources are in ``WORKSPACE/src``, all results in the devel space ``WORKSPACE/devel``. A package that cannot be configured or compiled does not
+stop the others; what went wrong is written to ``WORKSPACE/build.json``. Plain CMake, since catkin's own tools stop at the first error.
+"""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+from typing import Dict, List, Set
+from xml.etree import ElementTree
+
+LONGEST = int(os.environ.get("LAUNCHLINT_BUILD_LIMIT", "900"))
+"""Seconds for one package."""
+KEPT = 4 * 1024 * 1024
+"""Bytes of a build log that are looked at, from its end."""
+MOST_ERRORS = 5
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+_ERROR = re.compile(r"(?m)^.*(?:\berror\b ?:|CMake Error|\*\*\* \[|undefined reference|No such file|Could NOT find|Could not find).*$")
+_DEPENDS = {"depend", "build_depend", "build_export_depend", "buildtool_depend", "buildtool_export_depend", "exec_depend", "run_depend"}
+
+
+class Package:
+    """A source package: its directory, what it depends on, and its build type."""
+
+    def __init__(self, name: str, directory: str, depends: Set[str], kind: str) -> None:
+        self.name = name
+        self.directory = directory
+        self.depends = depends
+        self.kind = kind
+
+
+def packages(space: str) -> Dict[str, Package]:
+    """The packages below a source space."""
+    found = {}  # type: Dict[str, Package]
+    for directory, inner, files in os.walk(space):
+        inner[:] = sorted(name for name in inner if not name.startswith("."))
+        if "CATKIN_IGNORE" in files:
+            inner[:] = []
+        elif "package.xml" in files:
+            inner[:] = []
+            try:
+                root = ElementTree.parse(os.path.join(directory, "package.xml")).getroot()
+            except (ElementTree.ParseError, OSError, ValueError):
+                continue
+            name = (root.findtext("name") or "").strip()
+            depends = {(each.text or "").strip() for each in root if each.tag in _DEPENDS}
+            kind = (root.findtext("export/build_type") or "catkin").strip()
+            if _NAME.fullmatch(name):
+                found.setdefault(name, Package(name, directory, depends, kind))
+    return found
+
+
+def ordered(known: Dict[str, Package]) -> List[str]:
+    """The names of packages, each behind those it depends on; where they depend on each other in a circle, by name."""
+    left = {name: package.depends & set(known) - {name} for name, package in known.items()}
+    order = []  # type: List[str]
+    while left:
+        free = sorted(name for name, needs in left.items() if not needs & set(left))
+        for name in free or [sorted(left)[0]]:
+            order.append(name)
+            del left[name]
+    return order
+
+
+def build(package: Package, workspace: str, environment: Dict[str, str]) -> Dict[str, object]:
+    """Configure and compile one package. Returns its record."""
+    record = {"kind": "build", "package": package.name, "result": "ok", "errors": []}  # type: Dict[str, object]
+    if package.kind.startswith("ament"):
+        return dict(record, result="failed", errors=["it is a package for ROS 2"])
+    if not os.path.isfile(os.path.join(package.directory, "CMakeLists.txt")):
+        return record
+    directory = os.path.join(workspace, "build", package.name)
+    os.makedirs(directory, exist_ok=True)
+    log = os.path.join(directory, "launchlint-build.log")
+    configure = ["cmake", package.directory, "-DCATKIN_DEVEL_PREFIX=" + os.path.join(workspace, "devel"), "-DCMAKE_INSTALL_PREFIX=" + os.path.join(workspace, "install"),
+                 "-DCATKIN_ENABLE_TESTING=0", "-DCATKIN_SKIP_TESTING=1", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O0", "-DCMAKE_POLICY_VERSION_MINIMUM=3.5",
+                 "-Wno-dev"]
+    if os.environ.get("LAUNCHLINT_CXX"):
+        configure.append("-DCMAKE_CXX_COMPILER=" + os.environ["LAUNCHLINT_CXX"])
+    if not _run(configure, directory, log, environment):
+        return dict(record, result="failed", errors=_errors(log, workspace))
+    if not _run(["make", "-k", "-j{}".format(os.cpu_count() or 1)], directory, log, environment):
+        return dict(record, result="partial", errors=_errors(log, workspace))
+    return record
+
+
+def _run(command: List[str], directory: str, log: str, environment: Dict[str, str]) -> bool:
+    """Run a command, output to the end of ``log``; whether it ended well and in time."""
+    with open(log, "ab") as output:
+        process = subprocess.Popen(command, cwd=directory, env=environment, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
+        try:
+            return process.wait(LONGEST) == 0
+        except subprocess.TimeoutExpired:
+            output.write("\nerror: stopped after {} seconds\n".format(LONGEST).encode())
+            return False
+        finally:
+            try:
+                os.killpg(process.pid, signal.SIGKILL)
+            except OSError:
+                pass
+            process.wait()
+
+
+def _errors(log: str, workspace: str) -> List[str]:
+    with open(log, "rb") as file:
+        file.seek(0, os.SEEK_END)
+        file.seek(max(0, file.tell() - KEPT))
+        text = file.read().decode("utf-8", "replace")
+    lines = list(dict.fromkeys(match[0].strip()[:300] for match in (re.match(".*", found) for found in _ERROR.findall(text[:KEPT])) if match))
+    if not lines:
+        lines = [line.strip()[:300] for line in text.splitlines() if line.strip()][-1:] or ["it failed without a word"]
+    return ["".join(each if each.isprintable() else " " for each in line.replace(workspace + "/", "")) for line in lines[:MOST_ERRORS]]
+
+
+def _environment(workspace: str) -> Dict[str, str]:
+    """As after ``source devel/setup.sh``, which does not exist before the first package is built."""
+    devel = os.path.join(workspace, "devel")
+    ahead = {
+        "CMAKE_PREFIX_PATH": [devel],
+        "PYTHONPATH": [os.path.join(devel, "lib", "python3", "dist-packages"), os.path.join(devel, "lib", "python2.7", "dist-packages")],
+        "PKG_CONFIG_PATH": [os.path.join(devel, "lib", "pkgconfig")],
+        "LD_LIBRARY_PATH": [os.path.join(devel, "lib")],
+        "ROS_PACKAGE_PATH": [os.path.join(workspace, "src")],
+        "PATH": [os.path.join(devel, "bin")],
+    }
+    environment = dict(os.environ)
+    for name, paths in ahead.items():
+        environment[name] = os.pathsep.join(paths + [each for each in [environment.get(name, "")] if each])
+    return environment
+
+
+def main() -> int:
+    """Build everything, say how it went."""
+    workspace = os.path.abspath(sys.argv[1])
+    known = packages(os.path.join(workspace, "src"))
+    environment = _environment(workspace)
+    records = []
+    order = ordered(known)
+    for number, name in enumerate(order, 1):
+        record = build(known[name], workspace, environment)
+        records.append(record)
+        print("[{}/{}] {}: {}".format(number, len(order), name, record["result"]), flush=True)
+        with open(os.path.join(workspace, "build.json"), "w") as file:
+            json.dump(records, file)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
