@@ -83,6 +83,20 @@ def find_sarif_multitool() -> str | None:
 
 
 @cache
+def find_mermaid() -> str | None:
+    """A directory whose node_modules have npm's mermaid and jsdom; Node.js must be there, too."""
+    directory = os.environ.get("MERMAID", "")
+    packages = [Path(directory, "node_modules", name) for name in ("mermaid", "jsdom")]
+    return directory if directory and shutil.which("node") and all(each.is_dir() for each in packages) else None
+
+
+@cache
+def find_dot() -> str | None:
+    """The command of Graphviz."""
+    return shutil.which("dot")
+
+
+@cache
 def find_corpus() -> str | None:
     """A directory with public launch files (``ros1/…``)."""
     corpus = os.environ.get("LAUNCHLINT_CORPUS", "")
@@ -97,6 +111,11 @@ NEEDS: dict[str, tuple[Callable[[], str | None], str]] = {
         find_sarif_multitool,
         "sarif-multitool is not installed (npm install @microsoft/sarif-multitool, then set SARIF_MULTITOOL to its command)",
     ),
+    "mermaid": (
+        find_mermaid,
+        "MERMAID does not name a directory with Mermaid (npm install --prefix DIRECTORY mermaid jsdom), or there is no Node.js",
+    ),
+    "graphviz": (find_dot, "Graphviz is not installed (Debian: apt-get install graphviz)"),
     "corpus": (find_corpus, "LAUNCHLINT_CORPUS does not name a directory with a ros1 folder of public launch files"),
 }
 
@@ -132,6 +151,18 @@ def chromium() -> str:
 def sarif_multitool() -> str:
     """Command of the SARIF validator; the test carries the marker ``npm``."""
     return _needed("npm")
+
+
+@pytest.fixture
+def mermaid_directory() -> str:
+    """Directory in which scripts find npm's mermaid and jsdom; the test carries the marker ``mermaid``."""
+    return _needed("mermaid")
+
+
+@pytest.fixture
+def dot_command() -> str:
+    """Command of Graphviz; the test carries the marker ``graphviz``."""
+    return _needed("graphviz")
 
 
 @pytest.fixture

@@ -16,6 +16,8 @@ COMMANDS = {
     "rules": ("launchlint.cli.rules", "List all rules."),
     "explain": ("launchlint.cli.explain", "Explain a rule."),
     "library": ("launchlint.cli.library", "Look at, join, compare and check libraries of node interfaces."),
+    "probe": ("launchlint.cli.probe", "Run nodes and record what they publish, subscribe, serve, call and read."),
+    "extract": ("launchlint.cli.extract", "Make a library of node interfaces from source code."),
     "schema": ("launchlint.cli.schema", "Print a dialect as RelaxNG, for editors."),
 }
 

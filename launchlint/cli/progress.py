@@ -12,22 +12,23 @@ DELAY = 1.0
 class ProgressBar:
     """A line on standard error that is written over and over."""
 
-    __slots__ = ("_begin", "_shown", "_total")
+    __slots__ = ("_begin", "_shown", "_total", "_what")
 
-    def __init__(self, total: int) -> None:
+    def __init__(self, total: int, what: str = "launch files") -> None:
         self._total = total
+        self._what = what
         self._begin = time.monotonic()
         self._shown = False
 
-    def show(self, done: int) -> None:
-        """``done`` of all entry files are done."""
+    def show(self, done: int, now: str = "") -> None:
+        """``done`` of all are done; ``now`` says what is being done."""
         elapsed = time.monotonic() - self._begin
         if elapsed < DELAY:
             return
         self._shown = True
         left = elapsed / max(done, 1) * (self._total - done)
         bar = "#" * (30 * done // self._total)
-        sys.stderr.write(f"\r[{bar:30}] {done}/{self._total} launch files, {left:.0f} s left \x1b[K")
+        sys.stderr.write(f"\r[{bar:30}] {done}/{self._total} {self._what}, {left:.0f} s left {now}\x1b[K")
         sys.stderr.flush()
 
     def clear(self) -> None:

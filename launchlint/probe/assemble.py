@@ -121,7 +121,7 @@ def program(record: NodeRecord, configuration: ProbeConfiguration, run: str) -> 
     """What one run says of a program, as the library format has it."""
     if record.status == "not-a-node":
         return {"class": "none"}
-    found: dict[str, Any] = {"class": record.program, **({"hash": record.hash} if record.hash else {})}
+    found: dict[str, Any] = {"class": record.program, **({"hash": record.digest} if record.digest else {})}
     if record.problems:
         found["problems"] = [problem._asdict() for problem in record.problems]
     if record.status == "failed":
@@ -138,7 +138,9 @@ def program(record: NodeRecord, configuration: ProbeConfiguration, run: str) -> 
     evidence = [{"by": "dynamic", "run": run}]
     for category in CATEGORIES:
         if category in record.interface:
-            variant[category] = [{**_with_md5(category, entry, record.messages), "evidence": evidence} for entry in record.interface[category]]
+            variant[category] = [
+                {**_with_md5(category, entry, record.messages), "evidence": evidence} for entry in record.interface[category]
+            ]
     variant["open"] = _open(record.problems)
     return {**found, "variants": {record.variant: variant}}
 

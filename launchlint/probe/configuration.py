@@ -180,7 +180,8 @@ class _Reader:
             url = repository_url(text)
             if url is None:
                 self.document.fail(
-                    found["url"], f"url cannot be {shown(text)}: write owner/name (of GitHub), or an https, ssh, git or file URL without a password"
+                    found["url"],
+                    f"url cannot be {shown(text)}: write owner/name (of GitHub), or an https, ssh, git or file URL without a password",
                 )
             repositories.append(Repository(url, self._word(found["ref"], "ref", "ref")))
         return {"repositories": tuple(repositories), "paths": tuple(paths)}
@@ -243,7 +244,8 @@ class _Reader:
             settings = self._settings(value, f"the variant {shown(name)}", (*_SETTINGS, "match"))
             if name != "default" and "match" not in settings and not settings.get("params"):
                 self.document.fail(
-                    key, f"the variant {shown(name)} sets no params, so say by `match` (a condition of the library format) when it is the one that runs"
+                    key,
+                    f"the variant {shown(name)} sets no params, so say by `match` (a condition of the library format) when it is the one that runs",
                 )
             found[name] = settings
         return found

@@ -46,7 +46,7 @@ def write_context(file: IO[bytes], configuration: ProbeConfiguration, trees: Seq
         for name in _program_files(program):
             with open(os.path.join(program, name), "rb") as source:
                 data = source.read()
-            put(archive, name, data, len(data))
+            put(archive, name, data, len(data), runs=name.endswith(".sh"))
         for name, words in (("apt", configuration.apt), ("pip", configuration.pip)):
             data = "".join(f"{word}\n" for word in sorted(set(words))).encode()
             put(archive, f"setup/{name}.txt", data, len(data))
@@ -64,9 +64,9 @@ def write_context(file: IO[bytes], configuration: ProbeConfiguration, trees: Seq
                     continue
                 if os.path.basename(member.path) == "package.xml" and member.size < 2**20:
                     data = member.source.read()
-                    name = _NAME.search(data)
-                    if name is not None:
-                        found.setdefault(name[1].decode("ascii"), tree.name)
+                    named = _NAME.search(data)
+                    if named is not None:
+                        found.setdefault(named[1].decode("ascii"), tree.name)
                     put(archive, f"manifests/{tree.name}/{member.path}", data, len(data))
                     put(archive, path, data, len(data))
                 else:
@@ -86,7 +86,11 @@ def _certificates() -> list[tuple[str, bytes]]:
     where = os.environ.get(CERTIFICATES, "")
     if not where:
         return []
-    paths = [where] if not os.path.isdir(where) else sorted(os.path.join(where, name) for name in os.listdir(where) if name.endswith((".crt", ".pem")))
+    paths = (
+        [where]
+        if not os.path.isdir(where)
+        else sorted(os.path.join(where, name) for name in os.listdir(where) if name.endswith((".crt", ".pem")))
+    )
     found = []
     for number, path in enumerate(paths):
         try:

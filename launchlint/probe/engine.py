@@ -31,7 +31,11 @@ LAST_WORDS = 2_000
 
 
 class BuildError(LaunchlintError):
-    """The image cannot be built; the message ends with what the build said last."""
+    """The image cannot be built. ``lines`` are what the build said last."""
+
+    def __init__(self, message: str, lines: list[str]) -> None:
+        super().__init__(message)
+        self.lines = lines
 
 
 class Image(NamedTuple):
@@ -71,7 +75,9 @@ class Engine:
             self._build(context, f"{name}-dependencies", "dependencies", base, None if network == "default" else network, None, tell)
             return Image(self._build(context, name, "workspace", base, "none", limits, tell), name)
 
-    def _build(self, context: IO[bytes], name: str, target: str, base: str, network: str | None, limits: Limits | None, tell: Callable[[str], None]) -> str:
+    def _build(
+        self, context: IO[bytes], name: str, target: str, base: str, network: str | None, limits: Limits | None, tell: Callable[[str], None]
+    ) -> str:
         context.seek(0)
         events = self._client.api.build(
             fileobj=context,
@@ -91,8 +97,7 @@ class Engine:
         for event in events:
             error = event.get("error")
             if error:
-                shown = "\n".join(f"  {line}" for line in last[-LOG_LINES:])
-                raise BuildError(f"the image cannot be built: {plain(str(error))}\n{shown}")
+                raise BuildError(f"the image cannot be built: {plain(str(error))}", last)
             for line in str(event.get("stream") or event.get("status") or "")[:100_000].splitlines():
                 text = plain(line)
                 if text:
@@ -208,7 +213,9 @@ def connect(run: str) -> Engine:
     try:
         import docker
     except ImportError:
-        raise UsageError("the Python package docker is missing: install it (pip install docker), or probe the ROS of this machine with --local") from None
+        raise UsageError(
+            "the Python package docker is missing: install it (pip install docker), or probe the ROS of this machine with --local"
+        ) from None
     with _spoken():
         client = docker.from_env(timeout=600)
         client.ping()

@@ -79,7 +79,9 @@ def program(job: bytes) -> Iterator[Local]:
         UsageError: this machine has no ROS.
     """
     if not has_ros():
-        raise UsageError("this machine has no ROS 1 that could be probed: source its setup.bash first, or leave --local out to probe in a container")
+        raise UsageError(
+            "this machine has no ROS 1 that could be probed: source its setup.bash first, or leave --local out to probe in a container"
+        )
     command = [sys.executable, "-I", os.path.join(program_directory(), "launchlint_probe", "__main__.py")]
     with tempfile.TemporaryFile() as complaints:
         # A session of its own: Ctrl-C reaches launchlint, which ends the program in order, and never the nodes behind its back.

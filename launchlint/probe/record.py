@@ -41,7 +41,9 @@ class Problem(NamedTuple):
 
 
 class NodeRecord(NamedTuple):
-    """One run of one program. ``interface`` is a variant of the library format without evidence; ``line`` is the record as one line of JSON."""
+    """One run of one program. ``interface`` is a variant of the library format without evidence; ``line`` is the record as one line of JSON.
+    ``hash`` changes with whatever may change the result of a run, ``digest`` with the program's file.
+    """
 
     label: str
     package: str
@@ -49,6 +51,7 @@ class NodeRecord(NamedTuple):
     program: str
     variant: str
     hash: str
+    digest: str
     status: str
     interface: Mapping[str, Any]
     messages: Mapping[str, Mapping[str, str]]
@@ -148,6 +151,11 @@ def _hash(value: Any) -> str:
     return value if isinstance(value, str) and _HASH.fullmatch(value) else ""
 
 
+def _frame(value: Any) -> dict[str, Any]:
+    """What names a run; it is checked when a record is made of it."""
+    return value if isinstance(value, dict) else {}
+
+
 _NOTES: Mapping[str, Mapping[str, Any]] = {
     "environment": {"distro": _text, "base": _text},
     "build": {"package": _package, "result": _result, "errors": _texts},
@@ -155,7 +163,7 @@ _NOTES: Mapping[str, Mapping[str, Any]] = {
     "package": {"package": _package, "status": _text, "version": _text},
     "unknown": {"label": _text},
     "plan": {"count": _count, "all": _count},
-    "start": {"label": _text, "hash": _hash, "variant": _text},
+    "start": {"label": _text, "hash": _hash, "frame": _frame},
     "end": {"left": _count},
 }
 
@@ -164,7 +172,9 @@ def _node(data: Mapping[str, Any]) -> NodeRecord:
     package, name, program, variant = _package(data.get("package")), data.get("name"), data.get("program"), data.get("variant")
     if program not in PROGRAMS:
         raise Refused("its program is of no known kind")
-    if not isinstance(name, str) or not (_CLASS.fullmatch(name) if program == "nodelet" else is_a("program", f"{package}/{name}") or is_a("file", name)):
+    if not isinstance(name, str) or not (
+        _CLASS.fullmatch(name) if program == "nodelet" else is_a("program", f"{package}/{name}") or is_a("file", name)
+    ):
         raise Refused("its program has a name that no program can have")
     if not isinstance(variant, str) or not is_a("variant", variant):
         raise Refused("its variant has a name that no variant can have")
@@ -175,7 +185,20 @@ def _node(data: Mapping[str, Any]) -> NodeRecord:
     status = _status(data)
     label = name if program == "nodelet" else f"{package}/{name}"
     record = NodeRecord(
-        label, package, name, program, variant, _hash(data.get("hash")), status, interface, _messages(data.get("messages")), problems, _seconds(data), _left(data), ""
+        label,
+        package,
+        name,
+        program,
+        variant,
+        _hash(data.get("hash")),
+        _hash(data.get("digest")),
+        status,
+        interface,
+        _messages(data.get("messages")),
+        problems,
+        _seconds(data),
+        _left(data),
+        "",
     )
     return record._replace(line=_line("node", record))
 
@@ -261,7 +284,18 @@ def _launch(data: Mapping[str, Any]) -> LaunchRecord:
     names = seen.get("params")
     params = tuple(name for name in names[:MOST_ENTRIES] if not _is_odd("params", {"name": name})) if isinstance(names, list) else ()
     record = LaunchRecord(
-        f"{package}/{file}", package, file, args, _hash(data.get("hash")), _status(data), tuple(nodes), params, _problems(data.get("problems")), _seconds(data), _left(data), ""
+        f"{package}/{file}",
+        package,
+        file,
+        args,
+        _hash(data.get("hash")),
+        _status(data),
+        tuple(nodes),
+        params,
+        _problems(data.get("problems")),
+        _seconds(data),
+        _left(data),
+        "",
     )
     return record._replace(line=_line("launch", record))
 

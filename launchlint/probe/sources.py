@@ -60,10 +60,23 @@ def fetch(repository: Repository, cache: str) -> Tree:
     commit = _known_commit(bare, repository.ref)
     if commit is None:
         _git(
-            ["-C", bare, "fetch", "--quiet", "--no-tags", "--no-recurse-submodules", "--depth=1", "--", repository.url, f"+{repository.ref}:refs/launchlint/wanted"],
+            [
+                "-C",
+                bare,
+                "fetch",
+                "--quiet",
+                "--no-tags",
+                "--no-recurse-submodules",
+                "--depth=1",
+                "--",
+                repository.url,
+                f"+{repository.ref}:refs/launchlint/wanted",
+            ],
             f"{repository.url}: git cannot fetch {repository.ref!r}",
         )
-        commit = _git(["-C", bare, "rev-parse", "--verify", "refs/launchlint/wanted^{commit}"], f"{repository.url}: {repository.ref!r} is no commit").strip()
+        commit = _git(
+            ["-C", bare, "rev-parse", "--verify", "refs/launchlint/wanted^{commit}"], f"{repository.url}: {repository.ref!r} is no commit"
+        ).strip()
     archive = os.path.join(bare, f"{commit}.tar")
     if not os.path.isfile(archive):
         temporary = f"{archive}.{os.getpid()}.tmp"
@@ -104,11 +117,15 @@ def _run_git(words: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
     }
     safe = ["-c", "core.hooksPath=/dev/null", "-c", "core.fsmonitor=false", "-c", "protocol.ext.allow=never", "-c", "safe.directory=*"]
     try:
-        return subprocess.run(["git", *safe, *words], capture_output=True, stdin=subprocess.DEVNULL, check=False, env=environment, timeout=PATIENCE)
+        return subprocess.run(
+            ["git", *safe, *words], capture_output=True, stdin=subprocess.DEVNULL, check=False, env=environment, timeout=PATIENCE
+        )
     except subprocess.TimeoutExpired:
         raise UsageError(f"git {words[-1]}: it did not end within {PATIENCE // 60} minutes") from None
     except OSError as error:
-        raise UsageError(f"git cannot be run: {error.strerror or error}; install git to probe repositories, or name local checkouts by `path`") from None
+        raise UsageError(
+            f"git cannot be run: {error.strerror or error}; install git to probe repositories, or name local checkouts by `path`"
+        ) from None
 
 
 def _git(words: Sequence[str], failure: str) -> str:
@@ -138,7 +155,9 @@ def members(tree: Tree) -> Iterator[Member]:
     for member in _of_archive(tree.archive) if tree.archive else _of_directory(tree.directory):
         count, total = count + 1, total + member.size
         if count > MOST_FILES or total > LARGEST_TREE:
-            raise UsageError(f"{plain(tree.url or tree.directory)}: this is more than {MOST_FILES} files or {LARGEST_TREE // 2**30} GiB of source code")
+            raise UsageError(
+                f"{plain(tree.url or tree.directory)}: this is more than {MOST_FILES} files or {LARGEST_TREE // 2**30} GiB of source code"
+            )
         yield member
 
 

@@ -60,8 +60,8 @@ class Install(NamedTuple):
 class Target:
     """What one executable or library is made of.
 
-    ``sources`` are absolute paths, ``libraries`` what is linked to it (names of targets or libraries); ``complete`` says that both are known
-    as a whole. ``output`` is the name of the file, without ``lib``.
+    ``sources`` are absolute paths, ``libraries`` what is linked to it (names of targets or libraries); ``complete`` says that the sources
+    are all known. ``output`` is the name of the file, without ``lib``.
     """
 
     __slots__ = ("complete", "is_library", "libraries", "output", "sources")
@@ -316,7 +316,8 @@ class _Reader:
             self._target(name, words, is_library=target.is_library)
             return
         for word in words:
-            if word is not None and word not in _TARGET_WORDS and word not in target.libraries and len(target.libraries) < _MOST_SOURCES:
+            known = word is None or word in _TARGET_WORDS or word in target.libraries
+            if word is not None and not known and len(target.libraries) < _MOST_SOURCES:
                 target.libraries.append(word)
 
     def _include_directories(self, words: Sequence[Value]) -> None:

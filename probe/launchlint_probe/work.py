@@ -73,7 +73,7 @@ def run_all(job: Job) -> int:
 
 
 def _do(task: Task) -> Record:
-    say(dict(task.frame, kind="start"))
+    say({"kind": "start", "label": task.frame["label"], "hash": task.frame["hash"], "frame": task.frame})
     found = task.call()  # type: Record
     return found
 
@@ -124,7 +124,7 @@ def _node_tasks(job: Job, programs: List[discover.Found]) -> Iterator[Task]:
         for variant, settings, plan in plans(job, program):
             mark = discover.fingerprint(program, [variant, settings, job.get("limits"), job.get("image")])
             frame = {"kind": "node", "label": program.label, "package": program.package, "name": program.name, "program": program.kind,
-                     "variant": variant, "hash": mark}
+                     "variant": variant, "hash": mark, "digest": discover.digest(program)}
             if program.kind == "none":
                 if variant == "default":
                     yield Task(frame, lambda: {"status": "not-a-node", "interface": {}, "problems": [], "seconds": 0.0, "left": []})

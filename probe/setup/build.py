@@ -110,7 +110,8 @@ def _errors(log: str, workspace: str) -> List[str]:
         file.seek(0, os.SEEK_END)
         file.seek(max(0, file.tell() - KEPT))
         text = file.read().decode("utf-8", "replace")
-    lines = list(dict.fromkeys(match[0].strip()[:300] for match in (re.match(".*", found) for found in _ERROR.findall(text[:KEPT])) if match))
+    text = re.sub(r"(CMake Error at [^\n]*):\n\s*\n?([^\n]*)", r"\1: \2", text[:KEPT])  # CMake says what is wrong below where it is
+    lines = list(dict.fromkeys(" ".join(found.split())[:300] for found in _ERROR.findall(text)))
     if not lines:
         lines = [line.strip()[:300] for line in text.splitlines() if line.strip()][-1:] or ["it failed without a word"]
     return ["".join(each if each.isprintable() else " " for each in line.replace(workspace + "/", "")) for line in lines[:MOST_ERRORS]]

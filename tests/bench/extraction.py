@@ -1,11 +1,11 @@
-"""Holds `launchlint extract` for C++ against the library that people wrote by hand from the same sources.
+"""How much of a hand-written library ``launchlint extract`` finds in the sources that were read for it.
 
-    python tests/bench/extraction.py CHECKOUTS [--only REPOSITORY] [--differences] [--library DIRECTORY]
+    python tests/bench/extraction.py CORPUS [--client rospy] [--only NAME] [--show N] [--probe FILE.jsonl]
 
-CHECKOUTS holds one directory for each source of the library, named as its id with ``+`` for ``/`` (``ros-drivers+usb_cam@addab4a65fdf``):
-the repository at that commit. The table says, for each repository: how many names the library has and how many of them were found under the
-same category and kind (templates compared at their defaults), how many names without a condition were found that the library does not have,
-and how many types are the same where both say one. Names that nobody can know before a run (``{any}``, ``each``) are left out.
+CORPUS holds a directory ``owner+name@commit`` (the first twelve digits) for each source checked out; the bundled library is the ground truth
+for programs whose evidence is from there. Two names are equal where their templates at their defaults are. Recall counts all entries of the
+ground truth that are in that commit, precision leaves conditional entries out, and so it does with categories that the ground truth leaves
+open. With ``--probe`` the lines of a probe (``launchlint probe``) of programs of the same packages are compared, too.
 """
 
 from __future__ import annotations
@@ -13,332 +13,189 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import re
 import sys
 import time
-from collections import Counter, defaultdict
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
-from launchlint.extract.cpp import cpp_program
-from launchlint.extract.fact import Fact
-from launchlint.library.template import TemplateError, default_text
-from launchlint.workspace.cmake import Command
-from launchlint.workspace.cmake_facts import CMAKE_FILE, _Reader
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-_CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
-_ENDS = (".cpp", ".cc", ".cxx", ".c++", ".cu")
-_OF_TRANSPORTS = ("/compressed/mode", "~compressed/mode", "theora/post_processing_level")
-"""Params that plugins of image_transport read, where they are installed."""
-_BUNDLED = Path(__file__).resolve().parents[2] / "launchlint/library/bundled"
+from launchlint.errors import UsageError
+from launchlint.extract.package import extract
+from launchlint.library.template import default_text
 
+BUNDLED = Path(__file__).resolve().parents[2] / "launchlint" / "library" / "bundled"
+CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
+NO_INTERFACE = ("like", "status")
 
-class Targets(_Reader):
-    """Which sources each target of a package is made of."""
-
-    __slots__ = ("directories", "links", "sources")
-
-    def __init__(self, directory: str) -> None:
-        files = [os.path.relpath(os.path.join(at, name), directory) for at, _, names in os.walk(directory) for name in names]
-        super().__init__(directory, lambda: files)
-        self.sources: dict[str, list[str]] = {}
-        self.links: dict[str, list[str]] = defaultdict(list)
-        self.directories: list[str] = []
-        self.read(os.path.join(directory, CMAKE_FILE), 0)
-
-    def _command(self, command: Command, depth: int) -> None:
-        words = [each for each in self.scope.expand(command.arguments) if each]
-        words = [part for each in words for part in each.split(";")]
-        if re.fullmatch(r"(\w+_)?add_(executable|library|nodelet)|target_sources", command.name) and words:
-            self.sources.setdefault(words[0], []).extend(self.scope.path(each) for each in words[1:] if each.endswith(_ENDS))
-        elif command.name in ("target_link_libraries", "rosbuild_link_boost") and words:
-            self.links[words[0]] += words[1:]
-        elif command.name == "include_directories":
-            self.directories += [self.scope.path(each) for each in words if not each.startswith(("/usr", "$"))]
-        super()._command(command, depth)
-
-    def of(self, target: str) -> list[str]:
-        """The sources of a target and of those of the package that it links."""
-        target = next((target for target, name in self.renamed.items() if name == target), target) if target not in self.sources else target
-        found: dict[str, None] = {}
-        pending, seen = [target], set()
-        while pending:
-            each = pending.pop(0)
-            if each in seen:
-                continue
-            seen.add(each)
-            found.update(dict.fromkeys(self.sources.get(each, [])))
-            pending += self.links.get(each, [])
-        return [each for each in found if os.path.isfile(each)]
+Key = tuple[str, str, str]
 
 
-class Package:
-    """One package of a checkout."""
-
-    def __init__(self, directory: str, name: str, manifest: str) -> None:
-        self.directory = directory
-        self.name = name
-        self.depends = set(re.findall(r"<\w*depend[^>]*>\s*([\w-]+)\s*<", manifest)) | set(
-            re.findall(r'<depend package="([\w-]+)"', manifest)
-        )
-        self.targets = Targets(directory)
-
-    def classes(self) -> dict[str, tuple[str, str]]:
-        """Nodelet classes: name to C++ type and library."""
-        found: dict[str, tuple[str, str]] = {}
-        for at, _, names in os.walk(self.directory):
-            for name in names:
-                if not name.endswith(".xml") or name in ("package.xml", "manifest.xml"):
-                    continue
-                text = Path(at, name).read_text("utf-8", "replace")
-                text = re.sub(r"<!--.*?-->", "", text, flags=re.S)
-                library = ""
-                for tag in re.finditer(r"<library\s[^>]*path\s*=\s*\"([^\"]*)\"|<class\s([^>]*)>", text):
-                    if tag[1] is not None:
-                        library = os.path.basename(tag[1]).removeprefix("lib")
-                    else:
-                        given = dict(re.findall(r'(\w+)\s*=\s*"([^"]*)"', tag[2]))
-                        if given.get("type"):
-                            found[given.get("name") or given["type"]] = (given["type"], library)
-        return found
-
-
-def packages(root: str) -> dict[str, Package]:
-    """The packages of a checkout by name."""
-    found: dict[str, Package] = {}
-    for at, directories, names in os.walk(root):
-        directories.sort()
-        for manifest in ("package.xml", "manifest.xml"):
-            if manifest in names and CMAKE_FILE in names:
-                text = Path(at, manifest).read_text("utf-8", "replace")
-                match = re.search(r"<name>\s*([\w-]+)\s*</name>", text)
-                name = match[1] if match else os.path.basename(at).partition("@")[0]
-                found.setdefault(name, Package(at, name, text))
-                break
+def ground_truth() -> dict[str, list[tuple[str, str, str, dict[str, Any]]]]:
+    """Source id → (package, kind, program name, program) of what the bundled library says from there."""
+    found: dict[str, list[tuple[str, str, str, dict[str, Any]]]] = {}
+    for path in sorted(BUNDLED.glob("*.json")):
+        for package, known in json.loads(path.read_text(encoding="utf-8")).get("packages", {}).items():
+            for kind in ("executables", "nodelets"):
+                for name, program in known.get(kind, {}).items():
+                    sources = Counter(source for entry in all_entries(program) for source in sources_of(entry))
+                    if sources and not any(key in program for key in NO_INTERFACE):
+                        found.setdefault(sources.most_common(1)[0][0], []).append((package, kind, name, program))
     return found
 
 
-class Case(NamedTuple):
-    """One program of the library, with what is known of it."""
-
-    package: str
-    kind: str
-    name: str
-    truth: dict[str, list[dict[str, Any]]]
+def all_entries(program: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    for variant in program.get("variants", {}).values():
+        for category in CATEGORIES:
+            yield from variant.get(category, ())
 
 
-def cases(library: Path) -> Iterator[tuple[str, Case]]:
-    """The C++ programs of the library, each with the source its evidence points to."""
-    for file in sorted(library.glob("*.json")):
-        data = json.loads(file.read_text())
-        for package, content in data.get("packages", {}).items():
-            for kind in ("executables", "nodelets"):
-                for name, program in content.get(kind, {}).items():
-                    if program.get("class") not in ("roscpp", "nodelet") or "variants" not in program:
-                        continue
-                    truth: dict[str, list[dict[str, Any]]] = {each: [] for each in _CATEGORIES}
-                    ids: Counter[str] = Counter()
-                    for variant in program["variants"].values():
-                        for category in _CATEGORIES:
-                            truth[category] += variant.get(category, [])
-                            for entry in variant.get(category, []):
-                                ids.update(each["at"].split(":")[0] for each in entry.get("evidence", []) if "at" in each)
-                    for source in ids:
-                        yield source, Case(package, kind, name, truth)
+def sources_of(entry: dict[str, Any]) -> Iterator[str]:
+    for evidence in entry.get("evidence", ()):
+        if "@" in evidence.get("at", ""):
+            yield evidence["at"].split(":")[0]
 
 
-def normal(name: str) -> str:
-    """A name with its templates at their defaults; what cannot be known as ``{any}``."""
-    name = re.sub(r"\{each[^}]*\}", "{any}", name)
-    try:
-        text = default_text(name)
-    except TemplateError:
-        return f"not well formed: {name}"
-    if name.startswith("{parent:"):
-        text = text.lstrip("/")
-    return text
+def keyed(program: dict[str, Any]) -> dict[Key, dict[str, Any]]:
+    """(category, name, role) → entry, over all variants."""
+    found: dict[Key, dict[str, Any]] = {}
+    for variant in program.get("variants", {}).values():
+        for category in CATEGORIES:
+            for entry in variant.get(category, ()):
+                key = (category, default_text(entry["name"]), entry.get("role", ""))
+                if key not in found or "condition" not in entry:
+                    found[key] = entry
+    return found
+
+
+def is_older(entry: dict[str, Any]) -> bool:
+    """An entry for releases other than the one that was read."""
+    return "before " in json.dumps(entry.get("condition", "")) or "until " in json.dumps(entry.get("condition", ""))
+
+
+def opened(program: dict[str, Any]) -> set[str]:
+    return {category for variant in program.get("variants", {}).values() for category in variant.get("open", ())}
 
 
 class Score:
-    """Counts of one repository."""
+    """Counts of one comparison."""
 
     def __init__(self) -> None:
         self.counts: Counter[str] = Counter()
-        self.by_category: dict[str, Counter[str]] = {each: Counter() for each in _CATEGORIES}
-        self.differences: list[str] = []
 
-    def add(self, category: str, what: str) -> None:
-        """Count one."""
-        self.counts[what] += 1
-        self.by_category[category][what] += 1
-
-
-def compare(case: Case, source: str, facts: tuple[Fact, ...], score: Score, shown: str) -> None:
-    """Count what one program has in common with the library, and what not."""
-    for category in _CATEGORIES:
-        mine: dict[str, list[Fact]] = defaultdict(list)
-        for fact in facts:
-            if fact.category == category:
-                mine[normal(fact.name)].append(fact)
-        patterns = [each for each in mine if "{any}" in each]
-        known: dict[str, dict[str, Any]] = {}
-        for entry in case.truth[category]:
-            known.setdefault(normal(entry["name"]), entry)
-        wild = [re.compile(re.escape(each).replace(re.escape("{any}"), ".*")) for each in known if "{any}" in each]
-        for name, entry in known.items():
-            if "{any}" in name or "each" in entry or (category == "params" and name.endswith(_OF_TRANSPORTS)):
+    def compare(self, label: str, truth: dict[str, Any], found: dict[str, Any], show: list[str]) -> None:
+        wanted, got = keyed(truth), keyed(found)
+        open_truth, open_found = opened(truth), opened(found)
+        for key, entry in wanted.items():
+            if key not in got and is_older(entry):
                 continue
-            if not any(each.get("at", "").startswith(source + ":") for each in entry.get("evidence", [])):
-                continue
-            score.add(category, "known")
-            if name in mine:
-                score.add(category, "found")
-                kinds = {each.value_type if category == "params" else each.type for each in mine[name]} - {""}
-                if kinds and entry.get("type") and not (entry["type"] == "*" and category == "params"):
-                    score.add(category, "typed")
-                    if entry["type"] in kinds:
-                        score.add(category, "right type")
+            part = "params" if key[0] == "params" else "names"
+            self.counts[part] += 1
+            if key in got:
+                self.counts[f"{part} found"] += 1
+                if key[0] != "params" and entry.get("type") and got[key].get("type"):
+                    self.counts["types"] += 1
+                    if entry["type"] == got[key]["type"]:
+                        self.counts["types right"] += 1
                     else:
-                        score.differences.append(
-                            f"{shown} TYPE {category} {name}: {entry['type']} here {sorted(kinds)} {places(mine[name])}"
-                        )
+                        show.append(f"  type    {label} {key} {entry['type']} != {got[key]['type']} {at(got[key])}")
             else:
-                part = any(re.fullmatch(re.escape(each).replace(re.escape("{any}"), ".*"), name) for each in patterns)
-                if part:
-                    score.add(category, "partly")
-                at = [each.get("at", "").partition(":")[2] for each in entry.get("evidence", [])]
-                score.differences.append(
-                    f"{shown} {'PARTLY' if part else 'MISSED'} {category} {entry['name']} {entry.get('type', '')} {at}"
-                )
-        for name, found in mine.items():
-            if "{any}" in name:
+                self.counts[f"{part} open"] += key[0] in open_found
+                show.append(f"  missing {label} {key}{' (open)' if key[0] in open_found else ''} {at(entry)} {json.dumps(entry.get('condition', ''))}")
+        for key, entry in got.items():
+            part = "params" if key[0] == "params" else "names"
+            if "condition" in entry or (key[0] in open_truth and key not in wanted) or "{any}" in key[1]:
                 continue
-            score.add(category, "extracted")
-            if name in known or any(each.fullmatch(name) for each in wild):
-                continue
-            if all(each.condition for each in found):
-                score.add(category, "false conditional")
-                score.differences.append(f"{shown} MAYBE {category} {found[0].name} {found[0].type} [{found[0].condition}] {places(found)}")
-            else:
-                score.add(category, "false")
-                score.differences.append(f"{shown} FALSE {category} {found[0].name} {found[0].type} {places(found)}")
+            self.counts[f"{part} said"] += 1
+            if key not in wanted:
+                self.counts[f"{part} false"] += 1
+                show.append(f"  false   {label} {key} {entry.get('type', '')} {at(entry)}")
+
+    def row(self) -> str:
+        c = self.counts
+        return (
+            f"{percent(c['names found'], c['names'])} {c['names found']:4}/{c['names']:<4} {percent(c['names false'], c['names said'])} "
+            f"{percent(c['types right'], c['types'])}  {percent(c['params found'], c['params'])} {c['params found']:4}/{c['params']:<4} "
+            f"{percent(c['params false'], c['params said'])}"
+        )
 
 
-def places(facts: list[Fact]) -> list[str]:
-    """Where facts were found."""
-    return [f"{each.path}:{each.line}" for each in facts]
+def at(entry: dict[str, Any]) -> str:
+    return next((evidence.get("at", "") for evidence in entry.get("evidence", ())), "").partition(":")[2]
 
 
-def sources_of(case: Case, found: dict[str, Package]) -> tuple[list[str], list[str], str | None] | None:
-    """Sources, include directories and entry of a program; None where the checkout does not build it."""
-    package = found.get(case.package)
-    if package is None:
-        return None
-    entry: str | None = None
-    if case.kind == "executables":
-        sources = package.targets.of(case.name)
-    else:
-        classes = package.classes()
-        if case.name not in classes:
-            return None
-        entry, library = classes[case.name]
-        sources = package.targets.of(library) or [each for target in package.targets.sources for each in package.targets.of(target)]
-    if not sources:
-        return None
-    directories = [os.path.join(package.directory, "include"), package.directory, *package.targets.directories]
-    pending, seen = [package], {package.name}
-    while pending:
-        for name in sorted(pending.pop(0).depends):
-            other = found.get(name)
-            if other is not None and name not in seen:
-                seen.add(name)
-                pending.append(other)
-                directories += [os.path.join(other.directory, "include"), *other.targets.directories]
-                libraries = [target for target in other.targets.sources if target not in other.targets.facts.executables]
-                sources += [each for target in libraries for each in other.targets.of(target)]
-    return list(dict.fromkeys(sources)), list(dict.fromkeys(directories)), entry
+def percent(part: int, whole: int) -> str:
+    return f"{100 * part / whole:5.1f}" if whole else "    –"
 
 
-def table(scores: dict[str, Score]) -> Iterator[str]:
-    """The table."""
-    yield f"{'':45} {'known':>6} {'found':>6} {'':>6} {'partly':>6} {'extracted':>9} {'false':>6} {'':>6} {'cond.':>6} {'types':>6} {'right':>7} {'s':>6}"
+HEAD = f"{'':44} names found     false types  params found     false"
+
+
+def against_library(corpus: Path, client: str, only: str, show: int, jobs: int) -> None:
     total = Score()
-    for name, score in scores.items():
-        yield line(name, score.counts)
-        total.counts.update(score.counts)
-        for category in _CATEGORIES:
-            total.by_category[category].update(score.by_category[category])
-    for category in _CATEGORIES:
-        yield line(f"all {category}", total.by_category[category])
-    yield line("all but params", sum((total.by_category[each] for each in _CATEGORIES if each != "params"), Counter()))
-    yield line("all", total.counts)
-
-
-def line(name: str, counts: Counter[str]) -> str:
-    """One line of the table."""
-
-    def share(part: str, whole: str) -> str:
-        return f"{100 * counts[part] / counts[whole]:5.1f}%" if counts[whole] else "     -"
-
-    return (
-        f"{name:45} {counts['known']:6} {counts['found']:6} {share('found', 'known')} {counts['partly']:6} {counts['extracted']:9} {counts['false']:6} "
-        f"{share('false', 'extracted')} {counts['false conditional']:6} {counts['typed']:6} {share('right type', 'typed')} {counts['ms'] / 1000:6.1f}"
-    )
-
-
-def main() -> int:
-    """Print the table."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("checkouts", type=Path)
-    parser.add_argument("--only", default="", help="repositories whose id contains this")
-    parser.add_argument("--program", default="", help="programs whose package/name contains this")
-    parser.add_argument("--library", type=Path, default=_BUNDLED)
-    parser.add_argument("--differences", action="store_true", help="print each difference")
-    options = parser.parse_args()
-    by_source: dict[str, list[Case]] = defaultdict(list)
-    for source, case in cases(options.library):
-        if options.only in source and options.program in f"{case.package}/{case.name}":
-            by_source[source].append(case)
-    scores: dict[str, Score] = {}
-    unbuilt = programs = loading = 0
-    for source, listed in sorted(by_source.items()):
-        root = options.checkouts / source.replace("/", "+")
-        if not root.is_dir():
+    lines: list[str] = []
+    print(HEAD)
+    for source, programs in sorted(ground_truth().items()):
+        directory = corpus / source.replace("/", "+")
+        programs = [each for each in programs if not client or each[3].get("class") in client.split(",")]
+        if not directory.is_dir() or not programs or (only and only not in source):
             continue
-        found = packages(str(root))
+        begin = time.monotonic()
+        try:
+            packages = extract([str(directory)], (), jobs).document["packages"]
+        except UsageError as error:
+            print(f"{source:44} {error}")
+            continue
         score = Score()
-        for case in listed:
-            built = sources_of(case, found)
-            if built is None:
-                unbuilt += 1
+        absent = []
+        for package, kind, name, truth in programs:
+            found = packages.get(package, {}).get(kind, {}).get(name)
+            if found is None:
+                absent.append(f"{package}/{name}")
                 continue
-            programs += 1
-            start = time.monotonic()
-            try:
-                facts, doubts = cpp_program(built[0], built[1], str(root), built[2])
-            except Exception:
-                print(f"{source} {case.package}/{case.name}", file=sys.stderr)
-                raise
-            score.counts["ms"] += int(1000 * (time.monotonic() - start))
-            shown = f"{source.partition('@')[0]} {case.package}/{case.name}"
-            if any("nodelet::Loader" in each.reason for each in doubts):
-                loading += 1
-                continue
-            compare(case, source, facts, score, shown)
-            if options.differences and options.program:
-                for fact in facts:
-                    print(fact)
-                for doubt in doubts:
-                    print(doubt)
-        if score.counts["known"]:
-            scores[source] = score
-            if options.differences:
-                print("\n".join(score.differences), flush=True)
-    print("\n".join(table(scores)))
-    print(f"{programs} programs, {loading} of them load nodelets and are left out; {unbuilt} more that these sources do not build")
-    return 0
+            for each in (score, total):
+                each.compare(f"{package}/{name}", truth, found, lines if each is total else [])
+        print(f"{source:44} {score.row()}  {time.monotonic() - begin:5.1f} s{'  not there: ' + ', '.join(absent) if absent else ''}")
+    print(f"{'total':44} {total.row()}")
+    print("\n".join(lines[:show]))
+
+
+def against_probe(corpus: Path, probe: Path, show: int, jobs: int) -> None:
+    """Topics and services that nodes had in a run, held against what their sources say."""
+    nodes = [json.loads(line) for line in probe.read_text(encoding="utf-8").splitlines()]
+    nodes = [node for node in nodes if node.get("kind") == "node" and node.get("status") == "ok" and node.get("interface")]
+    wanted = {node["package"] for node in nodes}
+    packages: dict[str, Any] = {}
+    for directory in sorted(corpus.iterdir()):
+        if any((path.parent.name in wanted) for path in directory.rglob("package.xml")):
+            packages.update({name: each for name, each in extract([str(directory)], (), jobs).document["packages"].items() if name in wanted})
+    score = Score()
+    lines: list[str] = []
+    for node in nodes:
+        found = packages.get(node["package"], {}).get("executables", {}).get(node["name"])
+        if found is not None:
+            score.compare(f"{node['package']}/{node['name']}", {"variants": {"default": node["interface"]}}, found, lines)
+    print(HEAD)
+    print(f"{'against ' + os.path.basename(probe):44} {score.row()}")
+    print("\n".join(lines[:show]))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("corpus", type=Path)
+    parser.add_argument("--client", default="", help="rospy, roscpp, nodelet; several with commas; default: all")
+    parser.add_argument("--only", default="", help="sources whose id has this in it")
+    parser.add_argument("--show", type=int, default=0, help="differences to print")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--probe", type=Path)
+    given = parser.parse_args()
+    if given.probe is not None:
+        against_probe(given.corpus, given.probe, given.show, given.jobs)
+    else:
+        against_library(given.corpus, given.client, given.only, given.show, given.jobs)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

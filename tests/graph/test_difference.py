@@ -134,6 +134,7 @@ def test_a_loss_that_shows_by_default_only() -> None:
     before = tiny.topology("/a > /x", "/b < /x", configurations=CONFIGURATIONS)
     after = tiny.topology("/a > /x @sim:=true", "/b < /x", configurations=CONFIGURATIONS)
     assert lost(difference(before, after)) == [
+        "/a publisher /x of /b (1) by default, now gone",
         "/b subscriber /x of /a (1) by default, now /x",
     ]
 

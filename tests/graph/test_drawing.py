@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from launchlint.graph.difference import difference
@@ -51,7 +51,6 @@ def is_one_configuration(topology: Topology) -> bool:
     return len(topology.configurations) == 1
 
 
-@settings(max_examples=200)
 @given(tiny.topologies().filter(is_one_configuration), st.sampled_from([None, 4, 8, 30]), st.booleans())
 def test_drawn_reachability_is_that_of_the_graph(topology: Topology, most: int | None, dangling: bool) -> None:
     drawing = draw(topology, most, dangling=dangling)

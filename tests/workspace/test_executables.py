@@ -130,9 +130,9 @@ def test_nodelet_classes(grow: Grow) -> None:
     )
     found = _executables(root)
     assert found.nodelet_classes == {
-        "p/One": NodeletClass("p/One", "p::One", "nodelet::Nodelet", f"{root}/p/a.xml"),
+        "p/One": NodeletClass("p/One", "p::One", "nodelet::Nodelet", f"{root}/p/a.xml", "l"),
         "p/Three": NodeletClass("p/Three", "p::Three", "", f"{root}/p/b.xml"),
-        "p::Two": NodeletClass("p::Two", "p::Two", "nodelet::Nodelet", f"{root}/p/a.xml"),
+        "p::Two": NodeletClass("p::Two", "p::Two", "nodelet::Nodelet", f"{root}/p/a.xml", "m"),
     }
     assert found.nodelet_reasons == ()
 

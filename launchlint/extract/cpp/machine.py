@@ -56,7 +56,7 @@ class Machine:
         self.declarations = declarations
         self.root = root
         self.names = Names(declarations)
-        self.facts: dict[Fact, None] = {}
+        self.facts: dict[str, Fact] = {}
         self.doubts: dict[Doubt, None] = {}
         self.conditions: list[str] = []
         self.when = "start"
@@ -287,7 +287,11 @@ class Machine:
         if ANY in name:
             self.doubt(category, f"a name is not known before it runs: {shortened(node.text)}", node, frame)
         if len(self.facts) < _MOST_FACTS:
-            self.facts[Fact(category, name, frame.path, node.line, condition=text, when=self.when, **more)] = None
+            self.note(Fact(category, name, frame.path, node.line, condition=text, when=self.when, **more))
+
+    def note(self, fact: Fact) -> None:
+        """Keep a fact; the same one twice is one."""
+        self.facts.setdefault(repr(fact), fact)
 
     def doubt(self, category: str, reason: str, node: Node, frame: Frame) -> None:
         """Note why there may be more of a category."""

@@ -61,7 +61,7 @@ def cpp_program(
     else:
         _class(machine, entry, first)
     machine.finish()
-    return _sorted(machine.facts), tuple(
+    return _sorted(list(machine.facts.values())), tuple(
         sorted(dict.fromkeys(machine.doubts), key=lambda each: (each.category, each.path, each.line, each.reason))
     )
 
@@ -129,7 +129,7 @@ def _given(function: Function) -> list[Argument]:
     return given
 
 
-def _sorted(facts: dict[Fact, None]) -> tuple[Fact, ...]:
+def _sorted(facts: Sequence[Fact]) -> tuple[Fact, ...]:
     """Facts without those that every node has, and without conditional ones where the same is said without condition."""
     certain = {_key(each): each for each in facts if not each.condition and each.when == "start"}
     unconditional = {_key(each) for each in facts if not each.condition}

@@ -79,7 +79,7 @@ def _why(links: Sequence[Link], ends: Mapping[str, None], changes: Difference, n
     running = {node.name: node for node in changes.after.nodes}
     for link in links:
         if link.after is None:
-            yield f"{visible(link.node)} no longer {DOES[link.role]} it"
+            yield f"{visible(link.node)} no longer {DOES[link.role].removesuffix(' action')} it"
         elif link.after.name != link.name:
             steps = remapped(link.after.remaps)
             yield f"{visible(link.node)} now {does(link.after)}{f', {steps}' if steps else ''}"

@@ -152,7 +152,7 @@ def reconfigured(asked: Call, handle: Value) -> None:
         for setting in settings.settings:
             name = finished(in_namespace(space, setting.name))
             fact = Fact("params", name, shown, setting.line, default=setting.default, value_type=setting.type, condition=conditions)
-            machine.facts[fact._replace(when=machine.when)] = None
+            machine.note(fact._replace(when=machine.when))
     if settings.reason:
         machine.doubt("params", f"{os.path.basename(path)} {settings.reason}", asked.node, frame)
 

@@ -1,0 +1,172 @@
+"""``launchlint probe``: run nodes, record their interfaces, write a library."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from contextlib import contextmanager
+
+import click
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from launchlint.cli.progress import ProgressBar
+    from launchlint.probe.journal import Journal
+    from launchlint.probe.run import Outcome, Shard
+
+
+@click.command("probe")
+@click.option("-o", "--output", required=True, metavar="FILE", help="Where to write the library.")
+@click.option("--local", is_flag=True, help="Use the ROS of this machine instead of a container. The nodes run unprotected.")
+@click.option("--resume", is_flag=True, help="Go on where an earlier run with the same -o was interrupted.")
+@click.option("--shard", metavar="I/N", help="Probe only the I-th of N parts; `launchlint library merge` joins them.")
+@click.option("--jobs", type=click.IntRange(1, 64), metavar="N", help="Nodes that run at once (default: `jobs` in `limits`, else 2).")
+@click.option("--strict", is_flag=True, help="Exit with status 1 where any node could not be run.")
+@click.option("-q", "--quiet", is_flag=True, help="Say nothing but errors.")
+@click.option("-v", "--verbose", is_flag=True, help="Show all output of the build.")
+@click.argument("configuration", metavar="CONFIG.yaml")
+def command(
+    output: str,
+    local: bool,
+    resume: bool,
+    shard: str | None,
+    jobs: int | None,
+    strict: bool,
+    quiet: bool,
+    verbose: bool,
+    configuration: str,
+) -> int:
+    """Run the nodes that CONFIG.yaml names, and record what they publish, subscribe, serve, call and read in a library.
+
+    They run in a container without a network, one after the other beside a recording ROS master. What is known is on disk at once (in
+    FILE.partial.jsonl), so Ctrl-C loses nothing: --resume goes on.
+
+    The exit status is 0 where the library was written, 1 where runs or packages are missing from it, 2 where there is none.
+    """
+    from launchlint.atomic import check_target, write_text
+    from launchlint.errors import LibraryError
+    from launchlint.library.file import parse
+    from launchlint.library.write import canonical
+    from launchlint.probe.assemble import assemble
+    from launchlint.probe.configuration import load
+    from launchlint.probe.journal import Journal
+    from launchlint.probe.summary import is_worth_a_failure, summary
+
+    part = _shard(shard) if shard is not None else None
+    settings = load(configuration)
+    if jobs is not None:
+        settings = settings._replace(limits=settings.limits._replace(jobs=jobs))
+    check_target(output, what="the library")
+    watcher = _Watcher(quiet, verbose)
+    journal = Journal(output, resume=resume)
+    complete = False
+    try:
+        with _stoppable():
+            outcome = _probe(settings, journal, part, watcher, local)
+        watcher.clear()
+        text = canonical(assemble(settings, outcome.records, outcome.notes, outcome.trees, outcome.origins, local=local))
+        try:
+            parse(text.encode("utf-8", "replace"), output)
+        except LibraryError as error:  # a fault of launchlint: better no library than one that cannot be read
+            raise AssertionError(f"the library would not be valid: {error}") from error
+        write_text(output, text, what="the library")
+        complete = not outcome.lost
+    finally:
+        watcher.clear()
+        journal.close(complete=complete)
+    if not quiet:
+        _print(summary(outcome, output))
+    failed = strict and any(record.status == "failed" for record in outcome.records)
+    return int(failed or is_worth_a_failure(outcome))
+
+
+def _probe(settings: object, journal: Journal, part: Shard | None, watcher: _Watcher, local: bool) -> Outcome:
+    from launchlint.check.run import default_directory
+    from launchlint.probe.configuration import ProbeConfiguration
+    from launchlint.probe.engine import BuildError
+    from launchlint.probe.run import probe_in_container, probe_local
+
+    if not isinstance(settings, ProbeConfiguration):
+        raise AssertionError("a probe's configuration was read")
+    if local:
+        for key in ("repositories", "apt", "pip"):
+            if getattr(settings, key):
+                watcher.says(f"--local leaves `{key}` aside: nothing is fetched, installed or built on this machine")
+        return probe_local(settings, journal, part, watcher)
+    try:
+        return probe_in_container(settings, journal, part, watcher, os.path.join(default_directory(), "probe"))
+    except BuildError as error:
+        watcher.clear()
+        _print(f"  {line}" for line in error.lines)
+        raise
+
+
+def _shard(text: str) -> Shard:
+    from launchlint.errors import UsageError
+    from launchlint.probe.run import Shard
+
+    number, slash, count = text.partition("/")
+    if not (
+        slash and all(each.isascii() and each.isdecimal() and len(each) < 6 for each in (number, count)) and 1 <= int(number) <= int(count)
+    ):
+        raise UsageError(f"--shard cannot be {text!r}: write I/N, such as 1/4 for the first of four parts")
+    return Shard(int(number), int(count))
+
+
+class _Watcher:
+    """Says how far it is, on standard error: lines for what happens before nodes run, then a bar on a terminal."""
+
+    def __init__(self, quiet: bool, verbose: bool) -> None:
+        self._quiet = quiet
+        self._verbose = verbose
+        self._bar: ProgressBar | None = None
+        self._last = time.monotonic()
+
+    def says(self, line: str) -> None:
+        if not self._quiet and (
+            self._verbose or line.startswith(("fetching ", "Step ", "--local ")) or (line.startswith("[") and "] " in line[:12])
+        ):
+            _print([line])
+
+    def moves(self, done: int, total: int, label: str) -> None:
+        from launchlint.cli.progress import ProgressBar
+
+        if self._quiet:
+            return
+        if sys.stderr.isatty():
+            self._bar = self._bar or ProgressBar(total, "nodes")
+            self._bar.show(min(done, total), label[:40])
+        elif time.monotonic() - self._last > 30:  # a log wants a sign of life, not a line for each node
+            self._last = time.monotonic()
+            _print([f"{done}/{total} nodes"])
+
+    def clear(self) -> None:
+        if self._bar is not None:
+            self._bar.clear()
+            self._bar = None
+
+
+def _print(lines: Sequence[str] | Iterator[str]) -> None:
+    from launchlint.report.escape import visible
+    from launchlint.report.formats import emit
+
+    for line in lines:
+        emit(visible(line) + "\n", sys.stderr)
+
+
+@contextmanager
+def _stoppable() -> Iterator[None]:
+    """SIGTERM, as a job scheduler sends it, is taken as Ctrl-C: what was started is ended, what is known is kept."""
+    import signal
+
+    def stop(number: int, frame: object) -> None:
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGTERM, stop)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)

@@ -1,0 +1,108 @@
+"""From directories of packages to a library: every program read, in parallel where that pays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+from launchlint import __version__
+from launchlint.extract.plan import Plan, Skipped, Task, plan
+from launchlint.extract.python.modules import ModuleFinder
+from launchlint.extract.reading import Reading, read
+
+PARALLEL_FROM = 8
+"""Programs from which a second process pays."""
+
+
+class Result(NamedTuple):
+    """The library as a document, and what the summary says. ``skipped`` are programs that are not in it, with the reason."""
+
+    document: dict[str, Any]
+    programs: int
+    names: int
+    unresolved: int
+    skipped: tuple[Skipped, ...]
+
+
+def extract(
+    sources: Sequence[str], wanted: Sequence[str] = (), jobs: int = 1, progress: Callable[[int, int], None] | None = None
+) -> Result:
+    """Read every program of the packages in ``sources`` (directories). Nothing is built, run or imported.
+
+    Args:
+        sources: directories of packages or workspaces.
+        wanted: names of the packages to read; all if empty. Others are only looked into for modules and headers.
+        jobs: processes.
+        progress: told how many programs of how many are done.
+
+    Raises:
+        UsageError: a directory or package does not exist.
+    """
+    planned = plan(sources, wanted)
+    readings: list[Reading] = []
+    for reading in _read_all(planned, jobs):
+        readings.append(reading)
+        if progress is not None:
+            progress(len(readings), len(planned.tasks))
+    return _result(planned, readings)
+
+
+def _read_all(planned: Plan, jobs: int) -> Iterator[Reading]:
+    if jobs < 2 or len(planned.tasks) < PARALLEL_FROM:
+        finder = ModuleFinder(planned.modules)
+        for task in planned.tasks:
+            yield read(task, finder)
+        return
+    from concurrent.futures import ProcessPoolExecutor
+
+    with ProcessPoolExecutor(min(jobs, len(planned.tasks)), initializer=_begin, initargs=(planned.modules,)) as pool:
+        yield from pool.map(_read_one, planned.tasks)
+
+
+_finder: list[ModuleFinder] = []
+
+
+def _begin(modules: dict[str, str]) -> None:
+    _finder[:] = [ModuleFinder(modules)]
+
+
+def _read_one(task: Task) -> Reading:
+    return read(task, _finder[0])
+
+
+def _result(planned: Plan, readings: Sequence[Reading]) -> Result:
+    packages: dict[str, dict[str, Any]] = {}
+    skipped = list(planned.skipped)
+    used: set[str] = set()
+    for reading in readings:
+        task = reading.task
+        if reading.program is None:
+            path = task.sources[0][len(task.origin.root) :].lstrip("/")
+            skipped.append(Skipped(task.package, task.name, path, reading.problem))
+            continue
+        package = packages.setdefault(task.package, {"source": task.origin.id})
+        package.setdefault(task.kind, {})[task.name] = reading.program
+        used.add(task.origin.id)
+    missing = {each.package for each in skipped}
+    for name, package in packages.items():
+        if name in planned.complete and name not in missing:
+            package["complete"] = ["nodelets"]
+    document = {
+        "format": "launchlint-library",
+        "version": 1,
+        "generator": f"launchlint {__version__} extract",
+        "sources": _sources(planned, used),
+        "packages": packages,
+    }
+    done = [reading for reading in readings if reading.program is not None]
+    return Result(document, len(done), sum(each.names for each in done), sum(each.unresolved for each in done), tuple(skipped))
+
+
+def _sources(planned: Plan, used: set[str]) -> list[dict[str, Any]]:
+    found: dict[str, dict[str, Any]] = {}
+    for origin in planned.origins:
+        if origin.id in used:
+            source = {"id": origin.id, "url": origin.url}
+            source.update({key: value for key, value in (("ref", origin.ref), ("commit", origin.commit)) if value})
+            found.setdefault(origin.id, source)
+    return [found[each] for each in sorted(found)]

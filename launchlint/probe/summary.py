@@ -1,0 +1,115 @@
+"""What a probe did, for people: what was probed, what not and why, and what to do about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from launchlint.probe.record import LaunchRecord, NodeRecord, Note
+from launchlint.probe.run import Outcome
+
+MOST_NAMES = 8
+"""Programs named in one line."""
+
+WHY = {
+    "arguments-required": ("want arguments", "say by `args` what they are to be started with"),
+    "param-required": ("want a param", "set it by `params`"),
+    "module-missing": ("miss a Python module", "install it by `apt` or `pip`"),
+    "library-missing": ("miss a shared library", "install it by `apt`"),
+    "file-missing": ("miss a file", "give it by `files`"),
+    "display-required": ("want a display", ""),
+    "device-missing": ("want a device", ""),
+    "waits-for-device": ("wait for a device", ""),
+    "waits-for-service": ("wait for a service", ""),
+    "network": ("want a network", ""),
+    "busy": ("were still computing", "give them more time by `limit`"),
+    "silent": ("never contacted the master", "give them more time by `limit` if they are slow to start"),
+    "timed-out": ("registered nothing in time", "give them more time by `limit`"),
+    "never-quiet": ("always had something new", "give them more time by `limit`"),
+    "too-many-names": ("made up names without end", ""),
+    "too-much-output": ("printed without end", ""),
+    "too-large": ("have too large an interface", ""),
+    "exception": ("ended with an exception", ""),
+    "error-logged": ("ended with an error", ""),
+    "not-started": ("cannot be started", ""),
+    "odd-names": ("have names that no node can have", ""),
+    "broke-the-container": ("took the container down", ""),
+    "launch-missing": ("do not exist", "correct `launch`"),
+    "ended": ("ended by themselves", ""),
+}
+"""Code of a problem → what such nodes do, and what helps."""
+
+
+def is_worth_a_failure(outcome: Outcome) -> bool:
+    """Whether the exit status shall say that this was not what was asked for: runs are missing, packages are, or nothing ran at all."""
+    ran = any(record.status == "ok" for record in outcome.records)
+    missing = any(note.kind == "unknown" or (note.kind == "package" and note.facts["status"] != "found") for note in outcome.notes)
+    return bool(outcome.lost) or missing or outcome.left > 0 or (bool(outcome.records) and not ran)
+
+
+def summary(outcome: Outcome, output: str) -> list[str]:
+    """The lines of the summary."""
+    nodes = [record for record in outcome.records if isinstance(record, NodeRecord)]
+    launches = [record for record in outcome.records if isinstance(record, LaunchRecord)]
+    ran, failed, none = (_labels(nodes, status) for status in ("ok", "failed", "not-a-node"))
+    failed = [label for label in failed if label not in set(ran)]
+    programs = f"{_count(len(none), 'program')} {'is' if len(none) == 1 else 'are'} no node{'' if len(none) == 1 else 's'}"
+    lines = [f"{output}: {_count(len(ran), 'node')} recorded, {len(failed)} could not be run, {programs}"]
+    if launches:
+        good = sum(record.status == "ok" for record in launches)
+        lines.append(f"{good} of {_count(len(launches), 'launch file')} recorded")
+    lines += _grouped("could not be run:", [record for record in outcome.records if record.status == "failed"])
+    doubtful = [record for record in outcome.records if record.status == "ok" and record.problems]
+    lines += _grouped("recorded, but there may be more to them:", doubtful)
+    lines += _notes(outcome.notes)
+    count, first = outcome.refused
+    if count:
+        lines.append(f"{count} lines of the container's output were no records and were left out: {first}")
+    if outcome.left:
+        lines.append(f"{_count(outcome.left, 'process')} could not be ended".replace("processs", "processes"))
+    if outcome.lost:
+        lines.append(f"not everything was probed: {outcome.lost}; --resume goes on")
+    return lines
+
+
+def _labels(records: Iterable[NodeRecord], status: str) -> list[str]:
+    return sorted({record.label for record in records if record.status == status})
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}" if number == 1 else f"{number} {what}s"
+
+
+def _grouped(title: str, records: Sequence[NodeRecord | LaunchRecord]) -> list[str]:
+    """Runs by their first problem, those with most first."""
+    groups: dict[str, dict[str, str]] = {}
+    for record in records:
+        if record.problems:
+            problem = record.problems[0]
+            groups.setdefault(problem.code, {})[record.label] = problem.detail
+    if not groups:
+        return []
+    lines = [title]
+    for code, found in sorted(groups.items(), key=lambda group: (-len(group[1]), group[0])):
+        does, helps = WHY.get(code, (code.replace("-", " "), ""))
+        lines.append(f"  {len(found)} {does}" + (f" ({helps})" if helps else "") + ":")
+        lines += [f"    {label}: {detail}" for label, detail in sorted(found.items())[:MOST_NAMES]]
+        if len(found) > MOST_NAMES:
+            lines.append(f"    and {len(found) - MOST_NAMES} more; the library lists them all")
+    return lines
+
+
+def _notes(notes: Sequence[Note]) -> list[str]:
+    lines = []
+    for note in notes:
+        facts: Mapping[str, object] = note.facts
+        if note.kind == "package" and facts["status"] != "found":
+            lines.append(f"there is no package {facts['package']}: correct `packages`, or install it by `apt`")
+        elif note.kind == "unknown":
+            lines.append(f"`nodes` names {facts['label']}, which no probed package has")
+        elif note.kind == "dependency":
+            by = note.facts["needed_by"]
+            lines.append(f"{', '.join(by[:MOST_NAMES])}: the dependency {facts['name']} was not installed: {facts['detail']}")
+        elif note.kind == "build" and facts["result"] != "ok":
+            first = next(iter(note.facts["errors"]), "")
+            lines.append(f"{facts['package']}: {'built in part' if facts['result'] == 'partial' else 'not built'}: {first}")
+    return lines
