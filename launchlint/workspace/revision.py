@@ -61,7 +61,10 @@ def resolve(repository: str, revision: str) -> str:
     """
     if not os.path.exists(os.path.join(repository, ".git")):
         raise UsageError(f"{repository} is not in a git repository: there is no revision {revision} of it to compare with")
-    done = _git(repository, ["rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}"])
+    done = _git(repository, ["rev-parse", "--verify", "--quiet", "--end-of-options", revision])
+    found = done.stdout.decode("ascii", "replace").strip()
+    if not done.returncode and found:  # in two steps: what follows :/text belongs to the text
+        done = _git(repository, ["rev-parse", "--verify", "--quiet", "--end-of-options", f"{found}^{{commit}}"])
     commit = done.stdout.decode("ascii", "replace").strip()
     if done.returncode or not commit:
         raise UsageError(f"{revision} is no revision of the git repository {repository}: {_reason(done.stderr) or _hint(revision)}")

@@ -80,9 +80,10 @@ def _why(links: Sequence[Link], ends: Mapping[str, None], changes: Difference, n
     for link in links:
         if link.after is None:
             yield f"{visible(link.node)} no longer {DOES[link.role].removesuffix(' action')} it"
-        elif link.after.name != link.name:
-            steps = remapped(link.after.remaps)
-            yield f"{visible(link.node)} now {does(link.after)}{f', {steps}' if steps else ''}"
+    for before, after in changes.connections_changed:
+        if (before.kind, before.name) == (links[0].kind, links[0].name) and before.node in ends and after.name != before.name:
+            steps = remapped(after.remaps)
+            yield f"{visible(after.node)} now {does(after)}{f', {steps}' if steps else ''}"
     for name in ends:
         node = running.get(name)
         if node is None:
@@ -142,7 +143,7 @@ def _connections(changes: Difference) -> Iterator[str]:
         before, after = change
         if before.name != after.name:
             steps = remapped(after.remaps)
-            what = f"{visible(before.name)} → {visible(after.name)}{f' ({steps})' if steps else ''}"
+            what = f"{visible(after.name)} instead of {visible(before.name)}{f', {steps}' if steps else ''}"
         elif before.type != after.type:
             what = f"{visible(before.name)}: {visible(before.type or 'unknown type')} → {visible(after.type or 'unknown type')}"
         else:

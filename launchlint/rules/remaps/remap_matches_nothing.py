@@ -114,6 +114,8 @@ def _has(instance: Instance, names: OwnNames, applied: Applied) -> bool:
         return True
     if any(source == absolute(name, namer.namespace, namer.node) for name in UNIVERSAL):
         return True
+    if any(step.source == source for endpoint in instance.endpoints for step in endpoint.applied):
+        return True  # the second of two that act: rospy and image_transport look a topic up twice
     if any(source.startswith(f"{name}/") for name in names.below):
         return True
     if any(doubt.may_be(source) for doubt in (*instance.doubts, *names.otherwise)):

@@ -214,12 +214,13 @@ def test_changes_begin_with_who_lost_whom() -> None:
         "      /d is no longer started\n"
         "  lost: /a → /b on topic /x\n"
         "      /a now publishes /y\n"
+        "  gained: /e → /f on topic /y\n"
         "  - node /d (demo/node): serves /s\n"
         "  - node /old (demo/old)\n"
         "  + node /f (demo/node): subscribes /y\n"
         "  ~ node /e: program demo/node → demo/new\n"
         "  + topic /y\n"
-        "  ~ /a publishes /x → /y\n"
+        "  ~ /a publishes /y instead of /x\n"
         "  + /e publishes /y\n"
     )
 
