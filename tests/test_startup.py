@@ -94,6 +94,15 @@ def test_check_of_one_plain_file_imports_nothing_heavy(package: Path) -> None:
     assert among(modules, HEAVY) == []
 
 
+def test_check_makes_the_graph_and_neither_records_nor_pictures_of_it(package: Path) -> None:
+    text = PLAIN.replace('pkg="demo_nodes" type="talker"', 'pkg="turtlesim" type="turtlesim_node"')
+    (package / "known.launch").write_text(text, encoding="utf-8")
+    modules = modules_after(["check", "known.launch"], package)
+    assert "launchlint.graph.connect" in modules
+    not_needed = ("launchlint.graph.topology", "launchlint.library.file", "launchlint.library.format", "launchlint.report.graph", "hashlib")
+    assert among(modules, (*HEAVY, *not_needed)) == []
+
+
 def test_second_check_with_a_warm_cache_imports_nothing_heavy(package: Path) -> None:
     modules_after(["check", "plain.launch"], package)
     assert among(modules_after(["check", "plain.launch"], package), HEAVY) == []

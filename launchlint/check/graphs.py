@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
+from launchlint.check.changed import Changed, changed
 from launchlint.check.entry import EntryChecker
 from launchlint.check.options import EntryRequest, Options
 from launchlint.evaluate.configurations import configurations
@@ -33,6 +34,7 @@ class Revision:
     def __init__(self, options: Options, repository: str, directory: str) -> None:
         self._repository = os.path.realpath(repository)
         self._directory = directory
+        self._changed: Changed | None = None
         root = self.place(options.root)
         os.makedirs(root, exist_ok=True)
         workspaces = tuple(self.place(workspace) for workspace in options.workspaces)
@@ -53,6 +55,14 @@ class Revision:
     def back(self, path: str) -> str:
         """The file of the working tree (as people see it) that a file of the revision is."""
         return os.path.relpath(os.path.join(self._repository, os.path.relpath(path, self._directory)), os.path.realpath(os.curdir))
+
+    def differs(self, root: str, files: Iterable[str]) -> bool:
+        """Whether an entry file that reads these launch files (as shown) may start something else than at the revision."""
+        if self._changed is None:
+            self._changed = changed(self._repository, self._directory)
+        return self._changed.others or not self._changed.launch_files.isdisjoint(
+            os.path.realpath(os.path.join(root, file)) for file in files
+        )
 
     def request(self, request: EntryRequest) -> EntryRequest | None:
         """The same entry file at the revision; None where it is not there, or not in the repository."""

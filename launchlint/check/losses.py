@@ -28,7 +28,7 @@ def with_losses(results: Sequence[EntryResult], checker: EntryChecker, base: str
 
 def _compared(result: EntryResult, checker: EntryChecker, old: Revision, base: str, rules: Sequence[Entry]) -> EntryResult:
     request = old.request(result.request)
-    if request is None:
+    if request is None or not old.differs(checker.options.root, (path for path, _ in result.visited)):
         return result
     try:
         after = tuple(graphs_of(checker, result.request, every_configuration=True))

@@ -15,6 +15,13 @@ from launchlint.graph.difference import Difference, difference
 from launchlint.graph.selection import Selection, select
 from launchlint.graph.topology import EMPTY, Topology, topology
 
+LAUNCH_NAMES = (".launch", ".test", ".xml")
+"""Ends of words that are meant as files, even of deleted ones."""
+ALIKE = 0.5
+"""The share of nodes that two files must have in common so that one is taken for the other under a new name."""
+MOST_LOOKED_AT = 10_000
+"""Pairs of files that are looked at for that."""
+
 
 def compared(entry: EntryOptions, base: str, head: str | None, chosen: Selection) -> list[Difference]:
     """What changed from ``base`` to ``head`` (None: the working tree), for each launch file in which something did.
@@ -30,7 +37,7 @@ def compared(entry: EntryOptions, base: str, head: str | None, chosen: Selection
     if head is not None and not is_revision(repository_root(os.path.realpath(os.curdir)), head):
         if os.path.isfile(base) and os.path.isfile(head):
             return _of_files(entry, base, head, chosen)
-        if os.path.lexists(head):
+        if os.path.lexists(head) or os.sep in head or head.endswith(LAUNCH_NAMES):
             entry.paths, head = (head, *(path for path in entry.paths if path != os.curdir)), None
     return _of_revisions(entry, base, head, chosen)
 
@@ -75,9 +82,15 @@ def _side(entry: EntryOptions, options: Options, name: str | None, absent: dict[
     """
     if name is None:
         here = os.path.realpath(os.curdir)
-        return _topologies(EntryChecker(options), entry, absent, os.path.abspath, lambda file: os.path.relpath(file, here))
+        return _topologies(EntryChecker(options), entry, absent, _real, lambda file: os.path.relpath(file, here))
     with revision(options, name) as at:
         return _topologies(at.checker, entry, absent, at.place, at.back)
+
+
+def _real(path: str) -> str:
+    """Where a path is, absolute, through links to its directory; a link itself stays what it is."""
+    path = os.path.abspath(path)
+    return os.path.join(os.path.realpath(os.path.dirname(path)), os.path.basename(path))
 
 
 def _topologies(
@@ -103,31 +116,26 @@ def _topologies(
 def _with_renamed(
     pairs: Sequence[tuple[str, str]], before: Mapping[str, Topology], after: Mapping[str, Topology]
 ) -> Iterator[tuple[str, str]]:
-    """``pairs`` of paths before and after, sorted; a file that went and one that came are one pair where they start the same nodes."""
-    gone = [path for path, _ in pairs if path not in after]
-    come = [path for path, _ in pairs if path not in before]
+    """``pairs`` of paths before and after, sorted; a file that went and one that came are a pair where they mostly start the same."""
+    gone = {path: _nodes(before[path]) for path, _ in sorted(pairs) if path not in after}
+    come = {path: _nodes(after[path]) for path, _ in sorted(pairs) if path not in before}
+    alike: list[tuple[float, bool, str, str]] = []
+    if len(gone) * len(come) <= MOST_LOOKED_AT:
+        for old, old_nodes in gone.items():
+            for new, new_nodes in come.items():
+                share = len(old_nodes & new_nodes) / (len(old_nodes | new_nodes) or 1)
+                if share >= ALIKE:
+                    alike.append((-share, os.path.basename(old) != os.path.basename(new), old, new))
     renamed: dict[str, str] = {}
-    for mark in (_nodes, _last_name):
-        left = ([path for path in gone if path not in renamed], [path for path in come if path not in renamed.values()])
-        old, new = _unique(left[0], before, mark), _unique(left[1], after, mark)
-        renamed.update((old[each], new[each]) for each in sorted(old) if each in new)
+    taken: set[str] = set()
+    for _, _, old, new in sorted(alike):
+        if old not in renamed and new not in taken:
+            renamed[old] = new
+            taken.add(new)
     for path, _ in sorted(pairs):
-        if path in renamed:
-            yield path, renamed[path]
-        elif path not in renamed.values():
-            yield path, path
+        if path not in taken:
+            yield path, renamed.get(path, path)
 
 
-def _nodes(path: str, topologies: Mapping[str, Topology]) -> str:
-    return "\n".join(f"{node.name} {node.program}" for node in topologies[path].nodes)
-
-
-def _last_name(path: str, _: Mapping[str, Topology]) -> str:
-    return os.path.basename(path)
-
-
-def _unique(paths: Sequence[str], topologies: Mapping[str, Topology], mark: Callable[[str, Mapping[str, Topology]], str]) -> dict[str, str]:
-    found: dict[str, list[str]] = {}
-    for path in paths:
-        found.setdefault(mark(path, topologies), []).append(path)
-    return {key: each[0] for key, each in found.items() if key and len(each) == 1}
+def _nodes(topology: Topology) -> frozenset[tuple[str, str]]:
+    return frozenset((node.name.rpartition("/")[2], node.program) for node in topology.nodes)

@@ -10,7 +10,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.package import Result
 
-MOST_SHOWN = 20
+MOST_SHOWN = 5
+"""Programs named for one reason why they were not read."""
+MOST_LINES = 200
 
 
 @click.command("extract")
@@ -73,15 +75,15 @@ def _summarize(result: Result) -> None:
     from launchlint.report.escape import visible
 
     lines = [f"{_count(result.programs, 'program')}, {_count(result.names, 'name')}, {result.unresolved} not known as a whole"]
+    by_reason: dict[str, list[str]] = {}
+    for each in result.skipped:
+        by_reason.setdefault(each.reason, []).append(f"{_named(each.package, each.name)} ({each.path})")
     if result.skipped:
         lines.append(f"{_count(len(result.skipped), 'program')} not read:")
-        lines += [
-            f"  {visible(_named(each.package, each.name))} ({visible(each.path)}): {visible(each.reason)}"
-            for each in result.skipped[:MOST_SHOWN]
-        ]
-        if len(result.skipped) > MOST_SHOWN:
-            lines.append(f"  and {len(result.skipped) - MOST_SHOWN} more")
-    click.echo("\n".join(lines), err=True)
+    for reason, named in by_reason.items():
+        more = f" and {len(named) - MOST_SHOWN} more" if len(named) > MOST_SHOWN else ""
+        lines.append(f"  {visible(', '.join(named[:MOST_SHOWN]))}{more}: {visible(reason)}")
+    click.echo("\n".join(lines[:MOST_LINES]), err=True)
 
 
 def _named(package: str, name: str) -> str:

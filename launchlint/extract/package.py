@@ -48,21 +48,48 @@ def extract(
 
 
 def _read_all(planned: Plan, jobs: int) -> Iterator[Reading]:
-    if jobs < 2 or len(planned.tasks) < PARALLEL_FROM:
-        finder = ModuleFinder(planned.modules)
-        for task in planned.tasks:
-            yield read(task, finder)
-        return
-    from concurrent.futures import ProcessPoolExecutor
+    done = 0
+    if jobs > 1 and len(planned.tasks) >= PARALLEL_FROM:
+        for reading in _in_pool(planned, jobs):
+            done += 1
+            yield reading
+    finder = ModuleFinder(planned.modules)
+    for task in planned.tasks[done:]:
+        yield read(task, finder)
 
-    with ProcessPoolExecutor(min(jobs, len(planned.tasks)), initializer=_begin, initargs=(planned.modules,)) as pool:
-        yield from pool.map(_read_one, planned.tasks)
+
+def _in_pool(planned: Plan, jobs: int) -> Iterator[Reading]:
+    """What several processes read, in order; only the first ones where processes cannot be had, or one of them was killed."""
+    from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
+
+    try:
+        with ProcessPoolExecutor(min(jobs, len(planned.tasks)), initializer=_begin, initargs=(planned.modules,)) as pool:
+            try:
+                for future in [pool.submit(_read_one, task) for task in planned.tasks]:
+                    yield future.result()
+            except (KeyboardInterrupt, GeneratorExit):
+                _end_workers()
+                raise
+    except (BrokenProcessPool, OSError):
+        return
+
+
+def _end_workers() -> None:
+    import multiprocessing
+
+    for process in multiprocessing.active_children():
+        process.terminate()
 
 
 _finder: list[ModuleFinder] = []
 
 
 def _begin(modules: dict[str, str]) -> None:
+    """In a new worker: what it needs for all its programs. Ctrl-C is for the parent, which ends the workers."""
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     _finder[:] = [ModuleFinder(modules)]
 
 

@@ -6,6 +6,7 @@ import ast
 import os
 import re
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 from launchlint.errors import UsageError
@@ -22,11 +23,19 @@ MOST_SOURCES = 400
 """Files of one C++ program."""
 
 _PYTHON = re.compile(rb"#![^\n]*\bpython")
+_LOADER = re.compile(r"\bnodelet::Loader\s+\w+\s*(?:;|\(\s*(?:true)?\s*\)|\{\s*\})")
+_LOAD = re.compile(r"(?:\.|->)load\s*\(\s*(ros::this_node::getName\(\)|\w+)\s*,\s*(?:\"([\w/]+)\"|(\w+))\s*,")
+_OWN_NAME = re.compile(r"\b(\w+)\s*(?:=|\()\s*ros::this_node::getName\(\)")
+_STRING = re.compile(r"\bstring\s+(\w+)\s*(?:=|\()\s*\"([\w/]+)\"")
+_INCLUDED = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"](\w+)/", re.MULTILINE)
 _NO_PROGRAMS = ("setup.py", "conf.py", "__init__.py")
 
 
 class Task(NamedTuple):
-    """One program to be read: what a worker needs to know of it."""
+    """One program to be read: what a worker needs to know of it.
+
+    ``loads`` are the nodelets that a program loads into itself under its own name, ``loader`` the place where it makes the nodelet::Loader.
+    """
 
     package: str
     directory: str
@@ -38,6 +47,8 @@ class Task(NamedTuple):
     includes: tuple[str, ...]
     origin: Origin
     doubts: tuple[str, ...]
+    loads: tuple[Task, ...] = ()
+    loader: tuple[str, int] = ("", 0)
 
 
 class Skipped(NamedTuple):
@@ -87,8 +98,37 @@ def plan(sources: Sequence[str], wanted: Sequence[str] = ()) -> Plan:
             skipped += reader.skipped
             if not reader.programs.nodelet_reasons and reader.programs.nodelet_classes:
                 complete.add(package.name)
+    nodelets = {task.name: task for task in tasks if task.kind == "nodelets"}
+    tasks = [_with_loaded(task, nodelets) if task.client == "roscpp" else task for task in tasks]
     modules = {package.directory: package.name for package, _ in packages if not package.broken}
     return Plan(tuple(tasks), tuple(skipped), tuple(origins), frozenset(complete), modules)
+
+
+def _with_loaded(task: Task, nodelets: dict[str, Task]) -> Task:
+    """A program that is nothing but a frame for nodelets gets their names: they are loaded under its own name, with its remappings."""
+    for path in task.sources:
+        text = _text(path)
+        made = _LOADER.search(text)
+        if made is None:
+            continue
+        loads = _LOAD.findall(text)
+        own = set(_OWN_NAME.findall(text))
+        strings = dict(_STRING.findall(text))
+        classes = [literal or strings.get(variable, "") for _, literal, variable in loads]
+        named = all(name.startswith("ros::this_node") or name in own for name, _, _ in loads)
+        if not loads or not named or not all(each in nodelets for each in classes):
+            return task
+        line = text.count("\n", 0, made.start()) + 1
+        shown = os.path.relpath(path, task.origin.root).replace(os.sep, "/")
+        return task._replace(loads=tuple(nodelets[each] for each in dict.fromkeys(classes)), loader=(shown, line))
+    return task
+
+
+def _text(path: str) -> str:
+    try:
+        return read_bytes(path).decode("utf-8", "replace")
+    except OSError:
+        return ""
 
 
 def _packages(sources: Sequence[str]) -> list[tuple[Package, str]]:
@@ -133,7 +173,7 @@ class _Reader:
         """Fill ``tasks`` and ``skipped``."""
         done: set[str] = set()
         for name, path in self._scripts():
-            if name not in done and self._script(name, path):
+            if name not in done and name.isprintable() and self._script(name, path):
                 done.add(name)
         by_output = {target.output: target for target in self.cmake.targets.values() if target.is_library}
         for target_name, target in sorted(self.cmake.targets.items()):
@@ -204,7 +244,22 @@ class _Reader:
                 if inner is not None and id(inner) not in seen:
                     seen.add(id(inner))
                     pending.append(inner)
+        self._add_dependencies(sources)
         return tuple(sources), tuple(doubts)
+
+    def _add_dependencies(self, sources: dict[str, None]) -> None:
+        """Sources of the libraries of other packages, where their headers are included."""
+        pending, seen = list(sources), {self.package.name}
+        while pending and len(sources) < MOST_SOURCES:
+            path = pending.pop(0)
+            for name in dict.fromkeys(_INCLUDED.findall(_text(path))):
+                if name in seen or name not in self._packages:
+                    continue
+                seen.add(name)
+                for each in library_sources(self._packages[name].directory):
+                    if self._inside(each) and each not in sources and len(sources) < MOST_SOURCES:
+                        sources[each] = None
+                        pending.append(each)
 
     def _include_directories(self) -> tuple[str, ...]:
         """Where headers are: of this package, and of those it depends on that are among the sources."""
@@ -229,6 +284,15 @@ class _Reader:
 
     def _shown(self, path: str) -> str:
         return os.path.relpath(path, self.origin.root).replace(os.sep, "/")
+
+
+@lru_cache(maxsize=1024)
+def library_sources(directory: str) -> tuple[str, ...]:
+    """The C++ files of the libraries that a package offers to others: all but nodelets."""
+    cmake = read_cmake(directory, lambda: _files(directory))
+    libraries = [target for target in cmake.targets.values() if target.is_library and "nodelet" not in target.output]
+    paths = (path for target in libraries for path in target.sources)
+    return tuple(dict.fromkeys(path for path in paths if path.endswith(CPP_ENDINGS) and os.path.isfile(path)))
 
 
 def _files(directory: str) -> list[str]:

@@ -28,6 +28,11 @@ _EVERYWHERE = {
     "services": ("~get_loggers", "~set_logger_level"),
     "params": ("/use_sim_time",),
 }
+_ACTION_TOPICS: dict[str, dict[str, tuple[str, ...]]] = {
+    "server": {"subscribers": ("goal", "cancel"), "publishers": ("status", "feedback", "result")},
+    "client": {"publishers": ("goal", "cancel"), "subscribers": ("status", "feedback", "result")},
+    "": {},
+}
 _WHEN = ("start", "subscriber", "message")
 
 
@@ -57,6 +62,8 @@ def read(task: Task, finder: ModuleFinder) -> Reading:
             silent = not facts and not any(_TALKS.search(_bytes(path)) for path in task.sources)
     except (SourceError, UsageError) as error:
         return Reading(task, None, str(error), 0, 0)
+    if task.client != "rospy" and not facts and not doubts and not silent:
+        doubts = tuple(Doubt(category, "no call that makes a name was found, though ROS is used", "", 0) for category in CATEGORIES)
     doubts = (*doubts, *(Doubt(category, reason, "", 0) for reason in task.doubts for category in CATEGORIES))
     if silent and not facts and (task.client == "roscpp" or not doubts):
         return Reading(task, {"class": "none", "variants": {"default": {}}}, "", 0, 0)
@@ -71,7 +78,21 @@ def read(task: Task, finder: ModuleFinder) -> Reading:
 def _cpp(task: Task) -> tuple[Sequence[Fact], tuple[Doubt, ...]]:
     from launchlint.extract.cpp import cpp_program
 
-    return cpp_program(task.sources, task.includes, task.origin.root, task.entry or None)
+    facts, doubts = cpp_program(task.sources, task.includes, task.origin.root, task.entry or None)
+    for loaded in task.loads:
+        more, others = cpp_program(loaded.sources, loaded.includes, task.origin.root, loaded.entry)
+        facts, doubts = (*facts, *more), (*(each for each in doubts if not each.reason.startswith("nodelet::Loader ")), *others)
+    if task.loads:
+        facts = (*facts, *_loader_facts(task))
+    return facts, doubts
+
+
+def _loader_facts(task: Task) -> list[Fact]:
+    """What nodelet::Loader itself serves and reads (nodelet/src/loader.cpp)."""
+    path, line = task.loader
+    served = (("list", "NodeletList"), ("load_nodelet", "NodeletLoad"), ("unload_nodelet", "NodeletUnload"))
+    facts = [Fact("services", f"~{name}", path, line, type=f"nodelet/{type_}") for name, type_ in served]
+    return [*facts, Fact("params", "~num_worker_threads", path, line, value_type="int")]
 
 
 def _bytes(path: str) -> bytes:
@@ -96,6 +117,7 @@ def _variant(facts: Iterable[Fact], doubts: Iterable[Doubt], source: str) -> tup
     for doubt in doubts:
         place = f" ({doubt.path}:{doubt.line})" if doubt.path else ""
         reasons.setdefault(doubt.category, {})[f"{doubt.reason}{place}"] = None
+    _without_action_topics(groups)
     variant: dict[str, Any] = {}
     for category in CATEGORIES:
         entries = _entries(category, groups[category], source)
@@ -107,6 +129,14 @@ def _variant(facts: Iterable[Fact], doubts: Iterable[Doubt], source: str) -> tup
     return variant, unresolved
 
 
+def _without_action_topics(groups: dict[str, dict[tuple[str, str, str], list[Fact]]]) -> None:
+    """The topics of an action follow from it and are not listed."""
+    for name, role, _ in groups["actions"]:
+        for category, endings in _ACTION_TOPICS[role].items():
+            for key in [each for each in groups[category] if each[0] in [f"{name}/{ending}" for ending in endings]]:
+                del groups[category][key]
+
+
 def _is_name(name: str) -> bool:
     if len(name) > LONGEST_NAME:
         return False
@@ -116,8 +146,13 @@ def _is_name(name: str) -> bool:
 def _said(reasons: Iterable[str]) -> str:
     listed = list(reasons)
     text = "; ".join(listed[:_MOST_REASONS]) + (f"; and {len(listed) - _MOST_REASONS} more" if len(listed) > _MOST_REASONS else "")
-    text = "".join(char if char.isprintable() else " " for char in text)
+    text = _readable(text)
     return text if len(text) <= LONGEST_NAME else text[: LONGEST_NAME - 1] + "…"
+
+
+def _readable(text: str) -> str:
+    """Text without what a terminal obeys or no encoding can hold."""
+    return text if text.isprintable() else "".join(char if char.isprintable() else " " for char in text)
 
 
 def _entries(category: str, groups: dict[tuple[str, str, str], list[Fact]], source: str) -> list[dict[str, Any]]:
@@ -163,7 +198,7 @@ def _entry(category: str, name: str, role: str, type_: str, facts: Sequence[Fact
     condition = _condition(facts)
     if condition is not None:
         entry["condition"] = condition
-    places = dict.fromkeys(f"{source}:{fact.path}:{fact.line}" for fact in facts)
+    places = dict.fromkeys(_readable(f"{source}:{fact.path}:{fact.line}") for fact in facts)
     entry["evidence"] = [{"by": "static", "at": place} for place in sorted(places)[:_MOST_EVIDENCE] if len(place) <= LONGEST_NAME]
     return entry
 
@@ -179,7 +214,7 @@ def _condition(facts: Sequence[Fact]) -> dict[str, Any] | None:
     conditions = dict.fromkeys(fact.condition for fact in facts)
     if "" in conditions or not conditions:
         return None
-    texts = sorted("".join(char if char.isprintable() else " " for char in each)[:LONGEST_NAME] for each in conditions)
+    texts = sorted(_readable(each)[:LONGEST_NAME] for each in conditions)
     if len(texts) > 4:
         return {"text": f"one of {len(texts)} conditions in the source"}
     return {"text": texts[0]} if len(texts) == 1 else {"any": [{"text": each} for each in texts]}

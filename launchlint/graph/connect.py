@@ -15,9 +15,9 @@ from launchlint.graph.instantiate import Interface, instantiate
 from launchlint.graph.names import Namer, NodeletNamer, absolute
 from launchlint.graph.parameters import Parameters
 from launchlint.graph.situation import Start
-from launchlint.library.format import CATEGORIES
 from launchlint.library.lookup import Library
 from launchlint.library.program import Program
+from launchlint.library.terms import CATEGORIES
 from launchlint.model import Launch, Node
 
 MOST_DOUBTS = 50

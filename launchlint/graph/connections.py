@@ -34,7 +34,7 @@ CATEGORY = {
 HUBS = frozenset({"/tf", "/tf_static", "/clock", "/diagnostics", "/diagnostics_agg", "/rosout", "/rosout_agg", "/statistics"})
 """Topics that everybody uses: of no interest in a drawing, and shared on purpose."""
 HUB_SIZE = 64
-"""A topic with this many connections (publishers times subscribers) counts as a hub, too."""
+"""A topic of several publishers and several subscribers with this many pairs of them counts as a hub, too."""
 PLUMBING = ("bond/", "dynamic_reconfigure/", "nodelet/")
 """Packages whose types belong to the machinery of nodes, not to what they do."""
 
@@ -176,7 +176,8 @@ class Channel(NamedTuple):
     @property
     def is_hub(self) -> bool:
         """Whether everybody uses it."""
-        return self.name in HUBS or len(self.offers) * len(self.uses) >= HUB_SIZE
+        many = len(self.offers) > 1 and len(self.uses) > 1
+        return self.name in HUBS or (many and len(self.offers) * len(self.uses) >= HUB_SIZE)
 
     @property
     def is_plumbing(self) -> bool:

@@ -27,7 +27,7 @@ class NodeChange(NamedTuple):
 
 
 class ChannelChange(NamedTuple):
-    """A channel whose types changed."""
+    """A channel that has other types now; those before and after are known."""
 
     before: TopologyChannel
     after: TopologyChannel
@@ -110,7 +110,7 @@ def difference(before: Topology, after: Topology) -> Difference:
         tuple(
             ChannelChange(old_channels[key], new_channels[key])
             for key in sorted(old_channels)
-            if key in new_channels and old_channels[key].types != new_channels[key].types
+            if key in new_channels and old_channels[key].types and new_channels[key].types not in ((), old_channels[key].types)
         ),
         added,
         removed,

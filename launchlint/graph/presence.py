@@ -75,7 +75,7 @@ def changed(changes: Difference, presence: Presence, *, dangling: bool) -> Part:
     }
     names = marks.keys() | {each.node for _, each in connections.values()}
     everybody = {node.name: node for node in (*before.nodes, *after.nodes)}
-    alone = {(each.kind, each.name) for each in pairs if dangling or not each.action}
+    alone = {(each.kind, each.name) for each in pairs if dangling or (each.certain and not each.action)}
     if dangling:
         alone.update((kind, name) for _, _, kind, name, _ in moved)
     return Part(

@@ -152,7 +152,7 @@ def _record(graph: ConnectionGraph) -> Topology:
         graph.launch.complete,
         tuple(sorted(nodes)),
         tuple(_channel(channel) for channel in graph.channels.values()),
-        tuple(sorted(connections)),
+        tuple(sorted(dict.fromkeys(connections))),  # two nodes of one name, which is a mistake, may say the same
         tuple(_params(graph)),
         tuple(containers.known[key] for key in sorted(containers.known)),
     )

@@ -8,21 +8,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from launchlint.library.terms import CATEGORIES as CATEGORIES
+from launchlint.library.terms import DEEPEST_CONDITION as DEEPEST_CONDITION
+from launchlint.library.terms import KINDS as KINDS
+
 FORMAT = "launchlint-library"
 VERSION = 1
-
-CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
-"""The kinds of names a node has, in the order in which they are written."""
-
-KINDS = {"executables": "executable", "nodelets": "nodelet class"}
-"""The tables of programs in a package, with what one of each is called."""
 
 LONGEST_NAME = 1_000
 """Characters of a name, type or other single word."""
 LONGEST_TEXT = 100_000
 """Characters of a message definition or a build error."""
-DEEPEST_CONDITION = 8
-"""Levels of ``not``, ``all`` and ``any`` in a condition, and of templates in templates."""
 
 
 class Text(NamedTuple):

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from launchlint.library.file import LibraryFile, open_library
 from launchlint.library.program import Program, program
 from launchlint.library.shipped import Bundled
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    from launchlint.library.file import LibraryFile
 
 LONGEST_LIKE = 5
 """Steps from one program to another that it is said to be like."""
@@ -131,4 +132,9 @@ def open_libraries(paths: Iterable[str], cache_directory: str | None = None, *, 
     Raises:
         LibraryError: one of them cannot be read or is not a library.
     """
-    return Library([open_library(path, cache_directory) for path in paths], bundled=bundled)
+    files = list(paths)
+    if not files:  # the usual case goes without the reader of files: to import it takes longer than to check a launch file
+        return Library(bundled=bundled)
+    from launchlint.library.file import open_library
+
+    return Library([open_library(path, cache_directory) for path in files], bundled=bundled)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from launchlint.library.condition import holds
-from launchlint.library.format import CATEGORIES
+from launchlint.library.terms import CATEGORIES
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ import re
 from functools import lru_cache
 from typing import Final, NamedTuple
 
-from launchlint.library.format import DEEPEST_CONDITION
+from launchlint.library.terms import DEEPEST_CONDITION
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -172,9 +172,7 @@ def _node(data: Mapping[str, Any]) -> NodeRecord:
     package, name, program, variant = _package(data.get("package")), data.get("name"), data.get("program"), data.get("variant")
     if program not in PROGRAMS:
         raise Refused("its program is of no known kind")
-    if not isinstance(name, str) or not (
-        _CLASS.fullmatch(name) if program == "nodelet" else is_a("program", f"{package}/{name}") or is_a("file", name)
-    ):
+    if not isinstance(name, str) or not (_CLASS.fullmatch(name) if program == "nodelet" else is_a("file", name)):
         raise Refused("its program has a name that no program can have")
     if not isinstance(variant, str) or not is_a("variant", variant):
         raise Refused("its variant has a name that no variant can have")

@@ -115,7 +115,8 @@ def probe_in_container(configuration: ProbeConfiguration, journal: Journal, shar
         for repository in configuration.repositories:
             watcher.says(f"fetching {repository.url} at {repository.ref}")
             trees.append(fetch(repository, cache))
-        trees.extend(local(path) for path in configuration.paths)
+        for path in configuration.paths:
+            trees.append(local(path, [tree.name for tree in trees]))
         with tempfile.TemporaryFile() as context:
             origins = write_context(context, configuration, trees)
             tag = _digest(context, configuration.base)

@@ -9,10 +9,11 @@ from __future__ import annotations
 import hashlib
 import io
 import os
+import re
 import stat
 import subprocess
 import tarfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
 from launchlint.errors import UsageError
@@ -86,7 +87,7 @@ def fetch(repository: Repository, cache: str) -> Tree:
         finally:
             if os.path.exists(temporary):
                 os.unlink(temporary)
-    name = repository.url.rstrip("/").rpartition("/")[2].removesuffix(".git") or "repository"
+    name = re.sub(r"[^A-Za-z0-9_.-]", "_", repository.url.rstrip("/").rpartition("/")[2].removesuffix(".git")).lstrip(".-") or "repository"
     return Tree(f"{name}-{digest[:8]}", repository.url, repository.ref, commit, archive, "")
 
 
@@ -98,12 +99,15 @@ def _known_commit(bare: str, ref: str) -> str | None:
     return ref if done.returncode == 0 else None
 
 
-def local(path: str) -> Tree:
-    """A local checkout as it is, uncommitted changes included."""
+def local(path: str, taken: Collection[str] = ()) -> Tree:
+    """A local checkout as it is, uncommitted changes included, under a name that is not ``taken``."""
     done = _run_git(["-C", path, "rev-parse", "--verify", "--quiet", "HEAD^{commit}"])
     commit = done.stdout.decode("ascii", "replace").strip() if done.returncode == 0 else ""
-    name = os.path.basename(path) or "checkout"
-    return Tree(f"{name}-{hashlib.sha256(path.encode('utf-8', 'replace')).hexdigest()[:8]}", "", "", commit, "", path)
+    plain_name = re.sub(r"[^A-Za-z0-9_.-]", "_", os.path.basename(path)).lstrip(".-") or "checkout"
+    name, number = plain_name, 2
+    while name in taken:
+        name, number = f"{plain_name}-{number}", number + 1
+    return Tree(name, "", "", commit, "", path)
 
 
 def _run_git(words: Sequence[str]) -> subprocess.CompletedProcess[bytes]:

@@ -13,8 +13,9 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from launchlint.workspace.cmake import CMakeError, Command, commands
-from launchlint.workspace.cmake_scope import Scope, Value, merged
-from launchlint.workspace.cmake_words import HARMLESS, HARMLESS_PREFIXES, INSTALL_WORDS
+from launchlint.workspace.cmake_blocks import block_end, never, section
+from launchlint.workspace.cmake_scope import Scope, Value, merged, united
+from launchlint.workspace.cmake_words import HARMLESS, HARMLESS_PREFIXES
 from launchlint.workspace.reading import read_bytes
 
 CMAKE_FILE = "CMakeLists.txt"
@@ -30,6 +31,7 @@ _MOST_SOURCES = 2_000
 _TARGET = re.compile(r"(?:\w+_)?add_(?:\w+_)?executable(?:_with_gtest)?")
 _TEST_TARGET = re.compile(r"(?:\w+_)?add_(?:\w+_)?(?:gtest|gmock)(?:_test)?")
 _LIBRARY = re.compile(r"(?:\w+_)?add_(?:\w+_)?library")
+_MAKES_TARGETS = re.compile(r"add_(?:\w+_)?(?:executable|library)|target_(?:link|sources)")
 _TARGET_WORDS = frozenset(
     """SHARED STATIC MODULE OBJECT INTERFACE PUBLIC PRIVATE EXCLUDE_FROM_ALL WIN32 MACOSX_BUNDLE LINK_PUBLIC LINK_PRIVATE
     LINK_INTERFACE_LIBRARIES
@@ -115,12 +117,13 @@ def read_cmake(directory: str, files: Callable[[], Sequence[str]]) -> CMakeFacts
 class _Reader:
     """One run over the CMake files of a package."""
 
-    __slots__ = ("_blocks", "facts", "macros", "renamed", "scope", "steps")
+    __slots__ = ("_blocks", "facts", "macros", "parameters", "renamed", "scope", "steps")
 
     def __init__(self, root: str, files: Callable[[], Sequence[str]]) -> None:
         self.scope = Scope(root, files)
         self.facts = CMakeFacts()
         self.macros: dict[str, Sequence[Command]] = {}
+        self.parameters: dict[str, tuple[str, ...]] = {}
         self.renamed: dict[str, str] = {}
         self.steps = 0
         self._blocks = 0
@@ -156,7 +159,7 @@ class _Reader:
                 self._unknown("too much to evaluate")
                 return
             if command.name in ("foreach", "while", "function", "macro", "if"):
-                end = _block_end(listed, position)
+                end = block_end(listed, position)
                 self._block(command, listed[position + 1 : end], depth)
                 position = end + 1
                 continue
@@ -166,7 +169,9 @@ class _Reader:
     def _block(self, opening: Command, body: Sequence[Command], depth: int) -> None:
         if opening.name in ("function", "macro"):
             if opening.arguments:
-                self.macros[opening.arguments[0].text.lower()] = body
+                name = opening.arguments[0].text.lower()
+                self.macros[name] = body
+                self.parameters[name] = tuple(each.text for each in opening.arguments[1:])
             return
         if self._blocks >= _DEEPEST_BLOCK:
             self._unknown("blocks are nested too deeply")
@@ -184,7 +189,7 @@ class _Reader:
     def _branches(self, opening: Command, body: Sequence[Command], depth: int) -> None:
         before = self.scope.variables
         outcomes: list[dict[str, Value]] = []
-        start, level, skip, has_else = 0, 0, _never(opening), False
+        start, level, skip, has_else = 0, 0, never(opening), False
         for position, command in enumerate([*body, Command("endif", (), 0)]):
             if command.name == "if":
                 level += 1
@@ -195,8 +200,9 @@ class _Reader:
                     self.scope.variables = dict(before)
                     self.run(body[start:position], depth)
                     outcomes.append(self.scope.variables)
-                start, skip = position + 1, command.name == "elseif" and _never(command)
+                start, skip = position + 1, command.name == "elseif" and never(command)
                 has_else = has_else or command.name == "else"
+        self.scope.unions.update(united(before, outcomes))
         self.scope.variables = merged(before, outcomes, exhaustive=has_else)
 
     def _foreach(self, opening: Command, body: Sequence[Command], depth: int) -> None:
@@ -243,12 +249,13 @@ class _Reader:
         elif _TARGET.fullmatch(name) or _TEST_TARGET.fullmatch(name):
             if arguments[1:2] not in (["IMPORTED"], ["ALIAS"]):
                 self._executable(first, name)
-                self._target(first, arguments[1:], is_library=False)
+                self._target(first, self.scope.expand(command.arguments, any_way=True)[1:], is_library=False)
         elif _LIBRARY.fullmatch(name):
             if arguments[1:2] not in (["IMPORTED"], ["ALIAS"]) and "IMPORTED" not in arguments[1:3]:
-                self._target(first, arguments[1:], is_library=True)
+                self._target(first, self.scope.expand(command.arguments, any_way=True)[1:], is_library=True)
         elif name in ("target_link_libraries", "target_sources", "rosbuild_link_libraries"):
-            self._target_parts(first, arguments[1:], sources=name == "target_sources")
+            words = self.scope.expand(command.arguments, any_way=True)[1:]
+            self._target_parts(first, words, sources=name == "target_sources")
         elif name in ("include_directories", "target_include_directories"):
             self._include_directories(arguments if name == "include_directories" else arguments[1:])
         elif name == "project":
@@ -277,7 +284,7 @@ class _Reader:
         elif name == "configure_file":
             self._generated(name, arguments[1:2])
         elif name == "add_custom_command":
-            self._generated(name, _section(arguments, "OUTPUT") or [None])
+            self._generated(name, section(arguments, "OUTPUT") or [None])
         elif name == "add_custom_target":
             self._generated(name, [None] if "COMMAND" in arguments else [])
         elif name == "add_subdirectory":
@@ -285,7 +292,7 @@ class _Reader:
         elif name == "include":
             self._include(first, depth)
         elif name in self.macros:
-            self._call(name, command)
+            self._call(name, command, depth)
         elif name not in HARMLESS and not name.startswith(HARMLESS_PREFIXES) and not _TOOLING.search(name):
             self._unknown(f"the command {name} (line {command.line}) is not known")
 
@@ -296,7 +303,7 @@ class _Reader:
             self.facts.executables.setdefault(name, how)
 
     def _target(self, name: Value, words: Sequence[Value], *, is_library: bool) -> None:
-        """``add_executable`` and ``add_library``: what it is made of. Both branches of an ``if`` may say it; then it is made of all of it."""
+        """``add_executable`` and ``add_library``: what it is made of; where both branches of an ``if`` say it, all of that."""
         if name is None or "$<" in name or len(self.facts.targets) >= _MOST_TARGETS:
             return
         target = self.facts.targets.setdefault(name, Target(name, is_library))
@@ -372,8 +379,8 @@ class _Reader:
             self.facts.executables_reasons.append(f"install({kind or ''}) runs code")
 
     def _programs(self, how: str, arguments: Sequence[Value]) -> None:
-        renamed = _section(arguments, "RENAME")
-        for program in _section(arguments, "PROGRAMS"):
+        renamed = section(arguments, "RENAME")
+        for program in section(arguments, "PROGRAMS"):
             if program is None or "$<" in program:
                 self.facts.executables_reasons.append(f"{how} with a file that is not known")
                 self.facts.installs_reasons.append(f"{how} with a file that is not known")
@@ -384,7 +391,7 @@ class _Reader:
                 self._installed(program, False, arguments)
 
     def _files(self, arguments: Sequence[Value], is_directory: bool) -> None:
-        for path in _section(arguments, "DIRECTORY" if is_directory else "FILES"):
+        for path in section(arguments, "DIRECTORY" if is_directory else "FILES"):
             if path is None or "$<" in path:
                 self.facts.installs_reasons.append("install with a path that is not known")
             else:
@@ -407,7 +414,7 @@ class _Reader:
                     without.append(pattern)
                 elif matching:
                     only.append(pattern)
-        where = _section(arguments, "DESTINATION")
+        where = section(arguments, "DESTINATION")
         self.facts.installs.append(Install(self.scope.path(path), is_directory, where[0] if where else None, tuple(only), tuple(without)))
 
     # -- other files --------------------------------------------------------------------------------------------------
@@ -430,8 +437,9 @@ class _Reader:
         elif "/" in name or name.endswith(".cmake"):
             self.read(self.scope.path(name), depth + 1)
 
-    def _call(self, name: str, command: Command) -> None:
-        """A macro or function of this package: what it does with its arguments is not followed, only whether it makes something."""
+    def _call(self, name: str, command: Command, depth: int) -> None:
+        """A macro or function of this package: only targets are noted of what it does, and whether it makes something."""
+        self._targets_of(name, command, depth)
         pending, seen = [name], {name}
         while pending:
             called = pending.pop()
@@ -445,6 +453,29 @@ class _Reader:
                     return
             self._forget_assigned(self.macros[called])
 
+    def _targets_of(self, name: str, command: Command, depth: int) -> None:
+        """Go through a macro or function with its arguments, for the targets alone."""
+        body = self.macros[name]
+        if self._blocks >= _DEEPEST_BLOCK or not any(_MAKES_TARGETS.search(inner.name) or inner.name in self.macros for inner in body):
+            return
+        facts, scope = self.facts, self.scope.variables
+        self.facts = CMakeFacts()
+        self.facts.targets = facts.targets
+        arguments = self.scope.expand(command.arguments, any_way=True)
+        parameters = self.parameters.get(name, ())
+        self.scope.variables = dict(scope)
+        for parameter, value in zip(parameters, arguments, strict=False):
+            self.scope.assign(parameter, [value])
+        self.scope.assign("ARGN", arguments[len(parameters) :])
+        self.scope.assign("ARGV", arguments)
+        self._blocks += 1
+        self.run(body, depth)
+        self._blocks -= 1
+        after = self.scope.variables
+        self.facts, self.scope.variables = facts, scope
+        known = {*parameters, "ARGN", "ARGV"}
+        self.scope.unions.update({each: value for each, value in after.items() if value and each not in known and scope.get(each) != value})
+
     def _forget_assigned(self, listed: Sequence[Command]) -> None:
         """Variables that these commands may set, some number of times, are unknown afterwards."""
         for command in listed:
@@ -457,34 +488,3 @@ class _Reader:
     def _unknown(self, reason: str) -> None:
         self.facts.executables_reasons.append(reason)
         self.facts.installs_reasons.append(reason)
-
-
-def _section(arguments: Sequence[Value], word: str) -> list[Value]:
-    """The arguments behind the key word ``word`` up to the next key word of install()."""
-    if word not in arguments:
-        return []
-    section: list[Value] = []
-    for each in arguments[arguments.index(word) + 1 :]:
-        if each in INSTALL_WORDS:
-            break
-        section.append(each)
-    return section
-
-
-def _block_end(listed: Sequence[Command], start: int) -> int:
-    """Position of the command that closes the block opened at ``start``; the end of the list where nothing does."""
-    name = listed[start].name
-    level = 0
-    for position in range(start, len(listed)):
-        if listed[position].name == name:
-            level += 1
-        elif listed[position].name == "end" + name:
-            level -= 1
-            if level == 0:
-                return position
-    return len(listed)
-
-
-def _never(command: Command) -> bool:
-    """Whether the condition is a constant that is false."""
-    return len(command.arguments) == 1 and command.arguments[0].text.upper() in ("0", "OFF", "NO", "FALSE", "N")

@@ -39,15 +39,19 @@ _PACKAGE_DESTINATIONS = {"BIN": "lib", "ETC": "etc", "INCLUDE": "include", "SHAR
 
 
 class Scope:
-    """The variables of one package's CMake files; ``files`` gives its files relative to ``root``, with ``/``."""
+    """The variables of one package's CMake files; ``files`` gives its files relative to ``root``, with ``/``.
 
-    __slots__ = ("_files", "_globs", "root", "variables")
+    ``unions`` has, for lists that are not known since ways through an ``if`` differ, what any of the ways puts into them.
+    """
+
+    __slots__ = ("_files", "_globs", "root", "unions", "variables")
 
     def __init__(self, root: str, files: Callable[[], Sequence[str]]) -> None:
         self.root = root
         self._files = files
         self._globs = 0
         self.variables: dict[str, Value] = dict(_DESTINATIONS)
+        self.unions: dict[str, str] = {}
         for name in ("CMAKE_SOURCE_DIR", "CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR", "PROJECT_SOURCE_DIR"):
             self.variables[name] = root
 
@@ -60,14 +64,19 @@ class Scope:
         """An absolute path for one relative to the directory whose CMake file is being read."""
         return os.path.normpath(os.path.join(self.here, relative))
 
-    def expand(self, arguments: Sequence[Argument]) -> list[Value]:
-        """Arguments with variables put in; unquoted ones are split at semicolons."""
+    def expand(self, arguments: Sequence[Argument], *, any_way: bool = False) -> list[Value]:
+        """Arguments with variables put in; unquoted ones are split at semicolons.
+
+        With ``any_way`` a list that is not known stands for all that may be in it, where that is known.
+        """
         expanded: list[Value] = []
         for argument in arguments:
             if argument.literal:
                 expanded.append(argument.text)
                 continue
             value = self._value(argument.text)
+            if value is None and any_way and (whole := _REFERENCE.fullmatch(argument.text)) is not None:
+                value = self.unions.get(whole[1])
             if value is None or argument.quoted:
                 expanded.append(value)
             else:
@@ -105,6 +114,9 @@ class Scope:
             return
         if action == "APPEND" and arguments[1] is not None:
             before = self.variables.get(arguments[1], "")
+            if before is None and arguments[1] in self.unions:
+                more = [each for each in arguments[2:] if each is not None]
+                self.unions[arguments[1]] = _united([self.unions[arguments[1]], *more])
             self._put(arguments[1], _joined([*([before] if before != "" else []), *arguments[2:]]))
         elif action in ("LENGTH", "GET", "FIND", "JOIN", "SUBLIST"):
             self.forget(arguments[-1:])
@@ -185,6 +197,22 @@ def merged(before: dict[str, Value], outcomes: Sequence[dict[str, Value]], *, ex
             values.add(before[name])
         result[name] = values.pop() if len(values) == 1 else None
     return result
+
+
+def united(before: dict[str, Value], outcomes: Sequence[dict[str, Value]]) -> dict[str, str]:
+    """For the lists in which the ways through an ``if`` differ, what any of the ways puts into them."""
+    names = {name for outcome in outcomes for name, value in outcome.items() if name not in before or before[name] != value}
+    found: dict[str, str] = {}
+    for name in sorted(names):
+        values = [value for each in (before, *outcomes) if (value := each.get(name)) is not None]
+        if len(values) > 1 and len("".join(values)) <= _LONGEST_VALUE:
+            found[name] = _united(values)
+    return found
+
+
+def _united(values: Sequence[str]) -> str:
+    text = ";".join(dict.fromkeys(each for value in values for each in value.split(";") if each))
+    return text if len(text) <= _LONGEST_VALUE else ""
 
 
 def _joined(values: Sequence[Value]) -> Value:

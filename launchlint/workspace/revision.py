@@ -67,11 +67,15 @@ def resolve(repository: str, revision: str) -> str:
         done = _git(repository, ["rev-parse", "--verify", "--quiet", "--end-of-options", f"{found}^{{commit}}"])
     commit = done.stdout.decode("ascii", "replace").strip()
     if done.returncode or not commit:
-        raise UsageError(f"{revision} is no revision of the git repository {repository}: {_reason(done.stderr) or _hint(revision)}")
+        raise UsageError(f"{revision} is no revision of the git repository {repository}: {_why(done.stderr, revision)}")
     return commit
 
 
-def _hint(revision: str) -> str:
+def _why(errors: bytes, revision: str) -> str:
+    if b"expected commit type" in errors:
+        return "it is a file or directory, not a commit"
+    if errors and b"^{commit}" not in errors:
+        return _reason(errors)
     if ".." in revision:
         first, _, second = revision.partition("..")
         return f"that is a range; give its ends as two words: {first or 'HEAD'} {second.lstrip('.') or 'HEAD'}"

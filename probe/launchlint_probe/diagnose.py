@@ -3,6 +3,7 @@
 import re
 from typing import Dict, List, Optional, Tuple
 
+from launchlint_probe.interface import spelled
 from launchlint_probe.recorder import Facts
 
 Problem = Dict[str, str]
@@ -11,6 +12,8 @@ DETAIL = 300
 """Characters of output that a problem quotes."""
 LONGEST_LINE = 400
 """Characters of a line of output that are looked at."""
+MOST_NAMES = 500
+"""Topics and services; a node that has more, and is still at it when time is up, will never be done."""
 MOST_PRINTED = 64 * 1024 * 1024
 """Bytes of output; what prints more is stopped."""
 
@@ -57,12 +60,13 @@ def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
     registered = bool(facts.nodes)
     problems = []  # type: List[Problem]
     waits = sorted(name for name in facts.lookups if not any(name == served for _, served in facts.services))
-    if facts.overflow:
+    names = len(facts.publishers) + len(facts.subscribers) + len(facts.services)
+    if facts.overflow or (outcome.timed_out and names > MOST_NAMES):
         return "failed", [_problem("too-many-names", "it made up names without end")]
     if outcome.printed > MOST_PRINTED:
         problems.append(_problem("too-much-output", "it printed without end"))
     if outcome.code is None:
-        waiting = [_problem("waits-for-service", name) for name in waits]
+        waiting = [_problem("waits-for-service", spelled(name)) for name in waits]
         if registered:
             if outcome.timed_out and not outcome.printed > MOST_PRINTED:
                 problems.append(_problem("never-quiet", "there was still something new when it was stopped: there may be more"))

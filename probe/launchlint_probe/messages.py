@@ -94,7 +94,7 @@ def _read(path: str) -> Optional[str]:
 
 
 def _plain(text: str) -> str:
-    return "\n".join(line if constant else " ".join(line.split()) for line, constant in _lines(text))
+    return "\n".join(line if line.startswith("string ") and constant else " ".join(line.split()) for line, constant in _lines(text))
 
 
 def _quoted(module: str) -> Optional[str]:

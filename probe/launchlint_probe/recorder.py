@@ -71,6 +71,9 @@ class _Server(socketserver.ThreadingMixIn, SimpleXMLRPCServer):
     block_on_close = False
     request_queue_size = 64
 
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Nodes die in the middle of a call, and may send anything: that is no news."""
+
 
 class Recorder:
     """The server. ``uri`` is what ``ROS_MASTER_URI`` must say; ``parameters`` are set before the node starts."""

@@ -127,7 +127,7 @@ def _run(plan: Plan, recorder: Recorder, given: Dict[str, Any], mark: str, direc
         outcome = Outcome(facts, _tail(output_path).replace(directory, "."), code if ended else None, timed_out, busy, devices, os.path.getsize(output_path))
         status, problems = diagnose(outcome)
         found = {}  # type: Dict[str, Any]
-        if status != "not-a-node" and not facts.overflow:
+        if status != "not-a-node" and not any(problem["code"] == "too-many-names" for problem in problems):
             found = {"nodes": per_node(facts), "params": _set_params(facts)} if plan.many else interface(facts, harvest)
         return {
             "label": plan.label,
@@ -172,12 +172,14 @@ def _watch(plan: Plan, recorder: Recorder, process: Any, mark: str, output: str,
     facts = recorder.facts
     idle_since = time.monotonic()
     last_busy = 0.0
+    gone = 0
     while True:
         now = time.monotonic()
         if now - began >= plan.limit or facts.overflow or os.path.getsize(output) > MOST_PRINTED:
             return before, False
         alive = processes.belonging(mark, process.pid)
-        if not alive and process.poll() is not None:
+        gone = gone + 1 if not alive and process.poll() is not None else 0
+        if gone > 1:  # once is not enough: a daemon forks between two looks
             return before, True
         busy = processes.busy_time(alive)
         if busy > last_busy + 1:

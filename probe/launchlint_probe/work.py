@@ -162,7 +162,7 @@ def _once(plan: session.Plan) -> Record:
     if record["status"] == "failed" and ("__name" in texts or "__log" in texts):
         plan.with_name = False
         record = session.run(plan)
-    if changing.is_suspicious(record["interface"]):
+    if record["status"] == "ok" and changing.is_suspicious(record["interface"]):
         again = session.run(plan)
         if again["status"] == record["status"]:
             record["interface"] = changing.common(record["interface"], again["interface"])
@@ -213,7 +213,7 @@ def _report(path: str) -> None:
 
 def environment() -> Record:
     """What this machine or container is."""
-    return {"kind": "environment", "distro": os.environ.get("ROS_DISTRO") or _ros_version(), "base": _os_name()}
+    return {"kind": "environment", "distro": (os.environ.get("ROS_DISTRO") or _ros_version()).lower(), "base": _os_name()}
 
 
 def _ros_version() -> str:

@@ -34,6 +34,8 @@ ALSO = {
     "nodelet": ("libnodelet-dev", "libnodeletlib-dev", "libnodeletlib-tools"),
     "roslaunch": ("python3-roslaunch", "libroslaunch-dev"),
     "rospy": ("python3-rospy",),
+    "roscpp_core": ("libroscpp-core-dev",), "roscpp_serialization": ("libroscpp-core-dev",), "roscpp_traits": ("libroscpp-core-dev",),
+    "rostime": ("libroscpp-core-dev",), "cpp_common": ("libroscpp-core-dev",), "rosconsole": ("librosconsole-dev", "python3-rosconsole"),
     "topic_tools": ("topic-tools", "libtopic-tools-dev"),
 }
 """Names that stand for several packages, installed where they exist."""

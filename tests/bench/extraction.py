@@ -1,9 +1,8 @@
 """How much of a hand-written library ``launchlint extract`` finds in the sources that were read for it.
 
-    python tests/bench/extraction.py CORPUS [--client rospy] [--only NAME] [--show N] [--probe FILE.jsonl]
-
-CORPUS holds a directory ``owner+name@commit`` (the first twelve digits) for each source checked out; the bundled library is the ground truth
-for programs whose evidence is from there. Two names are equal where their templates at their defaults are. Recall counts all entries of the
+``python -m tests.bench.extraction CORPUS [--client rospy] [--only NAME] [--show N] [--probe FILE.jsonl]``. CORPUS holds a directory
+``owner+name@commit`` (the first twelve digits) for each source checked out; the bundled library is the ground truth for programs
+whose evidence is from there. Two names are equal where their templates at their defaults are. Recall counts all entries of the
 ground truth that are in that commit, precision leaves conditional entries out, and so it does with categories that the ground truth leaves
 open. With ``--probe`` the lines of a probe (``launchlint probe``) of programs of the same packages are compared, too.
 """
@@ -13,14 +12,11 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import sys
 import time
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from launchlint.errors import UsageError
 from launchlint.extract.package import extract
@@ -103,7 +99,8 @@ class Score:
                         show.append(f"  type    {label} {key} {entry['type']} != {got[key]['type']} {at(got[key])}")
             else:
                 self.counts[f"{part} open"] += key[0] in open_found
-                show.append(f"  missing {label} {key}{' (open)' if key[0] in open_found else ''} {at(entry)} {json.dumps(entry.get('condition', ''))}")
+                said = " (open)" if key[0] in open_found else ""
+                show.append(f"  missing {label} {key}{said} {at(entry)} {json.dumps(entry.get('condition', ''))}")
         for key, entry in got.items():
             part = "params" if key[0] == "params" else "names"
             if "condition" in entry or (key[0] in open_truth and key not in wanted) or "{any}" in key[1]:
@@ -170,7 +167,9 @@ def against_probe(corpus: Path, probe: Path, show: int, jobs: int) -> None:
     packages: dict[str, Any] = {}
     for directory in sorted(corpus.iterdir()):
         if any((path.parent.name in wanted) for path in directory.rglob("package.xml")):
-            packages.update({name: each for name, each in extract([str(directory)], (), jobs).document["packages"].items() if name in wanted})
+            packages.update(
+                {name: each for name, each in extract([str(directory)], (), jobs).document["packages"].items() if name in wanted}
+            )
     score = Score()
     lines: list[str] = []
     for node in nodes:

@@ -12,9 +12,9 @@ from collections import Counter
 
 from launchlint.check.entry import EntryChecker
 from launchlint.check.options import EntryRequest, Options
+from launchlint.evaluate.launch import evaluate
 from launchlint.graph.connect import connect
 from launchlint.graph.topology import place_text
-from launchlint.evaluate.launch import evaluate
 from launchlint.workspace.discovery import discover
 
 RANK = {"unknown": 0, "template": 1, "known": 2}

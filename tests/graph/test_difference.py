@@ -170,12 +170,18 @@ def test_other_args_with_the_same_effect_are_no_change() -> None:
 def test_programs_and_types_that_change() -> None:
     before = tiny.topology("/a > /x", nodes=[tiny.node("/a", "demo/old")])
     after = tiny.topology("/a > /x", nodes=[tiny.node("/a", "demo/new")])
-    typed = after._replace(connections=tuple(each._replace(type="t/T") for each in after.connections),
-                           channels=tuple(each._replace(types=("t/T",)) for each in after.channels))  # fmt: skip
-    found = difference(before, typed)
+
+    def typed(topology: Topology, type_: str) -> Topology:
+        return topology._replace(
+            connections=tuple(each._replace(type=type_) for each in topology.connections),
+            channels=tuple(each._replace(types=(type_,)) for each in topology.channels),
+        )
+
+    found = difference(typed(before, "t/Old"), typed(after, "t/New"))
     assert [(pair.before.program, pair.after.program) for pair in found.nodes_changed] == [("demo/old", "demo/new")]
-    assert [(pair.before.types, pair.after.types) for pair in found.channels_changed] == [((), ("t/T",))]
-    assert [(pair.before.type, pair.after.type) for pair in found.connections_changed] == [("", "t/T")]
+    assert [(pair.before.types, pair.after.types) for pair in found.channels_changed] == [(("t/Old",), ("t/New",))]
+    assert [(pair.before.type, pair.after.type) for pair in found.connections_changed] == [("t/Old", "t/New")]
+    assert difference(before, typed(after, "t/New")).channels_changed == ()
 
 
 def test_an_unknown_node_that_came_in_makes_losses_uncertain() -> None:

@@ -97,7 +97,7 @@ def test_names_of_revisions(repository: Repository, out: Path, name: str) -> Non
         ("--upload-pack=touch x", "git knows no such commit"),
         ("", "git knows no such commit"),
         ("HEAD~7", "git knows no such commit"),
-        ("HEAD:f", "git knows no such commit"),
+        ("HEAD:f", "it is a file or directory, not a commit"),
         ("v1..main", "that is a range; give its ends as two words: v1 main"),
         ("..main", "that is a range; give its ends as two words: HEAD main"),
         ("v1...", "that is a range; give its ends as two words: v1 HEAD"),

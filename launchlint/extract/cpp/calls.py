@@ -1,4 +1,4 @@
-"""Calls: of functions and members of the program, of the ROS interface, and of those parts of the standard library that names go through."""
+"""Calls: of functions and members of the program, of the ROS interface, and of what names go through in the standard library."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from launchlint.extract.cpp import classes, ros, standard
-from launchlint.extract.cpp.declarations import Function, joined
+from launchlint.extract.cpp import classes, overloads, ros, standard
+from launchlint.extract.cpp.declarations import Class, Function, joined, without_arguments
 from launchlint.extract.cpp.frame import Frame
+from launchlint.extract.cpp.naming import UNKNOWN_SPACE
 from launchlint.extract.cpp.spelled_type import Type, parse_type
 from launchlint.extract.cpp.syntax import Node, parse_statements
 from launchlint.extract.cpp.values import (
@@ -60,7 +61,7 @@ class Call(NamedTuple):
 
 def functions(machine: Machine, name: str, frame: Frame) -> list[Function]:
     """The functions of the program that ``name`` means."""
-    plain = name.partition("<")[0] if "<" in name else name
+    plain = without_arguments(name)
     if "::" not in plain and frame.this is not None:
         found = classes.methods(machine, frame.this, plain)
         if found:
@@ -69,8 +70,7 @@ def functions(machine: Machine, name: str, frame: Frame) -> list[Function]:
         found = machine.declarations.functions.get(joined(scope, plain), [])
         if found:
             return found
-    first, separator, rest = plain.partition("::")
-    if separator:
+    if "::" in plain:
         resolved = machine.names.resolve(Type(plain.rpartition("::")[0]), frame)
         return machine.declarations.functions.get(joined(resolved.name, plain.rpartition("::")[2]), [])
     return []
@@ -98,9 +98,9 @@ def call(machine: Machine, node: Node, frame: Frame) -> Value:
         return machine.invoke(machine.evaluate(function, frame), classes.arguments(machine, node.field("arguments"), frame))
     name = re.sub(r"\s+", "", named.text).removeprefix("::")
     if types and named.kind == "qualified_identifier":
-        last = _last(function).field("name")
+        inner = _last(function).field("name")
         prefix = name[: name.rfind("::", 0, name.find("<") if "<" in name else len(name)) + 2]
-        name = prefix + (last.text if last else "")
+        name = prefix + (inner.text if inner else "")
     elif function.kind == "qualified_identifier" and "<" in name and not types:
         return _of_template(machine, node, function, name, frame)
     return _named(machine, node, name, types, frame)
@@ -132,13 +132,13 @@ def _of_template(machine: Machine, node: Node, function: Node, name: str, frame:
             if declared.name.rpartition("::")[2] == owner.last
             for each in machine.declarations.functions.get(joined(declared.name, owner.member), [])
         ]
-        chosen = classes.chosen(machine, found, given, frame.this)
+        chosen = overloads.chosen(machine, found, given, frame.this)
         if chosen is not None:
             return machine.call(chosen, frame.this, given)
     if owner.member:
         resolved = machine.names.resolve(owner._replace(member=""), frame)
         found = machine.declarations.functions.get(joined(resolved.name, owner.member), [])
-        chosen = classes.chosen(machine, found, given, None)
+        chosen = overloads.chosen(machine, found, given, None)
         if chosen is not None:
             declared = machine.names.declared(resolved)
             known = dict(zip(declared.template, resolved.arguments, strict=False)) if declared else {}
@@ -192,7 +192,7 @@ def _called(
 ) -> Value:
     if any(isinstance(each.value, Either) and any(isinstance(one, Handle) for _, one in each.value.choices) for each in given):
         return _each_handle(machine, found, this, given, types, frame)
-    chosen = classes.chosen(machine, found, given, this)
+    chosen = overloads.chosen(machine, found, given, this)
     if chosen is None:
         return UNKNOWN
     resolved = tuple(machine.names.resolve(each, frame) for each in types)
@@ -234,7 +234,7 @@ def _each_handle(
 
 def _overridden(
     machine: Machine,
-    found: Sequence[tuple[classes.Class, list[Function]]],
+    found: Sequence[tuple[Class, list[Function]]],
     this: Thing,
     given: Sequence[Argument],
     types: tuple[Type, ...],
@@ -264,7 +264,7 @@ def _method(machine: Machine, node: Node, function: Node, frame: Frame) -> Value
         inner = named.children[0] if named.kind == "dependent_name" and named.children else named
         types = template_arguments(inner)
         name = (inner.field("name") or inner).text
-    from launchlint.extract.cpp.expressions import cell_of, made_up
+    from launchlint.extract.cpp.places import cell_of, made_up
 
     cell = cell_of(machine, argument, frame)
     value = machine.read(cell) if cell is not None else machine.evaluate(argument, frame)
@@ -342,7 +342,7 @@ def _on_unknown(asked: Call, cell: Cell | None) -> Value:
     machine, frame = asked.machine, asked.frame
     category = ros.TELLING_METHODS.get(asked.name)
     if category and asked.arguments and (asked.types or category in ("params", "services")) and ros.may_be_handle(machine, cell, frame):
-        answer = ros.handle_method(Handle("{any}"), asked)
+        answer = ros.handle_method(Handle(UNKNOWN_SPACE), asked)
         if answer is not None:
             return answer
     return (
@@ -379,6 +379,3 @@ def _macro(machine: Machine, name: str, node: Node, frame: Frame) -> Value:
             each.line = node.line
         machine.execute(body, frame)
     return UNKNOWN
-
-
-__all__ = ["call", "functions"]

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
+from launchlint.extract.cpp import overloads
 from launchlint.extract.cpp.declarations import Class, Field, Function, joined
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, LISTS, POINTERS, TEXTS, UNTYPED, Type
@@ -12,13 +12,10 @@ from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import (
     NULL,
     UNKNOWN,
-    Callable,
     Cell,
-    Closure,
     Either,
     Handle,
     Items,
-    Null,
     Number,
     Text,
     Thing,
@@ -30,14 +27,21 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Argument, Machine
 
-_WORD = re.compile(r"[A-Za-z_]\w*")
-_TELLING = frozenset(
-    """advertise advertiseService advertiseCamera subscribe subscribeCamera serviceClient getParam getParamCached param hasParam searchParam NodeHandle
-    waitForMessage waitForService createClient TransformListener TransformBroadcaster StaticTransformBroadcaster SimpleActionServer SimpleActionClient
-    ActionServer ActionClient Subscriber Publisher Server ImageTransport Updater createTimer createWallTimer getNodeHandle getPrivateNodeHandle
-    CameraInfoManager RealtimePublisher initParam thread""".split()
-)
 _MOST_SUBCLASSES = 8
+_MOST_ALIASES = 8
+_OF_ROS = (
+    "ros::",
+    "tf::",
+    "tf2_ros::",
+    "image_transport::",
+    "actionlib::",
+    "message_filters::",
+    "dynamic_reconfigure::",
+    "diagnostic_updater::",
+)
+_OF_NODELETS = {"nh_": "", "pnh_": "~"}
+LAZY = frozenset(("ConnectionBasedNodelet", "DiagnosticNodelet"))
+"""Base classes of nodelets, of other packages, that keep these node handles and subscribe while there are listeners."""
 
 
 # -- making ---------------------------------------------------------------------------------------------------------------
@@ -45,8 +49,8 @@ _MOST_SUBCLASSES = 8
 
 def arguments(machine: Machine, node: Node | None, frame: Frame) -> list[Argument]:
     """The arguments of a call, evaluated."""
-    from launchlint.extract.cpp.expressions import cell_of
     from launchlint.extract.cpp.machine import Argument
+    from launchlint.extract.cpp.places import cell_of
 
     found: list[Argument] = []
     for each in node.children if node else ():
@@ -79,7 +83,7 @@ def construct(machine: Machine, type_: Type, given: Sequence[Argument], node: No
             return given[0].value
         return UNKNOWN if given else Items(())
     declared = machine.names.declared(resolved)
-    if declared is None:
+    if declared is None or ros.is_made(machine, resolved):
         return ros.make(machine, resolved, given, node, frame)
     if len(given) == 1 and isinstance(given[0].value, Thing) and is_a(machine, given[0].value, declared.name):
         return given[0].value
@@ -90,7 +94,15 @@ def make(machine: Machine, declared: Class, type_: Type, given: Sequence[Argumen
     """Make an object of a class of the program."""
     machine.serial += 1
     thing = Thing(type_, declared, machine.serial, dict(zip(declared.template, type_.arguments, strict=False)))
-    begin(machine, thing, declared, given, node, frame)
+    if not machine.step() or declared in machine.making:
+        return thing
+    machine.depth += 2
+    machine.making.append(declared)
+    try:
+        begin(machine, thing, declared, given, node, frame)
+    finally:
+        machine.depth -= 2
+        machine.making.pop()
     return thing
 
 
@@ -99,15 +111,22 @@ def begin(machine: Machine, thing: Thing, declared: Class, given: Sequence[Argum
     constructors = [
         each for each in machine.declarations.functions.get(joined(declared.name, declared.name.rpartition("::")[2]), []) if each.body
     ]
-    chosen_one = chosen(machine, constructors, given, None)
+    chosen_one = overloads.chosen(machine, constructors, given, None)
     if chosen_one is not None:
         machine.call(chosen_one, thing, given)
         return
-    for each in given:
-        if isinstance(each.value, Handle) and not constructors and given:
-            machine.doubt_all(f"{declared.name} is given a node handle, and its constructor is not in these sources", frame.path, node.line)
+    name = joined(declared.name, declared.name.rpartition("::")[2])
+    if machine.declarations.functions.get(name) and _talks(declared, given):
+        machine.doubt_all(f"the constructor of {declared.name} is not in these sources", frame.path, node.line)
     inner = Frame(declared.path, declared.name, thing, dict(bindings_in(machine, thing, declared)))
     _members(machine, thing, declared, {}, inner, node)
+
+
+def _talks(declared: Class, given: Sequence[Argument]) -> bool:
+    """Whether a class may have to do with names of ROS, by its members and what it is given."""
+    return any(isinstance(value, Handle) for each in given for _, value in choices(each.value)) or any(
+        inner.name.startswith(_OF_ROS) for field in declared.fields.values() for inner in (field.type, *field.type.arguments)
+    )
 
 
 def initialise(machine: Machine, function: Function, this: Thing | None, frame: Frame) -> None:
@@ -148,7 +167,7 @@ def _members(machine: Machine, this: Thing, declared: Class, listed: dict[str, N
                 this.fields[name] = given[0].cell
                 continue
         elif field.initial is not None:
-            value = _initial(machine, field, frame)
+            value = initial_value(machine, field, frame)
         elif field.pointer or field.array:
             value = UNKNOWN
         else:
@@ -160,7 +179,8 @@ def _members(machine: Machine, this: Thing, declared: Class, listed: dict[str, N
             machine.write(cell, value)
 
 
-def _initial(machine: Machine, field: Field, frame: Frame) -> Value:
+def initial_value(machine: Machine, field: Field, frame: Frame) -> Value:
+    """What a member or variable is initialised with where it is declared."""
     initial = field.initial
     if initial is None:
         return UNKNOWN
@@ -177,7 +197,7 @@ def _base(machine: Machine, this: Thing, base: Type, given: Sequence[Argument], 
 
     resolved = machine.names.resolve(base, frame)
     declared = machine.names.declared(resolved)
-    if declared is not None:
+    if declared is not None and not ros.is_made(machine, resolved):
         if declared.name != (this.declared.name if this.declared else ""):
             begin(machine, this, declared, given, node, frame)
         return
@@ -197,19 +217,22 @@ def is_pointer_type(machine: Machine, type_: Type, frame: Frame) -> bool:
     """Whether it is a smart pointer, or another name of one."""
     if type_.name in POINTERS or type_.name.endswith(("::Ptr", "::ConstPtr")) or type_.member in ("Ptr", "ConstPtr"):
         return True
-    if type_.name.endswith("Ptr"):
-        full = next(
+    current, scope = type_, frame.scope
+    for _ in range(_MOST_ALIASES):
+        found = next(
             (
-                joined(each, type_.name)
-                for each in machine.names.scopes(frame.scope)
-                if joined(each, type_.name) in machine.declarations.aliases
+                (joined(each, current.name))
+                for each in machine.names.scopes(scope)
+                if joined(each, current.name) in machine.declarations.aliases
             ),
             "",
         )
-        if full:
-            return machine.declarations.aliases[full][0].name in POINTERS
-        return joined("", type_.name) not in machine.declarations.classes
-    return False
+        if not found:
+            break
+        current, scope = machine.declarations.aliases[found]
+        if current.name in POINTERS or current.name.endswith(("::Ptr", "::ConstPtr")) or current.member in ("Ptr", "ConstPtr"):
+            return True
+    return current.name.endswith("Ptr") and machine.names.declared(machine.names.resolve(current, frame)) is None
 
 
 def is_list(machine: Machine, type_: Type, frame: Frame) -> bool:
@@ -271,12 +294,15 @@ def member(machine: Machine, this: Thing | None, name: str) -> Cell | None:
         if field.initial is None:
             outside = machine.declarations.variables.get(joined(declared.name, name))
             if outside is not None and outside.initial is not None:
-                value = _initial(machine, outside, inner)
+                value = initial_value(machine, outside, inner)
         elif field.constant:
-            value = _initial(machine, field, inner)
+            value = initial_value(machine, field, inner)
         cell = Cell(value, field.type, 0, field.constant)
         this.fields[name] = cell
         return cell
+    if name in _OF_NODELETS and any("azy" in base.name or base.last in LAZY for each in chain(machine, this) for base in each.bases):
+        this.fields[name] = Cell(Handle(_OF_NODELETS[name]), UNTYPED, 0, True)
+        return this.fields[name]
     return None
 
 
@@ -322,89 +348,3 @@ def overriders(machine: Machine, this: Thing, name: str) -> list[tuple[Class, li
             if functions:
                 found.append((declared, functions))
     return found[:_MOST_SUBCLASSES]
-
-
-# -- choosing -------------------------------------------------------------------------------------------------------------
-
-
-def chosen(machine: Machine, functions: Sequence[Function], given: Sequence[Argument] | None, this: Thing | None) -> Function | None:
-    """The overload that fits the arguments best; None of them known: the first that has a body."""
-    candidates = [each for each in functions if each.body is not None]
-    if len(candidates) <= 1 or given is None:
-        return candidates[0] if candidates else None
-    best, most = candidates[0], -1_000
-    for function in candidates:
-        score = _fit(machine, function, given)
-        if score > most:
-            best, most = function, score
-    return best
-
-
-def _fit(machine: Machine, function: Function, given: Sequence[Argument]) -> int:
-    parameters = function.parameters
-    defaults = with_defaults(machine, function)
-    needed = sum(1 for position, each in enumerate(parameters) if each.default is None and position not in defaults)
-    score = 0
-    if not needed <= len(given) <= len(parameters):
-        score -= 100
-    for parameter, argument in zip(parameters, given, strict=False):
-        score += _fits(parameter.type, argument.value)
-    return score
-
-
-def _fits(type_: Type, value: Value) -> int:
-    name = type_.name
-    first = choices(value)[0][1] if choices(value) else UNKNOWN
-    if isinstance(first, Text):
-        return 4 if name in TEXTS else -3 if name in DOUBLES or name in INTEGERS or name == "bool" or "NodeHandle" in name else 0
-    if isinstance(first, Number):
-        if isinstance(first.value, bool):
-            return 4 if name == "bool" else 0 if name in INTEGERS else -2
-        return 3 if name in DOUBLES or name in INTEGERS else 1 if name == "bool" else -3
-    if isinstance(first, Handle):
-        return 4 if "NodeHandle" in name or type_.arguments and "NodeHandle" in type_.arguments[0].name else -4
-    if isinstance(first, Thing):
-        inner = type_.arguments[0].last if type_.name in POINTERS and type_.arguments else type_.last
-        return 4 if inner == first.type.last else -2 if name in TEXTS or name in DOUBLES or name in INTEGERS else 0
-    if isinstance(first, (Callable, Closure)):
-        return 3 if "function" in name else -2 if name in TEXTS or name in INTEGERS else 0
-    return 0
-
-
-def with_defaults(machine: Machine, function: Function) -> dict[int, Node]:
-    """Default arguments that stand in the prototype of a function."""
-    found: dict[int, Node] = {}
-    for other in machine.declarations.functions.get(function.name, []):
-        if other is not function and len(other.parameters) == len(function.parameters):
-            for position, parameter in enumerate(other.parameters):
-                if parameter.default is not None:
-                    found.setdefault(position, parameter.default)
-    return found
-
-
-def is_relevant(machine: Machine, function: Function) -> bool:
-    """Whether a function, or one that it calls, may have to do with names of ROS; told by words alone."""
-    if function.relevant is None:
-        words: dict[Function, frozenset[str]] = {}
-        for functions in machine.declarations.functions.values():
-            for each in functions:
-                if each.body is not None:
-                    text = each.body.text + (each.initialisers.text if each.initialisers else "")
-                    words[each] = frozenset(_WORD.findall(text))
-        macros = {name for name, value in machine.declarations.calls.items() if not _TELLING.isdisjoint(_WORD.findall(value[1]))}
-        telling = set(_TELLING) | macros
-        changed = True
-        while changed:
-            changed = False
-            for each, used in words.items():
-                if not each.relevant and not telling.isdisjoint(used):
-                    each.relevant = True
-                    if each.last not in telling:
-                        telling.add(each.last)
-                        changed = True
-        for each in words:
-            each.relevant = bool(each.relevant)
-    return bool(function.relevant)
-
-
-__all__ = ["UNTYPED", "Null"]

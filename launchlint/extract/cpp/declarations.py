@@ -10,8 +10,8 @@ from launchlint.extract.cpp.spelled_type import UNTYPED, Type, parse_type
 from launchlint.extract.cpp.syntax import Node
 
 _SCOPES = frozenset(
-    ("translation_unit", "declaration_list", "linkage_specification", "preproc_if", "preproc_ifdef", "preproc_else", "preproc_elif")
-    + ("preproc_elifdef", "ERROR", "access_specifier", "field_declaration_list", "friend_declaration")
+    """translation_unit declaration_list linkage_specification preproc_if preproc_ifdef preproc_else preproc_elif preproc_elifdef ERROR
+    access_specifier field_declaration_list friend_declaration""".split()
 )
 _WRAPPERS = (
     "pointer_declarator",
@@ -145,15 +145,15 @@ class Declarations:
             self._types_in(node, scope, path, depth)
             named = node.field("type")
             for declarator in node.fields.get("declarator", []):
-                name = name_of(declarator)
-                if named and name and joined(scope, name) not in self.classes:
-                    self.aliases.setdefault(joined(scope, name), (parse_type(_type_text(named)), scope))
+                called = name_of(declarator)
+                if named and called and joined(scope, called) not in self.classes:
+                    self.aliases.setdefault(joined(scope, called), (parse_type(_type_text(named)), scope))
         elif kind == "alias_declaration":
             name, named = node.field("name"), node.field("type")
             if name and named:
                 self.aliases.setdefault(joined(scope, name.text), (parse_type(named.text), scope))
         elif kind == "using_declaration":
-            self._using(node, scope)
+            self.using(node, scope)
         elif kind == "namespace_alias_definition":
             name = node.field("name")
             others = [each for each in node.children if each is not name]
@@ -196,13 +196,11 @@ class Declarations:
         name, body = node.field("name"), node.field("body")
         if body is None or (name is None and not called):
             return
-        plain = _without_arguments(name.text) if name else called
+        plain = without_arguments(name.text) if name else called
         qualified = joined(scope, plain)
-        bases: list[Type] = []
         clause = node.child("base_class_clause")
-        for each in clause.children if clause else ():
-            if each.kind in ("type_identifier", "qualified_identifier", "template_type"):
-                bases.append(parse_type(each.text))
+        kinds = ("type_identifier", "qualified_identifier", "template_type")
+        bases = [parse_type(each.text) for each in (clause.children if clause else ()) if each.kind in kinds]
         found = self.classes.setdefault(qualified, Class(qualified, scope, tuple(bases), template, path))
         if bases and not found.bases:
             found.bases = tuple(bases)
@@ -217,7 +215,8 @@ class Declarations:
                 if name:
                     self.constants.setdefault(joined(joined(scope, name.text), named.text), each.field("value"))
 
-    def _using(self, node: Node, scope: str) -> None:
+    def using(self, node: Node, scope: str) -> None:
+        """A using declaration or directive."""
         named = node.children[-1] if node.children else None
         if named is None:
             return
@@ -239,7 +238,7 @@ class Declarations:
         shared = _type_text(named)
         constant = any(each.kind == "type_qualifier" and each.text in ("const", "constexpr") for each in node.children)
         for declarator in declarators:
-            function = _function_declarator(declarator)
+            function = function_declarator(declarator)
             if function is not None:
                 if declarator.kind == "init_declarator" or _is_pointer_to_function(function):
                     self._variable(declarator, parse_type(shared), None, scope, path, constant)
@@ -270,11 +269,11 @@ class Declarations:
             self.variables[qualified] = found
 
     def _function(self, node: Node, declarator: Node | None, scope: str, path: str, template: tuple[str, ...]) -> None:
-        function = _function_declarator(declarator)
+        function = function_declarator(declarator)
         named = function.field("declarator") if function else None
         if function is None or named is None:
             return
-        name = _without_arguments(named.text).replace(" ", "")
+        name = without_arguments(named.text).replace(" ", "")
         if not name or name.startswith(("~", "operator")) or "::~" in name:
             return
         returns = node.field("type")
@@ -324,7 +323,7 @@ def name_of(declarator: Node | None) -> str:
         if inner is None and declarator.kind in _WRAPPERS and declarator.children:
             inner = declarator.children[-1]
         if inner is None:
-            return _without_arguments(declarator.text).replace(" ", "") if declarator.kind in _NAMES else ""
+            return without_arguments(declarator.text).replace(" ", "") if declarator.kind in _NAMES else ""
         declarator = inner
     return ""
 
@@ -365,7 +364,8 @@ def parameters_of(node: Node | None) -> tuple[Parameter, ...]:
     return tuple(found)
 
 
-def _function_declarator(declarator: Node | None) -> Node | None:
+def function_declarator(declarator: Node | None) -> Node | None:
+    """The part of a declarator that has parameters; None where it declares no function."""
     for _ in range(_DEEPEST):
         if declarator is None or declarator.kind == "function_declarator":
             return declarator
@@ -423,7 +423,7 @@ def _type_text(node: Node) -> str:
     return node.text
 
 
-def _without_arguments(text: str) -> str:
+def without_arguments(text: str) -> str:
     """``a::B<T>::c`` as ``a::B::c``."""
     if "<" not in text:
         return text

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import re
-
 from launchlint.extract.cpp import calls, classes
 from launchlint.extract.cpp.declarations import joined
 from launchlint.extract.cpp.frame import Frame
-from launchlint.extract.cpp.naming import ANY, braced, template, together
-from launchlint.extract.cpp.spelled_type import Type, parse_type
+from launchlint.extract.cpp.naming import braced, together
+from launchlint.extract.cpp.operators import LONGEST_TEXT, combined, literal, number, unescaped
+from launchlint.extract.cpp.places import cell_of, made_up
+from launchlint.extract.cpp.spelled_type import parse_type
 from launchlint.extract.cpp.syntax import Node, parse_expression
 from launchlint.extract.cpp.values import (
     NULL,
     UNKNOWN,
     Callable,
-    Cell,
     Closure,
     Handle,
     Items,
@@ -22,39 +21,36 @@ from launchlint.extract.cpp.values import (
     Number,
     Text,
     Thing,
+    Unknown,
     Value,
     choices,
     either,
-    plain,
 )
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Machine
 
-_ESCAPES = {"n": "\n", "t": "\t", "0": "", "r": "", "\\": "\\", '"': '"', "'": "'", "/": "/"}
-_LONGEST_TEXT = 2_000
-_STREAMS = ("stringstream", "ostringstream")
 _WRAPPED = ("parenthesized_expression", "condition_clause")
 
 
 def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
     """The value of an expression."""
     kind = node.kind
-    if kind in ("identifier", "field_expression", "qualified_identifier"):
+    if kind in ("identifier", "field_expression", "qualified_identifier", "type_identifier"):
         return _named(machine, node, frame)
     if kind == "call_expression":
         return calls.call(machine, node, frame)
     if kind in ("string_literal", "raw_string_literal", "concatenated_string"):
-        return _literal(machine, node, frame)
+        return literal(node)
     if kind == "number_literal":
-        return _number(node.text)
+        return number(node.text)
     if kind in ("true", "false"):
         return Number(kind == "true")
     if kind in ("null", "nullptr"):
         return NULL
     if kind == "char_literal":
-        return Text(braced(_unescaped(node.text[1:-1])))
+        return Text(braced(unescaped(node.text[1:-1])))
     if kind in _WRAPPED:
         inner = node.field("value") or (node.children[0] if node.children else None)
         return machine.evaluate(inner, frame)
@@ -80,10 +76,10 @@ def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
             return UNKNOWN
         return classes.construct(machine, parse_type(type_.text), classes.arguments(machine, given, frame), node, frame)
     if kind == "compound_literal_expression":
-        type_, value = node.field("type"), node.field("value")
+        type_, listed = node.field("type"), node.field("value")
         if type_ is None:
             return UNKNOWN
-        return classes.construct(machine, parse_type(type_.text), classes.arguments(machine, value, frame), node, frame)
+        return classes.construct(machine, parse_type(type_.text), classes.arguments(machine, listed, frame), node, frame)
     if kind == "cast_expression":
         return _cast(machine, node, frame)
     if kind == "initializer_list":
@@ -101,114 +97,10 @@ def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
     return UNKNOWN
 
 
-def cell_of(machine: Machine, node: Node | None, frame: Frame) -> Cell | None:
-    """The variable that an expression names; None where it names none that is followed."""
-    if node is None or not machine.step():
-        return None
-    machine.depth += 1
-    try:
-        return _cell(machine, node, frame)
-    finally:
-        machine.depth -= 1
-
-
-def _cell(machine: Machine, node: Node, frame: Frame) -> Cell | None:
-    kind = node.kind
-    if kind == "identifier":
-        name = node.text
-        found = frame.variable(name) or classes.member(machine, frame.this, name)
-        return found or _global(machine, name, frame)
-    if kind == "field_expression":
-        named = node.field("field")
-        if named is None or named.kind not in ("field_identifier", "identifier"):
-            return None
-        owner = thing_of(machine, node.field("argument"), frame)
-        if owner is None:
-            return None
-        found = classes.member(machine, owner, named.text)
-        if found is None and owner.declared is None:
-            # An object of a library: what is assigned to its members is kept.
-            found = owner.fields[named.text] = Cell(UNKNOWN)
-        return found
-    if kind == "qualified_identifier":
-        text = node.text.replace(" ", "").removeprefix("::")
-        owner_name, _, last = text.rpartition("::")
-        if frame.this is not None and owner_name and any(each.name.endswith(owner_name) for each in classes.chain(machine, frame.this)):
-            found = classes.member(machine, frame.this, last)
-            if found is not None:
-                return found
-        return _global(machine, text, frame)
-    if kind in ("pointer_expression", "parenthesized_expression"):
-        inner = node.field("argument") or (node.children[0] if node.children else None)
-        return cell_of(machine, inner, frame)
-    if kind == "subscript_expression":
-        argument = node.field("argument")
-        owner = cell_of(machine, argument, frame) if argument else None
-        if owner is not None and isinstance(owner.value, Thing) and owner.value.type.name == "<elements>":
-            key = template(_index(machine, node, frame))
-            fields = owner.value.fields
-            if key not in fields:
-                fields[key] = Cell(UNKNOWN)
-            return fields[key]
-    return None
-
-
-def thing_of(machine: Machine, node: Node | None, frame: Frame) -> Thing | None:
-    """The object that an expression names; one that nobody made is made up where its class is known."""
-    if node is None:
-        return None
-    value = machine.evaluate(node, frame)
-    for _, each in choices(value):
-        if isinstance(each, Thing):
-            return each
-    if isinstance(value, (Null, type(UNKNOWN))):
-        cell = cell_of(machine, node, frame)
-        if cell is not None and cell.type.name:
-            return made_up(machine, cell, frame)
-    return None
-
-
-def made_up(machine: Machine, cell: Cell, frame: Frame) -> Thing | None:
-    """An object for a variable of which only the class is known. No constructor is followed."""
-    resolved = machine.names.resolve(cell.type, frame)
-    declared = machine.names.declared(resolved)
-    if declared is None:
-        return None
-    machine.serial += 1
-    thing = Thing(resolved, declared, -machine.serial, dict(zip(declared.template, resolved.arguments, strict=False)))
-    machine.write(cell, thing)
-    return thing
-
-
-def _global(machine: Machine, name: str, frame: Frame) -> Cell | None:
-    declarations = machine.declarations
-    for scope in machine.names.scopes(frame.scope):
-        full = joined(scope, name)
-        if full in machine.globals:
-            return machine.globals[full]
-        field = declarations.variables.get(full)
-        if field is None:
-            owner, _, last = full.rpartition("::")
-            declared = declarations.classes.get(owner)
-            field = declared.fields.get(last) if declared is not None and "::" in name else None
-        if field is not None:
-            cell = machine.globals[full] = Cell(UNKNOWN, field.type, 0, field.constant)
-            conditions, machine.conditions = machine.conditions, []
-            inner = Frame(field.path, field.scope, None, {})
-            if field.initial is not None:
-                cell.value = classes._initial(machine, field, inner)
-            elif not field.pointer and not field.array:
-                source = Node("declaration", 1, b"", 0, 0)
-                cell.value = classes.default(machine, field.type, source, inner)
-            machine.conditions = conditions
-            return cell
-    return None
-
-
 def _named(machine: Machine, node: Node, frame: Frame) -> Value:
     if node.kind == "field_expression":
         return _field(machine, node, frame)
-    cell = _cell(machine, node, frame)
+    cell = cell_of(machine, node, frame)
     if cell is not None:
         return machine.read(cell)
     name = node.text.replace(" ", "").removeprefix("::")
@@ -245,7 +137,7 @@ def _field(machine: Machine, node: Node, frame: Frame) -> Value:
         return value.items[0 if name == "first" else 1]
     found: list[tuple[str, Value]] = []
     for condition, each in choices(value):
-        if isinstance(each, (Null, type(UNKNOWN))):
+        if isinstance(each, (Null, Unknown)):
             cell = cell_of(machine, argument, frame)
             made = made_up(machine, cell, frame) if cell is not None and cell.type.name else None
             each = made or each
@@ -257,39 +149,6 @@ def _field(machine: Machine, node: Node, frame: Frame) -> Value:
             else:
                 found.append((condition, machine.read(member)))
     return either(found) if found else UNKNOWN
-
-
-def _literal(machine: Machine, node: Node, frame: Frame) -> Value:
-    if node.kind == "concatenated_string":
-        value: Value = Text("")
-        for each in node.children:
-            value = together(value, machine.evaluate(each, frame))
-        return value
-    if node.kind == "raw_string_literal":
-        content = node.child("raw_string_content")
-        return Text(braced(content.text if content else "")[:_LONGEST_TEXT])
-    text = node.text
-    return Text(braced(_unescaped(text[text.find('"') + 1 : text.rfind('"')]))[:_LONGEST_TEXT])
-
-
-def _unescaped(text: str) -> str:
-    return re.sub(r"\\(.)", lambda match: _ESCAPES.get(match[1], match[1]), text) if "\\" in text else text
-
-
-def _number(text: str) -> Value:
-    plain_text = text.replace("'", "").rstrip("fFlLuU") if not text.lower().startswith("0x") else text.rstrip("lLuU")
-    if len(plain_text) > 40:
-        return UNKNOWN
-    try:
-        if any(char in plain_text for char in ".eE") and not plain_text.lower().startswith("0x"):
-            return Number(float(plain_text))
-        if text[-1:] in "fF" and not plain_text.lower().startswith("0x"):
-            return Number(float(plain_text))
-        if len(plain_text) > 1 and plain_text[0] == "0" and plain_text.isdigit():
-            return Number(int(plain_text, 8))
-        return Number(int(plain_text, 0))
-    except ValueError:
-        return UNKNOWN
 
 
 def _binary(machine: Machine, node: Node, frame: Frame) -> Value:
@@ -311,72 +170,8 @@ def _binary(machine: Machine, node: Node, frame: Frame) -> Value:
             continue
         if not machine.step():
             return UNKNOWN
-        value = _combined(machine, sign, value, machine.evaluate(right, frame))
+        value = combined(machine, sign, value, machine.evaluate(right, frame))
     return value
-
-
-def _combined(machine: Machine, sign: str, left: Value, right: Value) -> Value:
-    if sign == "<<" and isinstance(left, Thing):
-        if left.type.last in _STREAMS:
-            cell = left.fields.setdefault("<text>", Cell(Text("")))
-            machine.write(cell, together(cell.value, right))
-        return left
-    if sign == "%" and isinstance(left, Thing) and left.type.last == "format":
-        cell = left.fields.setdefault("<text>", Cell(UNKNOWN))
-        if isinstance(cell.value, Text):
-            machine.write(cell, Text(filled(cell.value.template, template(right))))
-        return left
-    if sign == "+":
-        texts = [each for side in (left, right) for _, each in choices(side) if isinstance(each, Text)]
-        if texts:
-            found = together(left, right)
-            return found if not isinstance(found, Text) or len(found.template) <= _LONGEST_TEXT else UNKNOWN
-    if sign in ("==", "!="):
-        return _equal(left, right, sign == "==")
-    if sign in ("&&", "||"):
-        if isinstance(right, Number) and bool(right.value) is (sign == "||"):
-            return Number(bool(right.value))
-        return UNKNOWN
-    if isinstance(left, Number) and isinstance(right, Number):
-        return _arithmetic(sign, left.value, right.value)
-    return UNKNOWN
-
-
-def filled(text: str, value: str) -> str:
-    """A format with its first place filled in (boost::format, printf)."""
-    match = re.search(r"%(?:\d+%|\d+\$\w|[-+ #0]*\d*(?:\.\d+)?(?:hh|h|ll|l|z)?[a-zA-Z])", text)
-    return text if match is None else text[: match.start()] + value + text[match.end() :]
-
-
-def _equal(left: Value, right: Value, wanted: bool) -> Value:
-    first, second = plain(left), plain(right)
-    if isinstance(left, Null) or isinstance(right, Null):
-        other = right if isinstance(left, Null) else left
-        return (
-            Number((isinstance(other, Null)) is wanted)
-            if isinstance(other, (Null, Thing, Callable)) and isinstance(other, Null)
-            else UNKNOWN
-        )
-    if first is None or second is None or isinstance(left, Text) is not isinstance(right, Text):
-        return UNKNOWN
-    if isinstance(left, Number) and isinstance(right, Number):
-        return Number((left.value == right.value) is wanted)
-    return Number((first == second) is wanted)
-
-
-def _arithmetic(sign: str, left: float, right: float) -> Value:
-    if abs(left) > 1e15 or abs(right) > 1e15:
-        return UNKNOWN
-    whole = isinstance(left, int) and isinstance(right, int)
-    if sign in ("+", "-", "*"):
-        return Number(left + right if sign == "+" else left - right if sign == "-" else left * right)
-    if sign == "/" and right:
-        return Number(int(left / right) if whole else left / right)
-    if sign == "%" and whole and right:
-        return Number(int(left) % int(right))
-    if sign in ("<", ">", "<=", ">="):
-        return Number({"<": left < right, ">": left > right, "<=": left <= right, ">=": left >= right}[sign])
-    return UNKNOWN
 
 
 def _assignment(machine: Machine, node: Node, frame: Frame) -> Value:
@@ -390,8 +185,8 @@ def _assignment(machine: Machine, node: Node, frame: Frame) -> Value:
     sign = operator.text if operator else "="
     if sign == "+=":
         texts = isinstance(cell.value, Text) or isinstance(value, Text)
-        value = together(cell.value, value) if texts else _combined(machine, "+", cell.value, value)
-        if isinstance(value, Text) and len(value.template) > _LONGEST_TEXT:
+        value = together(cell.value, value) if texts else combined(machine, "+", cell.value, value)
+        if isinstance(value, Text) and len(value.template) > LONGEST_TEXT:
             value = UNKNOWN
     elif sign != "=":
         value = UNKNOWN
@@ -447,6 +242,8 @@ def _subscript(machine: Machine, node: Node, frame: Frame) -> Value:
         for pair in value.items:
             if isinstance(pair, Items) and len(pair.items) == 2 and pair.items[0] == index and isinstance(index, Text):
                 return pair.items[1]
+        if isinstance(index, Unknown) and value.items and all(isinstance(each, (Thing, Handle)) for each in value.items):
+            return either([("", each) for each in value.items])
     return UNKNOWN
 
 
@@ -511,8 +308,6 @@ def _update(machine: Machine, node: Node, frame: Frame) -> Value:
     operator = node.field("operator")
     before = cell.value
     step = 1 if operator and operator.text == "++" else -1
-    machine.write(cell, Number(before.value + step) if isinstance(before, Number) and not isinstance(before.value, bool) else UNKNOWN)
-    return before
-
-
-__all__ = ["ANY", "Handle", "Type"]
+    after: Value = Number(before.value + step) if isinstance(before, Number) and not isinstance(before.value, bool) else UNKNOWN
+    machine.write(cell, after)
+    return after if node.text.startswith(("++", "--")) else before

@@ -29,7 +29,7 @@ class File:
 
 
 def read_files(sources: Sequence[str], include_directories: Sequence[str], root: str) -> tuple[list[File], list[str]]:
-    """The files in the order they are met, included ones before those that include them; and what could not be read, each with the reason."""
+    """The files, included ones before those that include them; and what could not be read, each with the reason."""
     found: list[File] = []
     problems: list[str] = []
     seen: set[str] = set()
@@ -76,7 +76,10 @@ def _tree(path: str, data: bytes) -> Node:
 def _found(name: str, quoted: bool, includer: str, directories: Sequence[str]) -> str | None:
     if "\0" in name or os.path.isabs(name):
         return None
-    for directory in [os.path.dirname(includer), *directories] if quoted else directories:
+    beside = os.path.dirname(includer)
+    near = [beside, os.path.join(beside, "include"), os.path.join(os.path.dirname(beside), "include")]
+    # Where a header is not found, a directory called include beside the file is looked into, too.
+    for directory in [beside, *directories, *near[1:]] if quoted else directories:
         path = os.path.normpath(os.path.join(directory, name))
         if os.path.isfile(path):
             return path

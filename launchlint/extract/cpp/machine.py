@@ -10,13 +10,27 @@ from collections.abc import Callable as Does
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from launchlint.extract.cpp import classes, expressions, statements
-from launchlint.extract.cpp.declarations import Declarations, Function, Parameter, parameters_of
+from launchlint.extract.cpp import classes, expressions, overloads, places, statements
+from launchlint.extract.cpp.declarations import Class, Declarations, Function, Parameter, parameters_of
 from launchlint.extract.cpp.frame import Frame
-from launchlint.extract.cpp.naming import ANY, Names, finished
-from launchlint.extract.cpp.spelled_type import UNTYPED, Type
+from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, Names, finished
+from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, UNTYPED, Type
 from launchlint.extract.cpp.syntax import Node
-from launchlint.extract.cpp.values import NULL, UNKNOWN, Callable, Cell, Closure, Either, Text, Thing, Unknown, Value, both, choices, either
+from launchlint.extract.cpp.values import (
+    UNKNOWN,
+    Callable,
+    Cell,
+    Closure,
+    Either,
+    Items,
+    Number,
+    Text,
+    Thing,
+    Value,
+    both,
+    choices,
+    either,
+)
 from launchlint.extract.fact import Doubt, Fact
 
 TYPE_CHECKING = False
@@ -28,8 +42,11 @@ _DEEPEST = 110
 _DEEPEST_CALL = 22
 _MOST_PENDING = 2_000
 _MOST_FACTS = 5_000
+_MOST_LOOPS = 1
 _LONGEST_CONDITION = 160
-_LARGEST_IRRELEVANT = 4_000
+_LARGEST_IRRELEVANT = 1_500
+_LARGEST_PLAIN = 500
+_PLAIN = DOUBLES | INTEGERS | {"void"}
 _CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 
 
@@ -66,6 +83,8 @@ class Machine:
         self.steps = 0
         self.depth = 0
         self.calls: list[Function] = []
+        self.making: list[Class] = []
+        self.loops = 0
         self.journals: list[dict[Cell, Value]] = []
         self.pending: list[Pending] = []
         self.queued: set[object] = set()
@@ -83,6 +102,11 @@ class Machine:
             return expressions.evaluate(self, node, frame)
         finally:
             self.depth -= 1
+
+    def argument(self, node: Node, frame: Frame) -> Argument:
+        """An argument that is the name of a variable."""
+        cell = places.cell_of(self, node, frame)
+        return Argument(self.evaluate(node, frame) if cell is None else self.read(cell), cell, node)
 
     def execute(self, node: Node, frame: Frame) -> str:
         """Follow a statement; ``return``, ``break``, ``continue``, or empty where the next one is reached."""
@@ -105,6 +129,8 @@ class Machine:
         """Follow the functions that are called later, until there are no more."""
         while self.pending and self.steps < _MOST_STEPS:
             later = self.pending.pop(0)
+            if isinstance(later.function, Callable) and not any(overloads.is_relevant(self, each) for each in later.function.functions):
+                continue
             self.when, self.conditions, self.horizon = later.when, list(later.conditions), self.serial + 1
             self.invoke(later.function, [])
 
@@ -152,10 +178,31 @@ class Machine:
         signals = {signal for _, signal, _ in outcomes}
         if "" in signals or not signals:
             return ""
-        return "return" if signals == {"return"} else sorted(signals)[0]
+        return "return" if signals == {"return"} else min(signals)
 
     def once_or_more(self, run: Does[[], str]) -> str:
         """Follow the body of a loop of which nobody knows how often it runs."""
+        signal, before, after = self._turn(run)
+        counted = [
+            cell for cell, value in after.items() if isinstance(value, (Number, Items)) and isinstance(before[cell], (Number, Items))
+        ]
+        if counted and self.loops < _MOST_LOOPS:
+            # A second turn, in which what the first one counted or collected is not known.
+            for cell in counted:
+                self.write(cell, UNKNOWN)
+            self.loops += 1
+            try:
+                _, _, second = self._turn(run)
+            finally:
+                self.loops -= 1
+            for cell, value in second.items():
+                after[cell] = either([("", after.get(cell, value)), ("", value)])
+        for cell, value in after.items():
+            self.write(cell, statements.after_loop(before.get(cell, cell.value), value))
+        return signal
+
+    def _turn(self, run: Does[[], str]) -> tuple[str, dict[Cell, Value], dict[Cell, Value]]:
+        """One turn of a loop, undone: where it ends, and the variables that it writes with their values before and after."""
         self.journals.append({})
         horizon, self.horizon = self.horizon, self.serial + 1
         try:
@@ -166,9 +213,7 @@ class Machine:
         after = {cell: cell.value for cell in before}
         for cell, value in before.items():
             cell.value = value
-        for cell, value in after.items():
-            self.write(cell, statements.after_loop(before[cell], value))
-        return signal
+        return signal, before, after
 
     # -- calls --------------------------------------------------------------------------------------------------------
 
@@ -195,9 +240,7 @@ class Machine:
         this = function.this
         given = list(arguments)
         if function.bound is not None:
-            given = [
-                Argument(arguments[each] if False else UNKNOWN) if isinstance(each, int) else Argument(each) for each in function.bound
-            ]
+            given = [Argument(UNKNOWN if isinstance(each, int) else each) for each in function.bound]
             for position, each in enumerate(function.bound):
                 if isinstance(each, int) and 0 <= each < len(arguments):
                     given[position] = arguments[each]
@@ -205,14 +248,16 @@ class Machine:
             first = given[0].value
             if isinstance(first, Thing):
                 this, given = first, given[1:]
-        found = classes.chosen(self, function.functions, given if arguments or function.bound is not None else None, this)
+        found = overloads.chosen(self, function.functions, given if arguments or function.bound is not None else None, this)
         return UNKNOWN if found is None else self.call(found, this, given)
 
     def call(self, function: Function, this: Thing | None, arguments: Sequence[Argument], bindings: dict[str, Type] | None = None) -> Value:
         """Follow a function of the program with these arguments."""
         if function.body is None or len(self.calls) >= _DEEPEST_CALL or self.depth > _DEEPEST - 20 or self.calls.count(function) > 1:
             return UNKNOWN
-        if function.body.size > _LARGEST_IRRELEVANT and not classes.is_relevant(self, function):
+        if function.body.size > _LARGEST_IRRELEVANT and not overloads.is_relevant(self, function):
+            return UNKNOWN
+        if function.body.size > _LARGEST_PLAIN and function.returns.name in _PLAIN and not overloads.is_relevant(self, function):
             return UNKNOWN
         owner = self.declarations.classes.get(function.owner)
         known = dict(classes.bindings_in(self, this, owner)) if this is not None else {}
@@ -221,7 +266,7 @@ class Machine:
         self.calls.append(function)
         horizon = self.horizon
         try:
-            self.bind(function.parameters, classes.with_defaults(self, function), arguments, frame)
+            self.bind(function.parameters, overloads.with_defaults(self, function), arguments, frame)
             if function.last == function.owner.rpartition("::")[2]:
                 classes.initialise(self, function, this, frame)
             self._body(function.body, frame)
@@ -284,8 +329,13 @@ class Machine:
             text = both(text, each)
         if len(text) > 3 * _LONGEST_CONDITION:
             text = text[: 3 * _LONGEST_CONDITION - 1] + "…"
-        if ANY in name:
-            self.doubt(category, f"a name is not known before it runs: {shortened(node.text)}", node, frame)
+        if ANY in name or UNKNOWN_SPACE in name:
+            self.doubt(
+                category,
+                f"{UNKNOWN_SPACE if UNKNOWN_SPACE in name else ''}a name is not known before it runs: {shortened(node.text)}",
+                node,
+                frame,
+            )
         if len(self.facts) < _MOST_FACTS:
             self.note(Fact(category, name, frame.path, node.line, condition=text, when=self.when, **more))
 
@@ -308,6 +358,3 @@ def shortened(text: str, longest: int = _LONGEST_CONDITION) -> str:
     """Source text on one line, and not too long."""
     plain = " ".join("".join(char if char.isprintable() else " " for char in text[: longest * 4]).split())
     return plain if len(plain) <= longest else plain[: longest - 1] + "…"
-
-
-__all__ = ["NULL", "Argument", "Machine", "Unknown"]

@@ -7,14 +7,16 @@ from collections.abc import Iterator
 
 from launchlint.extract.cpp.declarations import Class, Declarations, joined
 from launchlint.extract.cpp.frame import Frame
-from launchlint.extract.cpp.spelled_type import POINTERS, UNTYPED, Type
-from launchlint.extract.cpp.values import UNKNOWN, Either, Number, Text, Value, choices, plain
+from launchlint.extract.cpp.spelled_type import POINTERS, Type
+from launchlint.extract.cpp.values import Either, Number, Text, Value, choices, plain
 
 _MOST_STEPS = 24
 _DEEPEST = 4
 _POINTER_ENDS = ("ConstPtr", "Ptr", "ConstSharedPtr", "SharedPtr", "const_ptr", "Type", "WPtr")
 _PARTS_OF_SERVICE = ("Request", "Response", "RequestType", "ResponseType")
 _NAME = re.compile(r"[A-Za-z]\w*")
+_ABSOLUTE = re.compile(r"\{param:[^|{}]*\|/")
+_EMPTY = re.compile(r"~?\{param:[^|{}]*\|\}")
 _ANY_MESSAGE = frozenset(("topic_tools::ShapeShifter", "ShapeShifter", "RosIntrospection::ShapeShifter", "rosbag::MessageInstance"))
 _CLOUDS = ("pcl::PointCloud", "pcl::PCLPointCloud2", "pcl::PointCloudXYZ")
 _OTHER_MESSAGES = {"cv_bridge::CvImage": "sensor_msgs/Image", "PointCloud2": "sensor_msgs/PointCloud2"}
@@ -23,6 +25,8 @@ NODE_NAME = "\x01"
 """Stands for the full name of the node in a template that is not finished."""
 NODE_NAMESPACE = "\x02"
 """Stands for the namespace of the node, without a slash behind it."""
+UNKNOWN_SPACE = "\x03"
+"""Stands for the namespace of a node handle of which nothing is known."""
 ANY = "{any}"
 
 
@@ -63,8 +67,7 @@ class Names:
             seen.add(declared.name)
             if declared.name != name:
                 found.append(declared)
-            for base in declared.bases:
-                pending.append(self._class_name(base.name, declared.scope) or base.name)
+            pending += [self._class_name(base.name, declared.scope) or base.name for base in declared.bases]
         return found
 
     def _class_name(self, name: str, scope: str) -> str | None:
@@ -102,7 +105,7 @@ class Names:
         if bound is not None and bound.name != type_.name:
             if separator:
                 return (Type(f"{bound.name}::{rest}") if not bound.arguments else bound._replace(member=rest)), scope
-            return (bound if not type_.arguments else bound), scope
+            return bound, scope
         declarations = self.declarations
         for around in self.scopes(scope):
             full = joined(around, type_.name)
@@ -166,7 +169,7 @@ class Names:
         if service:
             spellings += [last.removesuffix(end) for end in ("Request", "Response") if last.endswith(end)][:1]
         else:
-            spellings += [last.removesuffix(end) for end in ("ConstPtr", "Ptr") if last.endswith(end)]
+            spellings += [last.removesuffix(end) for end in ("ConstPtr", "Ptr") if last.endswith(end)][:1]
         for spelling in reversed(spellings):
             if len(parts) == 2 and f"{parts[0]}/{spelling}" in known:
                 return f"{parts[0]}/{spelling}"
@@ -182,7 +185,7 @@ class Names:
 
 def braced(text: str) -> str:
     """Plain text as a template."""
-    return text.replace("{", "{{").replace("}", "}}").replace(NODE_NAME, "").replace(NODE_NAMESPACE, "")
+    return text.replace("{", "{{").replace("}", "}}").replace(NODE_NAME, "").replace(NODE_NAMESPACE, "").replace(UNKNOWN_SPACE, "")
 
 
 def together(first: Value, second: Value) -> Value:
@@ -206,10 +209,12 @@ def template(value: Value) -> str:
 
 def in_namespace(namespace: str, name: str) -> str:
     """A name as a node handle of ``namespace`` makes it (ros::NodeHandle::resolveName)."""
-    if name.startswith(("/", "~", NODE_NAME, NODE_NAMESPACE)) or not namespace:
+    if name.startswith(("/", "~", "{remap:", "{parent:", NODE_NAME, NODE_NAMESPACE)) or not namespace:
         return name
     if not name:
         return namespace
+    if _ABSOLUTE.match(name):
+        return name  # a param that is a global name by default
     if namespace == "~":
         return f"~{name}"
     return f"{namespace.rstrip('/')}/{name}"
@@ -219,7 +224,7 @@ def below(namespace: str, name: str) -> str:
     """The namespace of a node handle made of another one and a name."""
     if name.startswith("~"):
         return "~" + name[1:].lstrip("/")
-    return in_namespace(namespace, name)
+    return name if name == UNKNOWN_SPACE else in_namespace(namespace, name)
 
 
 def finished(name: str) -> str:
@@ -234,6 +239,8 @@ def finished(name: str) -> str:
         name = "~" + name[2:].lstrip("/")
     name = name.replace(NODE_NAME, ANY).replace(NODE_NAMESPACE, ANY)
     name = re.sub(r"/{2,}", "/", name).replace("~/", "~")
+    if _EMPTY.fullmatch(name):
+        name = name[:-2] + "}"  # no topic can be called by an empty default
     while ANY + ANY in name:
         name = name.replace(ANY + ANY, ANY)
     return name.rstrip("/") if len(name) > 1 else name
@@ -247,6 +254,3 @@ def full_name(namespace: str) -> str:
         rest = namespace[1:].lstrip("/")
         return NODE_NAME + ("/" + rest if rest else "")
     return NODE_NAMESPACE + ("/" + namespace if namespace else "")
-
-
-__all__ = ["UNKNOWN", "UNTYPED", "Names"]

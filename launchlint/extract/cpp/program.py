@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from launchlint.extract.cpp import classes
-from launchlint.extract.cpp.declarations import Class, Declarations, Function, joined
+from launchlint.extract.cpp.declarations import Class, Declarations, Function
 from launchlint.extract.cpp.files import read_files
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.machine import Argument, Machine
+from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import UNKNOWN, Handle, Thing, Value
@@ -26,6 +27,12 @@ _EVERYWHERE = frozenset(
         "/tcp_keepalive",
         "/rosdistro",
     )
+)
+_LAZY_PARAMS: tuple[tuple[str, bool | float | None, str], ...] = (
+    ("~lazy", True, "bool"),
+    ("~verbose_connection", False, "bool"),
+    ("verbose_connection", False, "bool"),
+    ("~duration_to_warn_no_connection", 5.0, "double"),
 )
 _STARTS = ("onInit", "init", "initialize", "onInitialize", "Load", "initRT", "initPlugin")
 
@@ -56,14 +63,29 @@ def cpp_program(
     first = files[-1].path if files else "."
     for problem in problems:
         machine.doubt_all(problem, first, 1)
-    if entry is None:
-        _main(machine, first)
-    else:
-        _class(machine, entry, first)
-    machine.finish()
-    return _sorted(list(machine.facts.values())), tuple(
-        sorted(dict.fromkeys(machine.doubts), key=lambda each: (each.category, each.path, each.line, each.reason))
-    )
+    try:
+        if entry is None:
+            _main(machine, first)
+        else:
+            _class(machine, entry, first)
+        machine.finish()
+    except RecursionError:
+        machine.doubt_all("the program is nested too deeply to be followed to its end", first, 1)
+    return _settled(list(machine.facts.values()), list(machine.doubts))
+
+
+def _settled(facts: Sequence[Fact], doubts: Sequence[Doubt]) -> tuple[tuple[Fact, ...], tuple[Doubt, ...]]:
+    """Names of a node handle that nothing is known of are told only where nothing better is known of that place."""
+    places = {(each.category, each.path, each.line) for each in facts if UNKNOWN_SPACE not in each.name}
+    kept = [each for each in facts if UNKNOWN_SPACE not in each.name or (each.category, each.path, each.line) not in places]
+    named = [each._replace(name=finished(each.name.replace(UNKNOWN_SPACE, ANY))) for each in kept]
+    told: dict[Doubt, None] = {}
+    for doubt in doubts:
+        if not doubt.reason.startswith(UNKNOWN_SPACE):
+            told[doubt] = None
+        elif (doubt.category, doubt.path, doubt.line) not in places:
+            told[doubt._replace(reason=doubt.reason.removeprefix(UNKNOWN_SPACE))] = None
+    return _sorted(named), tuple(sorted(told, key=lambda each: (each.category, each.path, each.line, each.reason)))
 
 
 def _main(machine: Machine, path: str) -> None:
@@ -71,6 +93,7 @@ def _main(machine: Machine, path: str) -> None:
     if not found:
         machine.doubt_all("no main() was found in these sources", path, 1)
         return
+    found.sort(key=lambda each: each.path.endswith((".h", ".hpp", ".hh", ".hxx")))
     machine.serial += 1
     command_line = Thing(Type("<argv>"), None, machine.serial)
     machine.call(found[0], None, [Argument(UNKNOWN), Argument(command_line)])
@@ -97,8 +120,9 @@ def _class(machine: Machine, entry: str, path: str) -> None:
     else:
         _without_start(machine, declared, path)
         return
-    for name in ("subscribe", "unsubscribe"):
-        if _is_lazy(machine, declared):
+    if _is_lazy(machine, declared):
+        _lazy_params(machine, declared, chosen)
+        for name in ("subscribe", "unsubscribe"):
             for function in classes.methods(machine, thing, name):
                 if not function.parameters:
                     machine.when = "subscriber"
@@ -108,11 +132,16 @@ def _class(machine: Machine, entry: str, path: str) -> None:
 
 def _is_lazy(machine: Machine, declared: Class) -> bool:
     """Whether its subscriptions are made and ended by the base class, as there are listeners."""
-    return not any(
-        each.body is not None
-        for base in machine.names.bases(declared.name)
-        for each in machine.declarations.functions.get(joined(base.name, "onInit"), [])
-    ) and any("azy" in base.name or "ConnectionBased" in base.name or "DiagnosticNodelet" in base.name for base in declared.bases)
+    known = [declared, *machine.names.bases(declared.name)]
+    return any("azy" in base.name or base.last in classes.LAZY for each in known for base in each.bases)
+
+
+def _lazy_params(machine: Machine, declared: Class, function: Function) -> None:
+    """Params that nodelet_topic_tools::NodeletLazy reads."""
+    bases = [base for each in [declared, *machine.names.bases(declared.name)] for base in each.bases]
+    if any(base.name == "nodelet_topic_tools::NodeletLazy" and base.name not in machine.declarations.classes for base in bases):
+        for name, default, kind in _LAZY_PARAMS:
+            machine.note(Fact("params", name, function.path, function.line, default=default, value_type=kind))
 
 
 def _without_start(machine: Machine, declared: Class, path: str) -> None:
@@ -121,7 +150,7 @@ def _without_start(machine: Machine, declared: Class, path: str) -> None:
 
 def _given(function: Function) -> list[Argument]:
     """What a framework gives to an init function: node handles, the second one private; the rest is not known."""
-    handles: list[Value] = [Handle("{any}"), Handle("{any}")]
+    handles: list[Value] = [Handle(UNKNOWN_SPACE), Handle(UNKNOWN_SPACE)]
     given: list[Argument] = []
     for parameter in function.parameters:
         is_handle = parameter.type.last == "NodeHandle"

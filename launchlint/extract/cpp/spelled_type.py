@@ -30,17 +30,9 @@ UNTYPED = Type("")
 """A type that is not known, or ``auto``."""
 
 POINTERS = frozenset(
-    (
-        "boost::shared_ptr",
-        "std::shared_ptr",
-        "shared_ptr",
-        "std::unique_ptr",
-        "unique_ptr",
-        "boost::scoped_ptr",
-        "scoped_ptr",
-        "boost::intrusive_ptr",
-    )
-    + ("boost::weak_ptr", "std::weak_ptr", "std::auto_ptr", "boost::optional", "std::optional", "QSharedPointer", "boost::unique_ptr")
+    """boost::shared_ptr std::shared_ptr shared_ptr std::unique_ptr unique_ptr boost::scoped_ptr scoped_ptr
+    boost::intrusive_ptr boost::weak_ptr std::weak_ptr std::auto_ptr boost::optional std::optional QSharedPointer
+    boost::unique_ptr""".split()
 )
 """Types that stand for what they point to."""
 
@@ -49,8 +41,8 @@ TEXTS = frozenset(("std::string", "string", "char", "std::string_view", "QString
 
 DOUBLES = frozenset(("double", "float", "long double", "Scalar", "ros::Duration", "ros::Rate"))
 INTEGERS = frozenset(
-    """int long short long long size_t std::size_t uint8_t uint16_t uint32_t uint64_t int8_t int16_t int32_t int64_t std::uint8_t std::uint16_t
-    std::uint32_t std::uint64_t std::int8_t std::int16_t std::int32_t std::int64_t uint boost::uint32_t""".split()
+    """int long short size_t std::size_t uint8_t uint16_t uint32_t uint64_t int8_t int16_t int32_t int64_t std::uint8_t
+    std::uint16_t uint std::uint32_t std::uint64_t std::int8_t std::int16_t std::int32_t std::int64_t boost::uint32_t""".split()
 ) | {"long long", "long int", "short int", "long unsigned int", "long long int"}
 LISTS = frozenset(("std::vector", "vector", "std::list", "std::array", "std::set", "std::deque"))
 MAPPINGS = frozenset(("std::map", "map", "std::unordered_map"))

@@ -9,10 +9,8 @@ from launchlint.extract.cpp.values import (
     UNKNOWN,
     Callable,
     Cell,
-    Closure,
     Either,
     Items,
-    Null,
     Number,
     Text,
     Thing,
@@ -35,11 +33,9 @@ _CASTS = frozenset(
     std::dynamic_pointer_cast dynamic_pointer_cast static_pointer_cast boost::const_pointer_cast boost::numeric_cast boost::polymorphic_cast""".split()
 )
 _MAKERS = frozenset(
-    ("boost::make_shared", "std::make_shared", "std::make_unique", "make_shared", "make_unique", "absl::make_unique", "boost::make_unique")
+    """boost::make_shared std::make_shared std::make_unique make_shared make_unique absl::make_unique boost::make_unique""".split()
 )
-_TO_TEXT = frozenset(
-    ("std::to_string", "to_string", "boost::lexical_cast", "lexical_cast", "boost::str", "str", "std::string", "string", "QString")
-)
+_TO_TEXT = frozenset("""std::to_string to_string boost::lexical_cast lexical_cast boost::str str std::string string QString""".split())
 _BINDERS = frozenset(("boost::bind", "std::bind", "bind", "boost::mem_fn", "std::mem_fn"))
 _NUMBERS = frozenset(("int", "double", "float", "bool", "size_t", "std::size_t", "uint32_t", "uint8_t", "unsigned"))
 CHANGING = frozenset(("push_back", "emplace_back", "insert", "append", "resize", "clear", "assign", "emplace", "push_front", "str"))
@@ -114,7 +110,7 @@ def _text(asked: Call) -> Value:
 
 
 def _printed(asked: Call, position: int) -> Value:
-    from launchlint.extract.cpp.expressions import filled
+    from launchlint.extract.cpp.operators import filled
 
     text = asked.value(position)
     cell = asked.cell(0)
@@ -150,10 +146,12 @@ def method(value: Value, asked: Call, cell: Cell | None) -> Value:
             machine.write(cell, Text("") if name == "clear" else UNKNOWN)
         return UNKNOWN
     if isinstance(value, Items):
+        if name in ("size", "length", "empty") and not value.items:
+            return UNKNOWN  # code that is not followed may have filled it
         if name in ("size", "length"):
             return Number(len(value.items))
         if name == "empty":
-            return Number(not value.items)
+            return Number(False)
         if name in ("push_back", "emplace_back", "insert", "emplace", "push_front") and cell is not None:
             if len(asked.arguments) == 1 and len(value.items) < _MOST_ITEMS:
                 machine.write(cell, Items((*value.items, asked.value(0))))
@@ -197,6 +195,3 @@ def thing_method(value: Thing, asked: Call) -> Value | None:
             return cell.value
         return Text("") if value.type.last in ("stringstream", "ostringstream") else UNKNOWN
     return None
-
-
-__all__ = ["Closure", "Null", "function", "method", "thing_method"]

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from launchlint.extract.cpp import classes
-from launchlint.extract.cpp.declarations import _function_declarator as function_declarator
-from launchlint.extract.cpp.declarations import is_pointer, name_of, parameters_of
+from collections.abc import Callable
+
+from launchlint.extract.cpp import classes, places
+from launchlint.extract.cpp.declarations import function_declarator, is_pointer, name_of
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.spelled_type import UNTYPED, Type, parse_type
-from launchlint.extract.cpp.syntax import Node
-from launchlint.extract.cpp.values import NULL, UNKNOWN, Cell, Items, Null, Number, Text, Unknown, Value, either
+from launchlint.extract.cpp.syntax import Node, parse_expression
+from launchlint.extract.cpp.values import UNKNOWN, Cell, Items, Null, Number, Text, Unknown, Value, either
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Machine
 
 _MOST_TURNS = 40
+_MOST_STATEMENTS = 400
 _NOT_FOLLOWED = frozenset(
     (
         "using_declaration",
@@ -65,6 +67,9 @@ def execute(machine: Machine, node: Node, frame: Frame) -> str:
     if kind in ("type_definition", "alias_declaration"):
         _alias(node, frame)
         return ""
+    if kind == "using_declaration":
+        machine.declarations.using(node, "")
+        return ""
     if kind in _NOT_FOLLOWED:
         return ""
     machine.evaluate(node, frame)
@@ -91,7 +96,6 @@ def declare(machine: Machine, node: Node, frame: Frame) -> Value:
     named = node.field("type")
     type_ = parse_type(named.text) if named and named.kind not in ("class_specifier", "struct_specifier", "enum_specifier") else UNTYPED
     constant = any(each.kind == "type_qualifier" and each.text in ("const", "constexpr") for each in node.children)
-    static = any(each.kind == "storage_class_specifier" and each.text == "static" for each in node.children)
     value: Value = UNKNOWN
     for declarator in node.fields.get("declarator", []):
         initial = declarator.field("value") if declarator.kind == "init_declarator" else node.field("value")
@@ -102,17 +106,9 @@ def declare(machine: Machine, node: Node, frame: Frame) -> Value:
         if function is not None and declarator.kind != "init_declarator":
             if not _is_construction(machine, function, type_, frame):
                 continue
-            cells = [frame.variable(each.type.name) or machine.cell(UNKNOWN) for each in parameters_of(function.field("parameters"))]
-            from launchlint.extract.cpp.machine import Argument
-
             parameters = function.field("parameters")
-            sources = parameters.children if parameters else []
-            arguments = [
-                Argument(machine.evaluate(each.field("type"), frame), frame.variable(each.text), each)
-                for each in sources
-                if each.field("type")
-            ]
-            del cells
+            spelled = [parse_expression(each.text) for each in parameters.children] if parameters else []
+            arguments = [machine.argument(each, frame) for each in spelled if each is not None]
             value = classes.construct(machine, type_, arguments, node, frame)
         elif initial is not None and is_pointer(declarator) and _is_reference(declarator):
             cell = machine_cell(machine, initial, frame)
@@ -130,15 +126,12 @@ def declare(machine: Machine, node: Node, frame: Frame) -> Value:
         if declarator.field("parameters") is None and _is_array(declarator) and initial is None:
             value = Text("") if type_.name == "char" else UNKNOWN
         frame.variables[name] = machine.cell(value, type_, constant)
-    del static
     return value
 
 
 def machine_cell(machine: Machine, node: Node, frame: Frame) -> Cell | None:
     """The variable that an expression names."""
-    from launchlint.extract.cpp import expressions
-
-    return expressions.cell_of(machine, node, frame)
+    return places.cell_of(machine, node, frame)
 
 
 def _initial(machine: Machine, type_: Type, initial: Node, pointer: bool, node: Node, frame: Frame) -> Value:
@@ -167,9 +160,14 @@ def _is_construction(machine: Machine, function: Node, type_: Type, frame: Frame
     if parameters is None or not type_.name or not parameters.children:
         return False
     for each in parameters.children:
-        named = each.field("type")
-        if named is None or each.field("declarator") is not None and each.field("declarator").kind != "abstract_function_declarator":  # type: ignore[union-attr]
+        named, declarator = each.field("type"), each.field("declarator")
+        if named is None:
             return False
+        if declarator is not None:
+            if declarator.kind not in ("abstract_function_declarator", "abstract_array_declarator"):
+                return False
+            if declarator.kind == "abstract_function_declarator":
+                continue
         first = named.text.split("::")[0].split(".")[0]
         known = frame.variable(first) is not None or classes.member(machine, frame.this, first) is not None
         if not known and first not in machine.declarations.variables and first not in machine.declarations.macros:
@@ -199,10 +197,8 @@ def decided(machine: Machine, node: Node | None, frame: Frame) -> bool | None:
     """Whether a condition is certainly true or false."""
     before, machine.touched = machine.touched, False
     inner = node.field("value") if node is not None and node.kind == "condition_clause" else node
-    if inner is not None and inner.kind == "declaration":
-        value = declare(machine, inner, frame)
-    else:
-        value = machine.evaluate(inner, frame)
+    is_declaration = inner is not None and inner.kind == "declaration"
+    value = declare(machine, inner, frame) if inner is not None and is_declaration else machine.evaluate(inner, frame)
     touched, machine.touched = machine.touched, before
     if touched:
         return None
@@ -242,7 +238,7 @@ def _for_each(machine: Machine, node: Node, frame: Frame) -> str:
     type_ = parse_type(named.text) if named else UNTYPED
     if body is None:
         return ""
-    if isinstance(right, Items) and len(right.items) <= _MOST_TURNS:
+    if isinstance(right, Items) and 0 < len(right.items) <= _MOST_TURNS:
         for item in right.items:
             frame.variables[name] = machine.cell(item, type_)
             if machine.execute(body, frame) in ("break", "return"):
@@ -314,6 +310,8 @@ def after_loop(before: Value, after: Value) -> Value:
 
 
 def _switch(machine: Machine, node: Node, frame: Frame) -> str:
+    from launchlint.extract.cpp.machine import shortened
+
     condition, body = node.field("condition"), node.field("body")
     text = condition_text(condition)
     subject = condition.field("value") if condition and condition.kind == "condition_clause" else condition
@@ -321,24 +319,28 @@ def _switch(machine: Machine, node: Node, frame: Frame) -> str:
     if body is None:
         return ""
     cases = [each for each in body.children if each.kind == "case_statement"]
-    runs = []
+    runs: list[tuple[str, Callable[[], str]]] = []
+    labels: list[str] = []
+    possible = False
     for position, case in enumerate(cases):
         label = case.field("value")
-        if isinstance(value, Number) and label is not None:
-            known = machine.evaluate(label, frame)
-            if isinstance(known, Number) and not machine.touched and known.value != value.value and not _falls_into(cases, position):
-                continue
-        described = f"{text} == {condition_text(label)}" if label is not None else f"no case of {text}"
-        statements = [each for each in case.children if each is not label]
-        while position + 1 < len(cases) and not any(each.kind in ("break_statement", "return_statement") for each in statements):
-            position += 1
-            following = cases[position]
-            statements = statements + [each for each in following.children if each is not following.field("value")]
-            if len(statements) > 400:
+        labels.append(f"{text} == {condition_text(label)}" if label is not None else f"no case of {text}")
+        possible = possible or _may_be(machine, value, label, frame)
+        own = [each for each in case.children if each is not label]
+        if not own and position + 1 < len(cases):
+            continue  # several labels of the same statements
+        described = shortened(" or ".join(labels))
+        labels = []
+        taken, possible = possible, False
+        if not taken:
+            continue
+        for following in cases[position + 1 :]:
+            if len(own) > _MOST_STATEMENTS or _leaves(own):
                 break
+            own = own + [each for each in following.children if each is not following.field("value")]
 
-        def run(statements: list[Node] = statements) -> str:
-            signal = sequence(machine, statements, frame)
+        def run(own: list[Node] = own) -> str:
+            signal = sequence(machine, own, frame)
             return "" if signal == "break" else signal
 
         runs.append((described, run))
@@ -347,8 +349,21 @@ def _switch(machine: Machine, node: Node, frame: Frame) -> str:
     return machine.branch(runs)
 
 
-def _falls_into(cases: list[Node], position: int) -> bool:
-    return not any(each.kind in ("break_statement", "return_statement", "compound_statement") for each in cases[position].children)
+def _may_be(machine: Machine, value: Value, label: Node | None, frame: Frame) -> bool:
+    """Whether a case may be the one that is taken."""
+    if not isinstance(value, Number) or label is None or machine.touched:
+        return True
+    known = machine.evaluate(label, frame)
+    return not isinstance(known, Number) or known.value == value.value
+
+
+def _leaves(statements: list[Node]) -> bool:
+    """Whether a case does not go on into the next one."""
+    kinds = ("break_statement", "return_statement", "throw_statement", "continue_statement")
+    return any(
+        each.kind in kinds or (each.kind == "compound_statement" and any(inner.kind in kinds for inner in each.children))
+        for each in statements
+    )
 
 
 def _try(machine: Machine, node: Node, frame: Frame) -> str:
@@ -397,6 +412,3 @@ def _alias(node: Node, frame: Frame) -> None:
         type_ = parse_type(named.text)
         if type_.name != name_of(declarator):
             frame.aliases[name_of(declarator)] = type_
-
-
-__all__ = ["NULL", "after_loop", "execute"]

@@ -143,9 +143,15 @@ def either(found: list[tuple[str, Value]]) -> Value:
         elif distinct[value] != condition:
             distinct[value] = ""
     if len(distinct) > 1:
-        known = {value: condition for value, condition in distinct.items() if not isinstance(value, (Unknown, Null)) and value != Text("")}
+        known: dict[Value, str] = {
+            value: condition for value, condition in distinct.items() if not isinstance(value, (Unknown, Null)) and value != Text("")
+        }
         if known and all(isinstance(value, (Thing, Handle, Callable, Closure)) for value in known):
             distinct = known
+        elif all(isinstance(value, Items) for value in distinct):
+            longest = max((value for value in distinct if isinstance(value, Items)), key=lambda value: len(value.items))
+            if all(isinstance(value, Items) and longest.items[: len(value.items)] == value.items for value in distinct):
+                return longest
         elif Text("") in distinct and UNKNOWN not in distinct:
             distinct.pop(Text(""))
     if len(distinct) == 1:

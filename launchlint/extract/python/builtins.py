@@ -33,7 +33,8 @@ if TYPE_CHECKING:
     from launchlint.extract.python.expressions import Expressions
 
 NAMES = frozenset(
-    """abs all any bool callable chr dict dir divmod enumerate filter float format frozenset getattr hasattr hash hex id input int isinstance
+    """abs all any bool callable chr dict dir divmod enumerate filter float format frozenset getattr hasattr hash hex id input int
+    isinstance
     issubclass iter len list map max min next object open ord pow print property range raw_input repr reversed round set setattr
     sorted staticmethod classmethod str sum super tuple type unicode unichr vars xrange zip basestring long file reduce eval exec compile
     globals locals __import__ bytes bytearray memoryview exit quit cmp apply delattr slice complex bin oct ascii breakpoint
@@ -264,7 +265,8 @@ def _map_method(run: Expressions, receiver: Map, name: str, positional: Sequence
             if name == "setdefault":
                 run.store(receiver.content, ENTRIES, {**entries, first: default})
             return default if receiver.complete else UNKNOWN
-        return choice([("", each) for each in [*entries.values(), default]]) if receiver.complete else UNKNOWN
+        options = [*((f"{key!r} is asked for", each) for key, each in entries.items()), ("something else is asked for", default)]
+        return choice(options) if receiver.complete else UNKNOWN
     if name == "update":
         other = first.entries if isinstance(first, Map) else {}
         run.store(receiver.content, ENTRIES, {**entries, **other, **keywords})

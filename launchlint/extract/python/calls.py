@@ -9,6 +9,7 @@ from launchlint.extract.python import builtins, recognised
 from launchlint.extract.python.arguments import Call
 from launchlint.extract.python.expressions import Expressions
 from launchlint.extract.python.memory import ENDED, GOES_ON, Ended
+from launchlint.extract.python.text import may_be
 from launchlint.extract.python.values import (
     MISSING,
     UNKNOWN,
@@ -37,6 +38,8 @@ from launchlint.extract.python.values import (
 
 DEEPEST_CALL = 30
 MOST_CALLBACKS = 500
+MOST_SPENT = 15_000
+"""Steps in calls of one function that made nothing, before it is not followed any more."""
 
 
 class Callback:
@@ -66,9 +69,11 @@ class Calls(Expressions):
         self.escaped: list[Instance] = []
         self.unknown_methods: set[str] = set()
         self.options: dict[str, int] = {}
+        self.function_attributes: dict[int, dict[str, Value]] = {}
         self._returns: list[list[tuple[str, Value]]] = []
         self._yields: list[list[Value]] = []
         self._marks: list[int] = []
+        self._spent: dict[int, int] = {}
 
     def execute(self, body: Sequence[ast.stmt], scope: Scope) -> int:
         """Go through statements; how that ended."""
@@ -76,6 +81,14 @@ class Calls(Expressions):
 
     def configuration(self, package: str, name: str, namespace: Value, made: Call) -> None:
         """Note the params of ``package.cfg.<name>Config`` below a namespace."""
+        raise NotImplementedError
+
+    def plugin(self, name: Value, made: Call) -> None:
+        """Make the rqt plugin of this name."""
+        raise NotImplementedError
+
+    def test_classes(self) -> list[Value]:
+        """The classes of the program itself."""
         raise NotImplementedError
 
     def configured(self, name: Value, type_: Value, default: Value, made: Call) -> None:
@@ -124,6 +137,8 @@ class Calls(Expressions):
             if word == "setattr" and len(positional) == 3 and isinstance(positional[1], str) and isinstance(positional[0], Instance):
                 self.store(positional[0].attributes, positional[1], positional[2])
                 return None
+            if word in ("locals", "globals", "vars", "dir") and (not positional or word in ("vars", "dir")):
+                return self._names(word, positional, scope)
             if word in ("map", "filter") and len(positional) > 1:
                 items, complete = self.rounds(positional[1])
                 results = [self.call(positional[0], [item], {}, node, scope) for item in items]
@@ -156,8 +171,19 @@ class Calls(Expressions):
         """Call a function of the program with its parameters bound."""
         node = function.node
         self.step()
-        if self.active.count(id(node)) >= 2 or len(self.active) >= DEEPEST_CALL:
+        spent = self._spent.get(id(node), 0)
+        if self.active.count(id(node)) >= 2 or len(self.active) >= DEEPEST_CALL or spent > MOST_SPENT:
             return UNKNOWN
+        begin, before = self.steps, (len(self.facts), len(self.callbacks), len(self.instances))
+        result = self._run(function, positional, keywords)
+        if before == (len(self.facts), len(self.callbacks), len(self.instances)):
+            self._spent[id(node)] = spent + self.steps - begin
+        else:
+            self._spent[id(node)] = 0
+        return result
+
+    def _run(self, function: Function, positional: list[Value], keywords: dict[str, Value]) -> Value:
+        node = function.node
         scope = Scope(function.scope.module, function.scope)
         self._bind(function, positional, keywords, scope)
         if function.owner is not None:
@@ -235,6 +261,20 @@ class Calls(Expressions):
                 break
         return instance
 
+    def _names(self, word: str, positional: list[Value], scope: Scope) -> Value:
+        """``locals()``, ``dir(x)`` and the like."""
+        names: dict[Value, Value] = {}
+        if not positional:
+            names = dict((scope.module.scope if word == "globals" else scope).variables)
+        elif isinstance(positional[0], (Instance, Class)):
+            type_ = positional[0].type if isinstance(positional[0], Instance) else positional[0]
+            for each in reversed([base for base in type_.ancestors() if isinstance(base, Class)]):
+                names.update(each.attributes)
+            names.update(positional[0].attributes)
+        else:
+            return UNKNOWN
+        return Seq(sorted(str(name) for name in names)) if word == "dir" else Map(names)
+
     def _super(self, positional: list[Value], scope: Scope) -> Value:
         if len(positional) >= 2 and isinstance(positional[0], Class):
             return Super(positional[0], positional[1])
@@ -246,6 +286,13 @@ class Calls(Expressions):
         return Super(here.variables["__class__"], next(iter(here.variables.values()), UNKNOWN))
 
     def _getattr(self, word: str, positional: list[Value], node: ast.AST, scope: Scope) -> Value:
+        if word == "getattr" and isinstance(positional[0], Instance) and isinstance(positional[1], (Text, Unknown)):
+            names = [name for each in positional[0].type.ancestors() if isinstance(each, Class) for name in each.attributes]
+            pattern = positional[1]
+            if isinstance(pattern, Text):
+                self.escape([self.attribute(positional[0], name, node, scope) for name in names if may_be(name, pattern)], "start")
+            else:
+                self.unknown_methods.update(names)
         if word == "hasattr" or not isinstance(positional[1], str):
             return UNKNOWN
         found = self.attribute(positional[0], positional[1], node, scope)
@@ -275,6 +322,9 @@ class Calls(Expressions):
             return Bound(value, name)
         if isinstance(value, Unknown):
             self.unknown_methods.add(name)
+        code = value.function if isinstance(value, Bound) else value
+        if isinstance(code, Function) and name in self.function_attributes.get(id(code.node), ()):
+            return self.function_attributes[id(code.node)][name]
         if isinstance(value, Function) and name == "__name__" and not isinstance(value.node, ast.Lambda):
             return value.node.name
         return UNKNOWN
@@ -317,7 +367,7 @@ class Calls(Expressions):
 
     # -- what others call -------------------------------------------------------------------------------------------------
 
-    def escape(self, values: Sequence[Value], when: str) -> None:
+    def escape(self, values: Sequence[Value], when: str, depth: int = 0) -> None:
         """Values are given to code that is not followed: it may call what can be called."""
         for value in values:
             for _, each in alternatives(value):
@@ -326,8 +376,11 @@ class Calls(Expressions):
                 elif isinstance(each, Instance):
                     if not any(each is other for other in self.escaped):
                         self.escaped.append(each)
-                elif isinstance(each, Seq) and len(each.items) <= 64:
-                    self.escape([item for item in each.items if not isinstance(item, Seq)], when)
+                elif isinstance(each, Class):
+                    if any(isinstance(base, External) and not base.name.startswith("builtins.") for base in each.ancestors()):
+                        self.arrange(each, when)
+                elif isinstance(each, Seq) and len(each.items) <= 64 and depth < 4:
+                    self.escape(each.items, when, depth + 1)
 
     def arrange(self, function: Value, when: str, positional: list[Value] | None = None, keywords: dict[str, Value] | None = None) -> None:
         """Have a function called when the program has come to its end; ``positional`` where it is known with what."""
@@ -335,7 +388,7 @@ class Calls(Expressions):
             inner = each.function if isinstance(each, Partial) else each
             receiver = inner.receiver if isinstance(inner, Bound) else None
             code = inner.function if isinstance(inner, Bound) else inner
-            if isinstance(code, Instance):
+            if isinstance(code, (Instance, Class)):
                 receiver = code
             elif not isinstance(code, Function):
                 continue

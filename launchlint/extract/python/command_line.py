@@ -27,6 +27,7 @@ def _group(receiver: Handle, made: Call) -> Value:
 
 
 def _defaults(receiver: Handle, made: Call) -> Value:
+    made.run.escape([*made.positional, *made.keywords.values()], "start")
     return None
 
 
@@ -41,7 +42,7 @@ def _sub_parser(receiver: Handle, made: Call) -> Value:
 def _parsed(receiver: Handle, made: Call) -> Value:
     """``parse_args()`` of argparse: an object with an attribute for each argument."""
     attributes: dict[object, Value] = {}
-    position: int | None = 1
+    position = _first(made)
     for words, keywords in receiver.state["arguments"]:
         if words[0].startswith("-"):
             name = next((word for word in words if word.startswith("--")), words[0])
@@ -49,7 +50,9 @@ def _parsed(receiver: Handle, made: Call) -> Value:
             continue
         count = keywords.get("nargs", MISSING)
         value: Value = UNKNOWN
-        if position is not None and count in (MISSING, None):
+        if position is not None and position < 1:
+            value = UNKNOWN
+        elif position is not None and count in (MISSING, None):
             value = text(f"{{arg:{position}}}")
         elif position is not None and count == "?":
             value = _with_default("arg", str(position), keywords.get("default", None))
@@ -72,7 +75,16 @@ def _parsed_options(receiver: Handle, made: Call) -> Value:
     for words, keywords in receiver.state["arguments"]:
         name = next((word for word in words if word.startswith("--")), words[0])
         attributes["attribute", _dest(keywords, name)] = _option(made, words, keywords)
-    return Seq([Handle("plain", attributes), Argv(1)])
+    first = _first(made)
+    return Seq([Handle("plain", attributes), UNKNOWN if first is None else Argv(first)])
+
+
+def _first(made: Call) -> int | None:
+    """Which argument of the command line the parser sees as its first."""
+    given = made.get(0, "args", None)
+    if given is None:
+        return 1
+    return given.offset if isinstance(given, Argv) else None
 
 
 def _dest(keywords: dict[str, Value], name: str) -> str:

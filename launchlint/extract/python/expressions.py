@@ -6,10 +6,12 @@ import ast
 import operator
 from collections.abc import Callable, Sequence
 
+from launchlint.extract.python.conditions import negated, written
 from launchlint.extract.python.memory import Ended, Memory
-from launchlint.extract.python.text import interpolated, joined, percent, template, text
+from launchlint.extract.python.text import interpolated, joined, may_be, percent, template, text
 from launchlint.extract.python.values import (
     MISSING,
+    MOST_ALTERNATIVES,
     NODE,
     UNKNOWN,
     Argv,
@@ -77,6 +79,10 @@ class Expressions(Memory):
 
     def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
         """Write to a variable, attribute, item or several of them."""
+        raise NotImplementedError
+
+    def escape(self, values: Sequence[Value], when: str) -> None:
+        """Values are given to code that is not followed."""
         raise NotImplementedError
 
     def evaluate(self, node: ast.expr | None, scope: Scope) -> Value:
@@ -305,7 +311,7 @@ class Expressions(Memory):
         if isinstance(value, Map):
             if hashable(index) and index in value.entries:
                 return value.entries[index]
-            return choice([("", each) for each in value.entries.values()]) if value.complete and value.entries else UNKNOWN
+            return self._one_of(value, index)
         if isinstance(value, (Seq, str)) and isinstance(index, (int, slice)):
             content = value if isinstance(value, str) else value.items
             if isinstance(value, Seq) and not value.complete:
@@ -316,12 +322,21 @@ class Expressions(Memory):
                 return UNKNOWN
             return Seq(found) if isinstance(found, list) else found
         if isinstance(value, Seq) and value.complete and value.items and len(value.items) <= 8:
-            return choice([("", each) for each in value.items])
+            return choice([(f"item {at} is asked for", each) for at, each in enumerate(value.items)])
         if isinstance(value, Param) and isinstance(index, str) and index.isidentifier():
             return Param(f"{value.name}/{index}", MISSING)
         if isinstance(value, Text) and isinstance(index, slice) and value.template.startswith(NODE) and index == slice(1, None, None):
             return UNKNOWN
         return UNKNOWN
+
+    def _one_of(self, value: Map, index: Value) -> Value:
+        """An item of a dict by a key that is not known: any whose key looks so. Of many functions each is called."""
+        found = [(f"{key!r} is asked for", each) for key, each in value.entries.items() if not isinstance(key, str) or may_be(key, index)]
+        if not value.complete or not found:
+            return UNKNOWN
+        if len(found) > MOST_ALTERNATIVES:
+            self.escape([each for _, each in found], "start")
+        return choice(found)
 
     # -- comprehensions and functions -----------------------------------------------------------------------------------
 
@@ -479,35 +494,3 @@ def or_default(first: Value, second: Value) -> Value:
     if spelled.startswith("{arg:") and spelled.endswith("}") and "|" not in spelled and spelled.count("{") == 1:
         return text(f"{spelled[:-1]}|{template(second)}}}")
     return MISSING
-
-
-def written(node: ast.expr) -> str:
-    """The source text of a condition, on one line."""
-    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
-        return negated(written(node.operand))
-    try:
-        said = " ".join(ast.unparse(node).split())
-    except (ValueError, RecursionError):
-        said = "a condition"
-    if isinstance(node, ast.BoolOp) and isinstance(node.op, ast.Or):
-        said = f"({said})"
-    return said if len(said) <= 200 else said[:199] + "…"
-
-
-def negated(said: str) -> str:
-    """The text of a condition turned round."""
-    if said.startswith("not (") and said.endswith(")") and _closes_at_end(said[4:]):
-        return said[5:-1]
-    if said.startswith("not ") and all(char.isalnum() or char in "_." for char in said[4:]):
-        return said[4:]
-    simple = all(char.isalnum() or char in "_." for char in said)
-    return f"not {said}" if simple or (said.startswith("(") and _closes_at_end(said)) else f"not ({said})"
-
-
-def _closes_at_end(said: str) -> bool:
-    depth = 0
-    for at, char in enumerate(said):
-        depth += (char == "(") - (char == ")")
-        if depth == 0:
-            return at == len(said) - 1
-    return False

@@ -160,6 +160,29 @@ def _checks(receiver: Handle, made: Call) -> Value:
     return UNKNOWN
 
 
+def _rqt(made: Call) -> Value:
+    return Handle("rqt", {})
+
+
+def _rqt_main(receiver: Handle, made: Call) -> Value:
+    made.run.plugin(made.get(1, "standalone", UNKNOWN), made)
+    return UNKNOWN
+
+
+def _camera_info(made: Call) -> Value:
+    # camera_info_manager.CameraInfoManager.__init__
+    made.fact("services", joined([made.get(2, "namespace", ""), "set_camera_info"]), type="sensor_msgs/SetCameraInfo")
+    return Handle("plain", {})
+
+
+def _bond(made: Call) -> Value:
+    # bondpy.bondpy.Bond.__init__
+    made.fact("publishers", made.get(0, "topic"), type="bond/Status")
+    made.fact("subscribers", made.get(0, "topic"), type="bond/Status")
+    made.run.escape([*made.positional[2:], *made.keywords.values()], "message")
+    return Handle("plain", {})
+
+
 def generator(made: Call) -> Value:
     """The ParameterGenerator of a ``.cfg`` file."""
     return Handle("generator", {"params": []})
@@ -209,6 +232,10 @@ HANDLERS = {
     "smach_ros.MonitorState": _monitor_state,
     "smach_ros.IntrospectionServer": _introspection,
     "smach_ros.ActionServerWrapper": _action_wrapper,
+    "rqt_gui.main.Main": _rqt,
+    "camera_info_manager.CameraInfoManager": _camera_info,
+    "bondpy.Bond": _bond,
+    "bondpy.bondpy.Bond": _bond,
     "interactive_markers.interactive_marker_server.InteractiveMarkerServer": _marker_server,
     "interactive_markers.InteractiveMarkerServer": _marker_server,
     **{f"{room}.ParameterGenerator": generator for room in _ROOMS},
@@ -218,6 +245,7 @@ METHODS = {
     ("action", "register_goal_callback"): _callbacks,
     ("action", "register_preempt_callback"): _callbacks,
     ("action", "send_goal"): _callbacks,
+    ("rqt", "main"): _rqt_main,
     ("updater", "add"): _checks,
     ("markers", "insert"): _callbacks,
     ("markers", "setCallback"): _callbacks,

@@ -13,7 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-MOST_STEPS = 400_000
+MOST_STEPS = 150_000
 """Statements and expressions that are looked at for one program."""
 MOST_FACTS = 5_000
 LONGEST_CONDITION = 300

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 _LISTED = """
-std_msgs.msg Bool Byte ByteMultiArray Char ColorRGBA Duration Empty Float32 Float32MultiArray Float64 Float64MultiArray Header Int16 Int16MultiArray
+std_msgs.msg Bool Byte ByteMultiArray Char ColorRGBA Duration Empty Float32 Float32MultiArray Float64 Float64MultiArray Header Int16
+  Int16MultiArray
   Int32 Int32MultiArray Int64 Int64MultiArray Int8 Int8MultiArray MultiArrayDimension MultiArrayLayout String Time UInt16 UInt16MultiArray
   UInt32 UInt32MultiArray UInt64 UInt64MultiArray UInt8 UInt8MultiArray
-geometry_msgs.msg Accel AccelStamped AccelWithCovariance AccelWithCovarianceStamped Inertia InertiaStamped Point Point32 PointStamped Polygon
+geometry_msgs.msg Accel AccelStamped AccelWithCovariance AccelWithCovarianceStamped Inertia InertiaStamped Point Point32 PointStamped
+  Polygon
   PolygonStamped Pose Pose2D PoseArray PoseStamped PoseWithCovariance PoseWithCovarianceStamped Quaternion QuaternionStamped Transform
   TransformStamped Twist TwistStamped TwistWithCovariance TwistWithCovarianceStamped Vector3 Vector3Stamped Wrench WrenchStamped
 sensor_msgs.msg BatteryState CameraInfo ChannelFloat32 CompressedImage FluidPressure Illuminance Image Imu JointState Joy JoyFeedback
@@ -14,13 +16,16 @@ sensor_msgs.msg BatteryState CameraInfo ChannelFloat32 CompressedImage FluidPres
   PointField Range RegionOfInterest RelativeHumidity Temperature TimeReference
 nav_msgs.msg GetMapAction GridCells MapMetaData OccupancyGrid Odometry Path
 actionlib_msgs.msg GoalID GoalStatus GoalStatusArray
-visualization_msgs.msg ImageMarker InteractiveMarker InteractiveMarkerControl InteractiveMarkerFeedback InteractiveMarkerInit InteractiveMarkerPose
+visualization_msgs.msg ImageMarker InteractiveMarker InteractiveMarkerControl InteractiveMarkerFeedback InteractiveMarkerInit
+  InteractiveMarkerPose
   InteractiveMarkerUpdate Marker MarkerArray MenuEntry
 diagnostic_msgs.msg DiagnosticArray DiagnosticStatus KeyValue
 trajectory_msgs.msg JointTrajectory JointTrajectoryPoint MultiDOFJointTrajectory MultiDOFJointTrajectoryPoint
-control_msgs.msg FollowJointTrajectoryAction FollowJointTrajectoryGoal GripperCommandAction GripperCommand JointControllerState JointTolerance
+control_msgs.msg FollowJointTrajectoryAction FollowJointTrajectoryGoal GripperCommandAction GripperCommand JointControllerState
+  JointTolerance
   PointHeadAction SingleJointPositionAction JointJog JointTrajectoryAction JointTrajectoryControllerState PidState
-move_base_msgs.msg MoveBaseAction MoveBaseGoal MoveBaseActionGoal MoveBaseActionResult MoveBaseFeedback MoveBaseResult MoveBaseActionFeedback
+move_base_msgs.msg MoveBaseAction MoveBaseGoal MoveBaseActionGoal MoveBaseActionResult MoveBaseFeedback MoveBaseResult
+  MoveBaseActionFeedback
 tf2_msgs.msg LookupTransformAction TF2Error TFMessage
 tf.msg tfMessage
 rosgraph_msgs.msg Clock Log TopicStatistics
@@ -29,7 +34,8 @@ std_srvs.srv Empty SetBool Trigger EmptyRequest EmptyResponse SetBoolRequest Set
 nav_msgs.srv GetMap GetPlan SetMap LoadMap
 sensor_msgs.srv SetCameraInfo
 gazebo_msgs.msg ContactState ContactsState LinkState LinkStates ModelState ModelStates ODEJointProperties ODEPhysics WorldState
-gazebo_msgs.srv ApplyBodyWrench ApplyJointEffort DeleteModel GetJointProperties GetLinkState GetModelProperties GetModelState GetPhysicsProperties
+gazebo_msgs.srv ApplyBodyWrench ApplyJointEffort DeleteModel GetJointProperties GetLinkState GetModelProperties GetModelState
+  GetPhysicsProperties
   GetWorldProperties SetJointProperties SetLinkState SetModelConfiguration SetModelState SetPhysicsProperties SpawnModel
 mavros_msgs.msg ActuatorControl AttitudeTarget ExtendedState GlobalPositionTarget ManualControl OverrideRCIn PositionTarget RCIn RCOut State
   Thrust VFR_HUD Waypoint WaypointList WaypointReached HomePosition Altitude
@@ -37,7 +43,8 @@ mavros_msgs.srv CommandBool CommandHome CommandInt CommandLong CommandTOL ParamG
   WaypointPush WaypointSetCurrent ParamPull ParamPush SetMavFrame
 ackermann_msgs.msg AckermannDrive AckermannDriveStamped
 controller_manager_msgs.srv ListControllers LoadController SwitchController UnloadController ListControllerTypes ReloadControllerLibraries
-moveit_msgs.msg MoveGroupAction PlanningScene RobotState RobotTrajectory DisplayTrajectory CollisionObject AttachedCollisionObject Constraints
+moveit_msgs.msg MoveGroupAction PlanningScene RobotState RobotTrajectory DisplayTrajectory CollisionObject AttachedCollisionObject
+  Constraints
 """
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import os
+import re
 from typing import Any, NamedTuple
 
 from launchlint.extract.fact import Doubt, Fact
@@ -16,13 +17,16 @@ from launchlint.extract.python.source import SourceError, parse
 from launchlint.extract.python.statements import Statements
 from launchlint.extract.python.text import joined, ros_name
 from launchlint.extract.python.values import MISSING, UNKNOWN, Bound, Class, External, Function, Instance, Module, Scope, Value
+from launchlint.workspace.reading import read_bytes
 
 MOST_MODULES = 200
 
 _NEVER_FOLLOWED = frozenset(
-    """rospy roslib rosgraph actionlib tf tf2_ros tf2_py message_filters dynamic_reconfigure smach smach_ros diagnostic_updater rosunit rostest
+    """rospy roslib rosgraph actionlib tf tf2_ros tf2_py message_filters dynamic_reconfigure smach smach_ros diagnostic_updater rosunit
+    rostest
     genpy genmsg rospkg catkin interactive_markers cv_bridge rosparam rosbag""".split()
 )
+_PLUGIN = re.compile(r"<class\s[^>]*?\btype\s*=\s*[\"']([\w.]+)[\"'][^>]*?rqt_gui_py")
 _QUIET = {"get_name", "get_namespace", "sleep", "spin", "is_shutdown", "myargv", "ns_join", "Timer"}
 _MAKING = frozenset(name.rpartition(".")[2] for name in (*rospy.HANDLERS, *libraries.HANDLERS)) - _QUIET
 _TYPES = {f"{name}{ending}": name for name in ("bool", "int", "double", "str") for ending in ("", "_t")}
@@ -142,7 +146,7 @@ class _Run(Statements):
 
     @staticmethod
     def _unknown_arguments(function: Value) -> list[Value]:
-        return [UNKNOWN] * 3 if isinstance(function, (Function, Bound)) else []
+        return [UNKNOWN] * 3 if isinstance(function, (Function, Bound, Class)) else []
 
     def _framework_methods(self) -> None:
         """Objects whose class has a base that is not followed, or that were given away: whoever knows them may call their methods."""
@@ -249,8 +253,38 @@ class _Run(Statements):
             full = recognised.canonical(f"{star}.{name}")
             if full in recognised.HANDLERS:
                 return External(full)
+        if name in _TYPES and any("parameter_generator" in star for star in module.stars):
+            return External(f"dynamic_reconfigure.parameter_generator.{name}")
         found = messages.origin(name, module.stars)
         return External(f"{found}.{name}") if found else UNKNOWN
+
+    def plugin(self, name: Value, made: Call) -> None:
+        """Make the rqt plugin that a program is the window of: by its class, or by the name of its package."""
+        if isinstance(name, str) and "." not in name:
+            name = self._plugin_class(name)
+        if not isinstance(name, str) or "." not in name or len(name) > 200:
+            made.doubt("it shows an rqt plugin that is not known")
+            return
+        module, _, class_ = name.rpartition(".")
+        node = ast.Pass(lineno=made.line, col_offset=0)
+        found = self.attribute(self.import_module(module, 0, node, made.scope), class_, node, made.scope)
+        if isinstance(found, Class):
+            self.arrange(found, "start")
+        else:
+            made.doubt(f"it shows the rqt plugin {name}, whose source was not found")
+
+    def _plugin_class(self, package: str) -> str:
+        try:
+            text = read_bytes(os.path.join(self._package, "plugin.xml")).decode("utf-8", "replace")
+        except OSError:
+            return ""
+        classes = [match[1] for match in _PLUGIN.finditer(text)]
+        return classes[0] if len(classes) == 1 else next((each for each in classes if each.startswith(f"{package}.")), "")
+
+    def test_classes(self) -> list[Value]:
+        """The test cases of the program."""
+        main = next((module for module in self._modules.values() if module.name == "__main__"), None)
+        return [] if main is None else [each for each in main.scope.variables.values() if isinstance(each, Class)]
 
     # -- dynamic_reconfigure ------------------------------------------------------------------------------------------------
 

@@ -13,6 +13,7 @@ from launchlint.extract.python.values import (
     MISSING,
     UNKNOWN,
     Argv,
+    Class,
     External,
     Handle,
     Instance,
@@ -75,7 +76,7 @@ def message_class(value: Value) -> str:
         return value.type
     if isinstance(value, External):
         name = canonical(value.name)
-        if name in ("rospy.AnyMsg",):
+        if name == "rospy.AnyMsg":
             return "*"
         match = _GENERATED.fullmatch(name)
         if match is not None:
@@ -196,6 +197,12 @@ def _message_by_name(made: Call) -> Value:
     return UNKNOWN if match is None else MessageClass(f"{match[1]}/{match[2]}")
 
 
+def _tests(made: Call) -> Value:
+    given = [each for each in (*made.positional, *made.keywords.values()) if isinstance(each, Class)]
+    made.run.escape(given or made.run.test_classes(), "start")
+    return UNKNOWN
+
+
 def _empty_mapping(made: Call) -> Value:
     first = made.positional[-1] if made.positional else MISSING
     entries = first.entries if isinstance(first, Map) else {}
@@ -227,6 +234,11 @@ HANDLERS: dict[str, Handler] = {
     "copy.deepcopy": _copied,
     "collections.OrderedDict": _empty_mapping,
     "collections.defaultdict": _default_mapping,
+    "rostest.rosrun": _tests,
+    "rostest.run": _tests,
+    "rostest.unitrun": _tests,
+    "rosunit.unitrun": _tests,
+    "unittest.main": _tests,
     "collections.deque": _empty_sequence,
     "roslib.message.get_message_class": _message_by_name,
     "roslib.message.get_service_class": _message_by_name,

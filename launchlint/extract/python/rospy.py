@@ -19,6 +19,7 @@ from launchlint.extract.python.values import (
     Seq,
     Text,
     Value,
+    alternatives,
 )
 
 
@@ -81,6 +82,9 @@ def _wait_for_service(made: Call) -> Value:
 def _get_param(made: Call) -> Value:
     name = made.get(0, "param_name")
     default = made.get(1, "default")
+    for _, each in alternatives(name):
+        if isinstance(each, Handle) and each.kind == "found param":  # it is noted where it was searched for
+            return Param(each.state["name"], default)
     known = plain(default) if default is not MISSING else MISSING
     made.fact("params", name, default=None if known is MISSING else known, value_type=value_type(default))
     if isinstance(name, Choice):
@@ -96,10 +100,12 @@ def _has_param(made: Call) -> Value:
 def _search_param(made: Call) -> Value:
     name = made.get(0, "param_name")
     if isinstance(name, str) and not name.startswith(("/", "~")):
-        made.fact("params", name)
         made.fact("params", f"~{name}")
-        made.doubt(f"it looks for the param {name} in every namespace above it", ("params",))
-        return name  # whichever it finds is the same param for those who set it
+        for each in (name, f"/{name}"):
+            made.run.conditions.append("where nothing nearer is set")
+            made.fact("params", each)
+            made.run.conditions.pop()
+        return Handle("found param", {"name": f"~{name}"})
     made.fact("params", name)
     return UNKNOWN
 

@@ -7,7 +7,8 @@ from collections.abc import Callable, Sequence
 
 from launchlint.extract.python import builtins
 from launchlint.extract.python.calls import Calls
-from launchlint.extract.python.expressions import DEEPEST, MOST_ROUNDS, hashable, negated, written
+from launchlint.extract.python.conditions import negated, written
+from launchlint.extract.python.expressions import DEEPEST, MOST_ROUNDS, hashable
 from launchlint.extract.python.memory import BROKEN, CONTINUED, ENDED, GOES_ON, RETURNED, Branch, Ended
 from launchlint.extract.python.values import (
     COMPLETE,
@@ -108,6 +109,8 @@ class Statements(Calls):
             self.store(owner.scope.variables, name, value)
         elif isinstance(owner, Handle):
             self.store(owner.state, ("attribute", name), value)
+        elif isinstance(owner, Function):
+            self.store(self.function_attributes.setdefault(id(owner.node), {}), name, value)
         elif value is not UNKNOWN:
             self.escape([value], "start")
 
@@ -252,7 +255,7 @@ class Statements(Calls):
                 branch.flow = self.execute(node.body, scope)
                 if branch.flow in (BROKEN, CONTINUED):
                     branch.flow = GOES_ON
-            self.join([("", branch), ("", Branch())], scope.variables)
+            self.join([(said, branch), (negated(said), Branch())], scope.variables)
         return self.execute(node.orelse, scope)
 
     def _while(self, node: ast.While, scope: Scope) -> int:
@@ -278,7 +281,7 @@ class Statements(Calls):
         else:
             with self.branch("") as branch:
                 flow = branch.flow = self.execute(node.body, scope)
-            self.join([("", branch), ("", Branch())], scope.variables)
+            self.join([(written(node.test), branch), (negated(written(node.test)), Branch())], scope.variables)
             flow = GOES_ON
         del self.conditions[mark:]
         return flow if flow in (RETURNED, ENDED) else GOES_ON

@@ -27,7 +27,6 @@ _ANYS = re.compile(r"(?:\{any\}){2,}")
 _PLAIN = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*|~|/", re.ASCII)
 _LITERAL = re.compile(r"[\w/~]*", re.ASCII)
 _PARAM = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*", re.ASCII)
-_ONLY_SLOT = re.compile(r"\{(?:[^{}]|\{[^{}]*\})*\}")
 _FORMAT = re.compile(r"%(?:\((?P<key>[^()]*)\))?[#0\- +]*(?P<width>\d+|\*)?(?:\.\d+)?[hlL]?(?P<kind>[diouxXeEfFgGcrsa%])")
 
 
@@ -203,10 +202,12 @@ def ros_name(value: Value) -> str:
         spelled = spelled[1:]
     if spelled.startswith(NODE):
         rest = spelled[len(NODE) :]
-        spelled = "~" + rest.lstrip("/") if not rest or rest[0] == "/" else "{node}" + rest
+        spelled = "~" + rest.lstrip("/") if rest[:1] == "/" and rest != "/" else "{node}" + rest
     elif spelled.startswith(NAMESPACE):
         spelled = spelled[len(NAMESPACE) :].lstrip("/") or ANY
     spelled = spelled.replace(NODE, ANY).replace(NAMESPACE, ANY)
+    if spelled.startswith("{param:") and spelled.endswith("|}"):
+        spelled = spelled[:-2] + "}"  # an empty name is none
     spelled = re.sub(r"/{2,}", "/", _ANYS.sub(ANY, spelled))
     if spelled.startswith("~/"):
         spelled = "~" + spelled[2:]
@@ -222,6 +223,11 @@ def ros_name(value: Value) -> str:
     return spelled if _LITERAL.fullmatch(rest) and "~" not in rest[1:] else ANY
 
 
-def is_only_slot(template_: str) -> bool:
-    """Whether a template is one slot and nothing else."""
-    return _ONLY_SLOT.fullmatch(template_) is not None
+def may_be(name: str, value: Value) -> bool:
+    """Whether ``value`` can be the string ``name``."""
+    if isinstance(value, str):
+        return name == value
+    if not isinstance(value, Text):
+        return True
+    pattern = ".*".join(map(re.escape, re.sub(r"\{(?:[^{}]|\{[^{}]*\})*\}|[\ue000\ue001]", "\0", value.template).split("\0")))
+    return re.fullmatch(pattern, name) is not None

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from launchlint.graph.difference import Difference, Link, is_default, moved
+from launchlint.graph.difference import ConnectionChange, Difference, Link, is_default, moved
 from launchlint.graph.topology import Connection, Topology, TopologyNode
 from launchlint.report.escape import line_start, visible
-from launchlint.report.graph.words import DOES, does, listed, remapped, when
+from launchlint.report.graph.words import DOES, does, listed, number, remapped, when, wrapped
 
 MOST_PARTNERS = 5
 MOST_NAMES = 8
@@ -41,9 +41,7 @@ def _body(changes: Difference) -> Iterator[str]:
         yield "    (a node came in of which not everything is known: it may do what seems lost)"
     yield from _links("gained", changes.gained, changes)
     yield from _nodes(changes)
-    for sign, channels in (("-", changes.channels_removed), ("+", changes.channels_added)):
-        for each in channels:
-            yield f"  {sign} {each.kind} {visible(each.name)}"
+    yield from _channels(changes)
     for channel in changes.channels_changed:
         before, after = (" and ".join(each.types) or "unknown type" for each in channel)
         yield f"  ~ {channel.after.kind} {visible(channel.after.name)}: {visible(before)} → {visible(after)}"
@@ -63,7 +61,7 @@ def _links(word: str, links: Sequence[Link], changes: Difference) -> Iterator[st
         theirs.update(dict.fromkeys(link.partners))
         told.setdefault(key, []).append(link)
         more[key] = max(more.get(key, 0), link.total - len(link.partners))
-    now = moved(changes)
+    why = _Reasons(changes)
     for key, (offers, uses) in sorted(ends.items()):
         kind, name, by_default = key
         first, second = (offers, uses) if kind == "topic" else (uses, offers)
@@ -72,24 +70,56 @@ def _links(word: str, links: Sequence[Link], changes: Difference) -> Iterator[st
         condition = " by default" if by_default else ""
         yield f"  {word}{condition}: {left} → {right}{again} on {kind} {visible(name)}"
         if word == "lost":
-            yield from (f"      {each}" for each in _why(told[key], {**first, **second}, changes, now))
+            yield from (f"      {each}" for each in why.of(told[key], {**first, **second}))
 
 
-def _why(links: Sequence[Link], ends: Mapping[str, None], changes: Difference, now: Mapping[str, str]) -> Iterator[str]:
-    running = {node.name: node for node in changes.after.nodes}
-    for link in links:
-        if link.after is None:
-            yield f"{visible(link.node)} no longer {DOES[link.role].removesuffix(' action')} it"
-    for before, after in changes.connections_changed:
-        if (before.kind, before.name) == (links[0].kind, links[0].name) and before.node in ends and after.name != before.name:
-            steps = remapped(after.remaps)
-            yield f"{visible(after.node)} now {does(after)}{f', {steps}' if steps else ''}"
-    for name in ends:
-        node = running.get(name)
-        if node is None:
-            yield f"{visible(name)} is now {visible(now[name])}" if name in now else f"{visible(name)} is no longer started"
-        elif node.only and not is_default(node, changes.after):
-            yield f"{visible(name)} is started {when(node.only, changes.after.configurations)}"
+class _Reasons:
+    """Why links are lost."""
+
+    def __init__(self, changes: Difference) -> None:
+        self._after = changes.after
+        self._running = {node.name: node for node in changes.after.nodes}
+        self._moved = moved(changes)
+        self._changed: dict[tuple[str, str], list[ConnectionChange]] = {}
+        for change in changes.connections_changed:
+            if change.before.name != change.after.name:
+                self._changed.setdefault((change.before.kind, change.before.name), []).append(change)
+
+    def of(self, links: Sequence[Link], ends: Mapping[str, None]) -> Iterator[str]:
+        """Lines about the lost links of one channel, whose nodes at both ends were ``ends``."""
+        for link in links:
+            if link.after is None:
+                yield f"{visible(link.node)} no longer {DOES[link.role].removesuffix(' action')} it"
+        for before, after in self._changed.get((links[0].kind, links[0].name), ()):
+            if before.node in ends:
+                steps = remapped(after.remaps)
+                yield f"{visible(after.node)} now {does(after)}{f', {steps}' if steps else ''}"
+        for name in ends:
+            node = self._running.get(name)
+            if node is None:
+                yield (
+                    f"{visible(name)} is now {visible(self._moved[name])}"
+                    if name in self._moved
+                    else f"{visible(name)} is no longer started"
+                )
+            elif node.only and not is_default(node, self._after):
+                yield f"{visible(name)} is started {when(node.only, self._after.configurations)}"
+
+
+def _channels(changes: Difference) -> Iterator[str]:
+    """Names that came and went; not those that only nodes that did are concerned with: they stand with these."""
+    for sign, nodes, connections, channels in (
+        ("-", changes.nodes_removed, changes.before.connections, changes.channels_removed),
+        ("+", changes.nodes_added, changes.after.connections, changes.channels_added),
+    ):
+        whole = {node.name for node in nodes}
+        others = {(each.kind, each.name) for each in connections if each.certain and each.node not in whole}
+        kinds: dict[str, list[str]] = {}
+        for each in channels:
+            if (each.kind, each.name) in others:
+                kinds.setdefault(each.kind, []).append(visible(each.name))
+        for kind, names in kinds.items():
+            yield from wrapped(f"  {sign} {kind}{'' if len(names) == 1 else 's'} ", names)
 
 
 def _nodes(changes: Difference) -> Iterator[str]:
@@ -99,28 +129,29 @@ def _nodes(changes: Difference) -> Iterator[str]:
         ("-", changes.nodes_removed, changes.connections_removed, changes.before),
         ("+", changes.nodes_added, changes.connections_added, changes.after),
     ):
-        names = _names(connections)
+        mine: dict[str, list[Connection]] = {}
+        for each in connections:
+            mine.setdefault(each.node, []).append(each)
         for node in nodes:
-            if node.name in now and sign == "-":
+            if sign == "-" and node.name in now:
                 yield f"  ~ node {visible(node.name)} is now {visible(now[node.name])}"
-            elif node.name not in came or sign == "-":
+            elif sign == "-" or node.name not in came:
                 only = f", {when(node.only, graph.configurations)}" if node.only else ""
-                said = f": {names[node.name]}" if node.name in names else ""
-                yield f"  {sign} node {visible(node.name)} ({visible(node.program)}{only}){said}"
+                yield f"  {sign} node {visible(node.name)} ({visible(node.program)}{only})"
+                yield from _names(mine.get(node.name, ()))
     for change in changes.nodes_changed:
         yield f"  ~ node {visible(change.after.name)}: {_changed(change.before, change.after, changes)}"
 
 
-def _names(connections: Sequence[Connection]) -> Mapping[str, str]:
-    """What each node says and hears, in short."""
-    roles: dict[str, dict[str, list[str]]] = {}
+def _names(connections: Sequence[Connection]) -> Iterator[str]:
+    """What a node says and hears, in short."""
+    roles: dict[str, list[str]] = {}
     for each in connections:
-        if not each.action:
-            roles.setdefault(each.node, {}).setdefault(each.role, []).append(each.name)
-    return {
-        node: "; ".join(f"{DOES[role]} {listed(names[:MOST_NAMES], len(names))}" for role, names in found.items())
-        for node, found in roles.items()
-    }
+        if each.certain and not each.action:
+            roles.setdefault(each.role, []).append(visible(each.name))
+    for role, names in roles.items():
+        more = [f"and {len(names) - MOST_NAMES} more"] if len(names) > MOST_NAMES else []
+        yield from wrapped(f"      {DOES[role]} ", [*names[:MOST_NAMES], *more])
 
 
 def _changed(before: TopologyNode, after: TopologyNode, changes: Difference) -> str:
@@ -139,8 +170,12 @@ def _condition(before: Sequence[str], old: Topology, after: Sequence[str], new: 
 def _connections(changes: Difference) -> Iterator[str]:
     """Those of nodes that came, went or are another program now are told of there."""
     whole = {node.name for node in (*changes.nodes_added, *changes.nodes_removed)}
+    perhaps = 0
     for change in changes.connections_changed:
         before, after = change
+        if not before.certain and not after.certain:
+            perhaps += 1
+            continue
         if before.name != after.name:
             steps = remapped(after.remaps)
             what = f"{visible(after.name)} instead of {visible(before.name)}{f', {steps}' if steps else ''}"
@@ -151,5 +186,9 @@ def _connections(changes: Difference) -> Iterator[str]:
         yield f"  ~ {visible(after.node)} {DOES[after.role]} {what}"
     for sign, connections in (("-", changes.connections_removed), ("+", changes.connections_added)):
         for each in connections:
-            if each.node not in whole:
+            if each.node not in whole and each.certain:
                 yield f"  {sign} {visible(each.node)} {does(each)}"
+            elif each.node not in whole:
+                perhaps += 1
+    if perhaps:
+        yield f"  and {number(perhaps, 'name')} that nodes may or may not have"

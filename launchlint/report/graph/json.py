@@ -20,7 +20,8 @@ MOST_NODES = 16
 
 def text(value: Any) -> str:
     """JSON that any strict reader takes, indented, with a newline at its end."""
-    return json.dumps(_strict(value), indent=2, allow_nan=False) + "\n"
+    out = json.dumps(value, indent=2, allow_nan=False)
+    return (json.dumps(_strict(value), indent=2, allow_nan=False) if "\\ud" in out else out) + "\n"
 
 
 def as_object(topology: Topology) -> dict[str, Any]:

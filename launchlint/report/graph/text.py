@@ -7,15 +7,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from launchlint.graph.partners import Partners, meet
 from launchlint.graph.topology import Connection, Topology, TopologyNode, TopologyParam
 from launchlint.report.escape import line_start, visible
-from launchlint.report.graph.words import DOES, MISSED, listed, number, place, remapped, when
+from launchlint.report.graph.words import DOES, MISSED, listed, number, place, remapped, when, wrapped
 
 MOST_PARTNERS = 6
 """Names of partners on one line."""
 MOST_PARAMS = 12
 """Params of a node that are shown."""
 LONGEST_VALUE = 40
-WIDTH = 110
-"""Columns after which a list of names goes on in the next line."""
 WIDEST_NAME = 44
 """Columns that are kept free for names, so that partners stand below each other."""
 
@@ -36,7 +34,12 @@ def render(topology: Topology, complete: Topology | None = None, *, dangling: bo
     partners = Partners(topology)
     hidden = {connection.node for connection in (complete or topology).connections}
     lines = [f"{line_start(topology.entry)}: {_counts(topology)}"]
+    before: dict[str, TopologyNode] = {}
     for node in topology.nodes:
+        if node.name in before and meet(before[node.name].only, node.only):
+            lines += ["", _head(node, topology), "    has the same name as the one above, where stands what both say and hear"]
+            continue
+        before[node.name] = node
         here = [connection for connection in mine.get(node.name, ()) if meet(connection.only, node.only)]
         rows = [
             *_unknown(node),
@@ -111,7 +114,7 @@ def _rows(
     alone: list[Connection] = []
     itself: dict[str, None] = {}
     for each in connections:
-        if partners.count(each) or (remapped(each.remaps) and not partners.is_its_own(each)):
+        if partners.count(each) or (each.certain and remapped(each.remaps) and not partners.is_its_own(each)):
             met.append(each)
         elif partners.is_its_own(each):
             itself[visible(each.name)] = None
@@ -128,7 +131,7 @@ def _rows(
         if remapped(each.remaps):
             yield f"    {'':{first}}    {remapped(each.remaps, node.place)}"
     if itself:
-        yield from _wrapped("    talks to itself: ", list(itself))
+        yield from wrapped("    talks to itself: ", list(itself))
     yield from _alone(alone, node, topology, dangling=dangling)
 
 
@@ -152,7 +155,7 @@ def _alone(connections: Iterable[Connection], node: TopologyNode, topology: Topo
         said = f"{'' if each.certain else 'perhaps, and '}{MISSED[each.role]}"
         lists.setdefault(said, {})[visible(each.name) + only] = None
     for said, names in lists.items():
-        yield from _wrapped(f"    {said}: ", list(names))
+        yield from wrapped(f"    {said}: ", list(names))
     if perhaps:
         yield f"    perhaps {number(perhaps, 'more name')} that nobody else uses (--dangling shows {'it' if perhaps == 1 else 'them'})"
 
@@ -168,19 +171,7 @@ def _params(params: Sequence[TopologyParam], node: TopologyNode, topology: Topol
     if len(params) > MOST_PARAMS:
         words.append(f"and {len(params) - MOST_PARAMS} more")
     if words:
-        yield from _wrapped("    reads ", words)
-
-
-def _wrapped(start: str, words: Sequence[str]) -> Iterator[str]:
-    """``words`` after ``start``, with commas, in as many lines as it takes; a word is never broken."""
-    line = start + words[0]
-    for word in words[1:]:
-        if len(line) + len(word) + 2 > WIDTH:
-            yield f"{line},"
-            line = " " * min(len(start), 8) + word
-        else:
-            line += f", {word}"
-    yield line
+        yield from wrapped("    reads ", words)
 
 
 def _not_shown(topology: Topology, complete: Topology) -> Iterator[str]:

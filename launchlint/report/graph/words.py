@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from launchlint.graph.topology import Connection, RemapStep
 from launchlint.report.escape import visible
 
+WIDTH = 110
+"""Columns after which a list of names goes on in the next line."""
 DOES = {
     "publisher": "publishes",
     "subscriber": "subscribes",
@@ -36,6 +38,19 @@ def listed(names: Iterable[str], total: int | None = None) -> str:
     shown = [visible(name) for name in names]
     more = 0 if total is None else total - len(shown)
     return ", ".join(shown) + (f" and {more} more" if more > 0 else "")
+
+
+def wrapped(start: str, words: Sequence[str]) -> Iterator[str]:
+    """``words`` after ``start``, with commas, in as many lines as it takes; a word is never broken."""
+    line = start + words[0]
+    indented = " " * (len(start) - len(start.lstrip()) + 4)
+    for word in words[1:]:
+        if len(line) + len(word) + 2 > WIDTH:
+            yield f"{line},"
+            line = indented + word
+        else:
+            line += f", {word}"
+    yield line
 
 
 def place(text: str) -> str:

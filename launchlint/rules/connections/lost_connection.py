@@ -37,15 +37,18 @@ At the base revision the planner reaches the wheels on `cmd_vel`. This file puts
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.graph.connections import OFFERS, ConnectionGraph, Endpoint, Instance
-from launchlint.graph.difference import Link, is_default, moved
+from launchlint.graph.connections import OFFERS, Endpoint, Instance
+from launchlint.graph.difference import ConnectionChange, Link, is_default, moved
 from launchlint.rules.connections.places import acting_origin, node_origin
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import BaseView
-from launchlint.source import Origin, Place
+from launchlint.source import Place
+
+MOST_WAITING = 3
+"""Nodes left alone that are shown with the one that left them."""
 
 RULE = Rule("LL620", "lost-connection", Severity.WARNING)
 
@@ -59,23 +62,40 @@ _WORDS = {
 }
 """What a node of a role does, what its partner is called, and what that did."""
 
-Where = Mapping[str, tuple[Instance, ConnectionGraph]]
+
+class _Scene:
+    """What is looked up for each lost link."""
+
+    def __init__(self, view: BaseView) -> None:
+        changes = view.difference
+        self.base = view.base
+        self.after = changes.after
+        self.uncertain = changes.uncertain
+        self.where = {instance.name: (instance, graph) for graph in reversed(view.graphs) for instance in graph.instances}
+        self.running = {node.name: node for node in changes.after.nodes}
+        self.moved = moved(changes)
+        self.changed: dict[tuple[str, str], list[ConnectionChange]] = {}
+        for change in changes.connections_changed:
+            if change.before.name != change.after.name:
+                self.changed.setdefault((change.before.kind, change.before.name), []).append(change)
 
 
 def check(view: BaseView) -> Iterator[Finding]:
     """Tell every break once."""
-    where = {instance.name: (instance, graph) for graph in reversed(view.graphs) for instance in graph.instances}
+    scene = _Scene(view)
     causes = {(link.node, *_channel(link)) for link in view.difference.lost if _moved_itself(link)}
     left: dict[tuple[str, ...], list[Link]] = {}
     for link in view.difference.lost:
         if not _moved_itself(link):
             left.setdefault((*_channel(link), link.role), []).append(link)
     for link in view.difference.lost:
-        told_there = len(link.partners) == link.total and all((name, *_channel(link)) in causes for name in link.partners)
-        if link.node in where and (_moved_itself(link) or not told_there):
-            others = left.get((*_channel(link), _OPPOSITE[link.role]), ()) if _moved_itself(link) else ()
-            waiting = [where[other.node][0] for other in others if other.node in where and link.node in other.partners]
-            yield _lost(view, link, where, waiting)
+        if link.node not in scene.where:
+            continue
+        if _moved_itself(link):
+            others = left.get((*_channel(link), _OPPOSITE[link.role]), ())[:MOST_WAITING]
+            yield _lost(scene, link, [other.node for other in others if link.node in other.partners])
+        elif len(link.partners) < link.total or any((name, *_channel(link)) not in causes for name in link.partners):
+            yield _lost(scene, link, [])
 
 
 _OPPOSITE = {"publisher": "subscriber", "server": "client", "action server": "action client"}
@@ -91,28 +111,31 @@ def _moved_itself(link: Link) -> bool:
     return link.after is None or link.after.name != link.name
 
 
-def _lost(view: BaseView, link: Link, where: Where, waiting: list[Instance]) -> Finding:
-    instance, graph = where[link.node]
+def _lost(scene: _Scene, link: Link, waiting: list[str]) -> Finding:
+    instance, graph = scene.where[link.node]
     does, other, did = _WORDS[link.role]
     partners = ", ".join(link.partners) + (f" and {link.total - len(link.partners)} more" if link.total > len(link.partners) else "")
     default = " where no arg is given" if link.by_default else ""
+    several = link.total > 1
+    others = f"{other}{'s' if several else ''} {partners}"
     now = _endpoint(link, instance)
     if link.after is None:
-        message = f"{link.node} no longer {does} {link.name}: its {other} {partners} is left without it{default}"
+        message = f"{link.node} no longer {does} {link.name}: its {others} {'are' if several else 'is'} left without it{default}"
     elif link.after.name != link.name:
-        message = f"{link.node} has lost its {other} {partners}{default}: it now {does} {link.after.name}, not {link.name}"
+        message = f"{link.node} has lost its {others}{default}: it now {does} {link.after.name}, not {link.name}"
     else:
-        message = f"{link.node} has lost its {other} {partners} on {link.name}{default}"
-    related = [(node_origin(each).place, f"{each.name} waits here for {link.name}") for each in waiting]
-    notes = [f"at {view.base}, {partners} {did} {link.name}", *_whereabouts(view, link)]
+        message = f"{link.node} has lost its {others} on {link.name}{default}"
+    still = _WORDS[_OPPOSITE[link.role]][0]
+    related = [(node_origin(scene.where[each][0]).place, f"{each} still {still} {link.name}") for each in waiting if each in scene.where]
+    notes = [f"at {scene.base}, {partners} {did} {link.name}", *_whereabouts(scene, link)]
     if not _moved_itself(link):
-        related.extend(_partners_now(view, link, where))
-    if view.difference.uncertain:
+        related.extend(_partners_now(scene, link))
+    if scene.uncertain:
         notes.append("a node came in of which not everything is known: it may do what seems lost")
     found = RULE.at(
         node_origin(instance) if now is None else acting_origin(now, instance),
         message,
-        severity=Severity.INFO if view.difference.uncertain else None,
+        severity=Severity.INFO if scene.uncertain else None,
         label="disconnected by this change",
         related=tuple(related),
         notes=tuple(notes),
@@ -131,24 +154,21 @@ def _endpoint(link: Link, instance: Instance) -> Endpoint | None:
     return next(same, None)
 
 
-def _whereabouts(view: BaseView, link: Link) -> Iterator[str]:
+def _whereabouts(scene: _Scene, link: Link) -> Iterator[str]:
     """What has become of partners that are no longer there, or not always."""
-    running = {node.name: node for node in view.difference.after.nodes if node.name in link.partners}
-    now = moved(view.difference)
     for name in link.partners:
-        node = running.get(name)
+        node = scene.running.get(name)
         if node is None:
-            yield f"{name} is now {now[name]}" if name in now else f"{name} is no longer started"
-        elif not is_default(node, view.difference.after):
+            yield f"{name} is now {scene.moved[name]}" if name in scene.moved else f"{name} is no longer started"
+        elif not is_default(node, scene.after):
             yield f"{name} is started only with {' or '.join(node.only)}"
 
 
-def _partners_now(view: BaseView, link: Link, where: Where) -> Iterator[tuple[Place, str]]:
+def _partners_now(scene: _Scene, link: Link) -> Iterator[tuple[Place, str]]:
     """Where partners that still run got another name."""
-    for before, after in view.difference.connections_changed:
-        at_other_end = before.kind == link.kind and before.name == link.name and before.offers != (link.role in OFFERS)
-        if at_other_end and before.node in link.partners and after.name != link.name and after.node in where:
-            instance = where[after.node][0]
+    for before, after in scene.changed.get(_channel(link), ()):
+        if before.offers != (link.role in OFFERS) and before.node in link.partners and after.node in scene.where:
+            instance = scene.where[after.node][0]
             endpoint = next((each for each in instance.endpoints if (each.role, each.name) == (after.role, after.name)), None)
-            origin: Origin = node_origin(instance) if endpoint is None else acting_origin(endpoint, instance)
+            origin = node_origin(instance) if endpoint is None else acting_origin(endpoint, instance)
             yield origin.place, f"{after.node} now {_WORDS[after.role][0]} {after.name}"

@@ -40,7 +40,7 @@ ROBOT = tiny.topology(
 CHANGED = tiny.topology(
     "/cam/driver > /cam/image",
     "/cam/flip < /cam/image",
-    "/planner > /cmd_vel=/cmd_vel_raw?",
+    "/planner > /cmd_vel=/cmd_vel_raw",
     "/wheels < /cmd_vel",
     "/planner calls /map",
     "/mapper serves /map",
@@ -93,7 +93,7 @@ def test_mermaid_of_a_change() -> None:
         '  n4["wheels<br/>demo/node"]\n'
         '  n5(["/cmd_vel_raw"])\n'
         '  n2 -.->|"/cmd_vel"| n4\n'
-        "  n2 -.-> n5\n"
+        "  n2 --> n5\n"
         '  n3 ==>|"/go"| n2\n'
         '  n6["2 nodes did not change and are not shown"]\n'
         "  linkStyle 0 stroke:#cf222e,stroke-width:3px,stroke-dasharray: 4 4\n"

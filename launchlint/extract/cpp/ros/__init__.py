@@ -45,6 +45,9 @@ _NODELETS = {
 
 def is_made(machine: Machine, type_: Type) -> bool:
     """Whether a resolved type is a class of ROS that is known here."""
+    if type_.name in machine.declarations.classes:
+        # The sources of a ROS package itself are among those of the program.
+        return type_.name in _library.MAKERS
     return _library.known_name(machine, type_) in _library.MAKERS
 
 

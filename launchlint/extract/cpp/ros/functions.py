@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable as Does
 
-from launchlint.extract.cpp.naming import ANY, NODE_NAME, NODE_NAMESPACE, below, finished, in_namespace, template
+from launchlint.extract.cpp.naming import ANY, NODE_NAME, NODE_NAMESPACE, finished, in_namespace, template
 from launchlint.extract.cpp.ros import handle as handles
 from launchlint.extract.cpp.ros import params
 from launchlint.extract.cpp.ros.callbacks import callback_of, explicit, message_type
@@ -186,14 +186,23 @@ FUNCTIONS: dict[str, Does[[Call], Value]] = {
     "ros::service::call": _client,
     "ros::service::createClient": _client,
     "ros::service::waitForService": _exists,
-    "ros::service::exists": _exists,
     "image_transport::getCameraInfoTopic": _camera_info_topic,
     "ros::AdvertiseOptions::create": _advertise_options,
     "ros::SubscribeOptions::create": _subscribe_options,
     "ros::AdvertiseServiceOptions::create": _service_options,
     "ros::message_traits::datatype": _datatype,
     "ros::message_traits::DataType::value": _datatype,
-    **dict.fromkeys(("ros::init", "ros::spin", "ros::spinOnce", "ros::shutdown", "ros::param::set", "ros::param::del", "ros::ok"), nothing),
+    **dict.fromkeys(
+        (
+            "ros::init",
+            "ros::spin",
+            "ros::spinOnce",
+            "ros::shutdown",
+            "ros::param::set",
+            "ros::param::del",
+            "ros::ok",
+            "ros::service::exists",
+        ),
+        nothing,
+    ),
 }
-
-__all__ = ["FUNCTIONS", "below", "lazily"]

@@ -8,7 +8,7 @@ from launchlint.extract.cpp.naming import ANY, finished, full_name
 from launchlint.extract.cpp.ros import params
 from launchlint.extract.cpp.ros.callbacks import callback_of, explicit, message_type
 from launchlint.extract.cpp.spelled_type import UNTYPED
-from launchlint.extract.cpp.values import UNKNOWN, Callable, Closure, Either, Handle, Number, Text, Thing, Value, choices, either
+from launchlint.extract.cpp.values import UNKNOWN, Handle, Number, Text, Thing, Value, choices, either
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -209,5 +209,3 @@ METHODS: dict[str, Does[[Handle, Call], Value]] = {
         nothing,
     ),
 }
-
-__all__ = ["METHODS", "Callable", "Closure", "Either"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable as Does
 from collections.abc import Sequence
 
-from launchlint.extract.cpp.naming import below, template
+from launchlint.extract.cpp.naming import UNKNOWN_SPACE, below, template
 from launchlint.extract.cpp.ros import functions, params
 from launchlint.extract.cpp.ros import handle as handles
 from launchlint.extract.cpp.ros.callbacks import action_type, callback_of, explicit, message_type
@@ -57,7 +57,7 @@ def _handle(asked: Call) -> Value:
     for outer, space in spaces:
         for inner, name in choices(names):
             if isinstance(space, Handle):
-                text = template(name)
+                text = UNKNOWN_SPACE if name is UNKNOWN else template(name)
                 found.append((outer or inner, Handle(below(space.namespace, text))))
     return either(found)
 
@@ -73,6 +73,8 @@ def _with_handle(name: str, default: Handle) -> Does[[Call], Value]:
 def _listener(asked: Call) -> Value:
     for name in ("/tf", "/tf_static"):
         asked.machine.fact("subscribers", Text(name), asked.node, asked.frame, type=_TF, queue=100)
+    if asked.name == "tf::TransformListener":
+        asked.machine.fact("params", Text("~tf_prefix"), asked.node, asked.frame, value_type="str")
     return _thing(asked, asked.name)
 
 
@@ -106,9 +108,9 @@ def _at_handle(asked: Call) -> tuple[Value, Sequence[Value]]:
 def _in(handle: Value, name: Value) -> Value:
     found: list[tuple[str, Value]] = []
     for condition, each in choices(handle):
-        if isinstance(each, Handle):
-            found += [(condition or inner, value) for inner, value in choices(params.named(each, name))]
-    return either(found) if found else UNKNOWN
+        space = each if isinstance(each, Handle) else Handle(UNKNOWN_SPACE)
+        found += [(condition or inner, value) for inner, value in choices(params.named(space, name))]
+    return either(found)
 
 
 def _action(role: str) -> Does[[Call], Value]:
@@ -154,9 +156,8 @@ def _filter_subscribe(this: Thing, asked: Call) -> Value:
     if len(asked.arguments) < 2:
         return UNKNOWN
     handle, rest = _at_handle(asked)
-    if handle is _DEFAULT and not isinstance(asked.value(0), (Text, Either)):
-        rest = rest[1:]
-        handle = Handle("{any}")
+    if len(rest) == len(asked.arguments) and not isinstance(asked.value(0), (Text, Either)):
+        handle, rest = Handle(UNKNOWN_SPACE), rest[1:]
     kinds = asked._replace(types=this.type.arguments)
     queue = handles.queue_of(rest[1]) if len(rest) > 1 else None
     asked.machine.fact("subscribers", _in(handle, rest[0]), asked.node, asked.frame, type=explicit(kinds), queue=queue)
@@ -168,7 +169,7 @@ def _transport_of(this: Value) -> Value:
         cell = this.fields.get("handle")
         if cell is not None:
             return cell.value
-    return Handle("{any}") if not isinstance(this, Handle) else this
+    return Handle(UNKNOWN_SPACE) if not isinstance(this, Handle) else this
 
 
 def _hinted(asked: Call) -> None:

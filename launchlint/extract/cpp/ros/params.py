@@ -107,8 +107,6 @@ def into(asked: Call, name: Value, cell: Cell | None, default: Value, keep: bool
     type_ = cell.type if cell is not None and cell.type.name else type_
     if keep and cell is not None:
         default = cell.value
-        if default == Text(""):
-            default = UNKNOWN
     value = read(asked, name, default, type_, keep)
     if cell is not None:
         asked.machine.write(cell, value)

@@ -1,0 +1,104 @@
+"""Which of several functions of one name a call means, and which functions are worth following."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from launchlint.extract.cpp.declarations import Function
+from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, POINTERS, TEXTS, Type
+from launchlint.extract.cpp.syntax import Node
+from launchlint.extract.cpp.values import UNKNOWN, Callable, Closure, Handle, Number, Text, Thing, Value, choices
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.extract.cpp.machine import Argument, Machine
+
+_WORD = re.compile(r"[A-Za-z_]\w*")
+_TELLING = frozenset(
+    """advertise advertiseService advertiseCamera subscribe subscribeCamera serviceClient getParam getParamCached param
+    hasParam searchParam NodeHandle waitForMessage waitForService createClient TransformListener TransformBroadcaster
+    StaticTransformBroadcaster SimpleActionServer SimpleActionClient ActionServer ActionClient Subscriber Publisher Server
+    ImageTransport Updater createTimer createWallTimer getNodeHandle getPrivateNodeHandle CameraInfoManager
+    RealtimePublisher initParam thread""".split()
+)
+
+
+def chosen(machine: Machine, functions: Sequence[Function], given: Sequence[Argument] | None, this: Thing | None) -> Function | None:
+    """The overload that fits the arguments best; None of them known: the first that has a body."""
+    candidates = [each for each in functions if each.body is not None]
+    if len(candidates) <= 1 or given is None:
+        return candidates[0] if candidates else None
+    best, most = candidates[0], -1_000
+    for function in candidates:
+        score = _fit(machine, function, given)
+        if score > most:
+            best, most = function, score
+    return best
+
+
+def _fit(machine: Machine, function: Function, given: Sequence[Argument]) -> int:
+    parameters = function.parameters
+    defaults = with_defaults(machine, function)
+    needed = sum(1 for position, each in enumerate(parameters) if each.default is None and position not in defaults)
+    score = 0
+    if not needed <= len(given) <= len(parameters):
+        score -= 100
+    for parameter, argument in zip(parameters, given, strict=False):
+        score += _fits(parameter.type, argument.value)
+    return score
+
+
+def _fits(type_: Type, value: Value) -> int:
+    name = type_.name
+    first = choices(value)[0][1] if choices(value) else UNKNOWN
+    if isinstance(first, Text):
+        return 4 if name in TEXTS else -3 if name in DOUBLES or name in INTEGERS or name == "bool" or "NodeHandle" in name else 0
+    if isinstance(first, Number):
+        if isinstance(first.value, bool):
+            return 4 if name == "bool" else 0 if name in INTEGERS else -2
+        return 3 if name in DOUBLES or name in INTEGERS else 1 if name == "bool" else -3
+    if isinstance(first, Handle):
+        return 4 if "NodeHandle" in name or (type_.arguments and "NodeHandle" in type_.arguments[0].name) else -4
+    if isinstance(first, Thing):
+        inner = type_.arguments[0].last if type_.name in POINTERS and type_.arguments else type_.last
+        return 4 if inner == first.type.last else -2 if name in TEXTS or name in DOUBLES or name in INTEGERS else 0
+    if isinstance(first, (Callable, Closure)):
+        return 3 if "function" in name else -2 if name in TEXTS or name in INTEGERS else 0
+    return 0
+
+
+def with_defaults(machine: Machine, function: Function) -> dict[int, Node]:
+    """Default arguments that stand in the prototype of a function."""
+    found: dict[int, Node] = {}
+    for other in machine.declarations.functions.get(function.name, []):
+        if other is not function and len(other.parameters) == len(function.parameters):
+            for position, parameter in enumerate(other.parameters):
+                if parameter.default is not None:
+                    found.setdefault(position, parameter.default)
+    return found
+
+
+def is_relevant(machine: Machine, function: Function) -> bool:
+    """Whether a function, or one that it calls, may have to do with names of ROS; told by words alone."""
+    if function.relevant is None:
+        words: dict[Function, frozenset[str]] = {}
+        for functions in machine.declarations.functions.values():
+            for each in functions:
+                if each.body is not None:
+                    text = each.body.text + (each.initialisers.text if each.initialisers else "")
+                    words[each] = frozenset(_WORD.findall(text))
+        macros = {name for name, value in machine.declarations.calls.items() if not _TELLING.isdisjoint(_WORD.findall(value[1]))}
+        telling = set(_TELLING) | macros
+        changed = True
+        while changed:
+            changed = False
+            for each, used in words.items():
+                if not each.relevant and not telling.isdisjoint(used):
+                    each.relevant = True
+                    if each.last not in telling:
+                        telling.add(each.last)
+                        changed = True
+        for each in words:
+            each.relevant = bool(each.relevant)
+    return bool(function.relevant)

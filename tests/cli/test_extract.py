@@ -1,0 +1,75 @@
+"""``launchlint extract`` as a user runs it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from tests.cli.running import PACKAGE, run, write
+
+TALKER = (
+    "#!/usr/bin/env python3\nimport sys\nimport rospy\nfrom std_msgs.msg import String\n"
+    "rospy.Publisher('chatter', String, queue_size=1)\nrospy.Publisher(sys.argv[1], String)\nrospy.Subscriber(input(), String)\n"
+)
+LIBRARY = """\
+   "executables": {
+    "talker.py": {
+     "class": "rospy",
+     "variants": {
+      "default": {
+       "publishers": [
+        {"name": "chatter", "type": "std_msgs/String", "queue": 1, "evidence": [{"by": "static", "at": "repository:src/demo/talker.py:5"}]},
+        {"name": "{arg:1}", "type": "std_msgs/String", "evidence": [{"by": "static", "at": "repository:src/demo/talker.py:6"}]}
+       ],
+       "open": {"subscribers": "a name that is not known (src/demo/talker.py:7)"}
+"""
+
+
+def workspace(repository: Path) -> None:
+    files = {"src/demo/package.xml": PACKAGE.format(name="demo"), "src/demo/talker.py": TALKER, "src/demo/run.sh": "#!/bin/sh\n"}
+    write(repository, files)
+    for name in ("talker.py", "run.sh"):
+        (repository / "src" / "demo" / name).chmod(0o755)
+
+
+def test_a_library_that_the_other_commands_take(repository: Path) -> None:
+    workspace(repository)
+    ran = run(repository, "extract", "src", "-o", "demo.json")
+    assert (ran.status, ran.output) == (0, "")
+    assert ran.errors == (
+        "1 program, 2 names, 1 not known as a whole\n1 program not read:\n  demo/run.sh (src/demo/run.sh): it is a script, but not Python\n"
+    )
+    assert LIBRARY in (repository / "demo.json").read_text(encoding="utf-8")
+    assert run(repository, "library", "validate", "demo.json").output == "demo.json: ok: 1 package, 1 executable, 0 nodelet classes\n"
+    assert "{arg:1}" in run(repository, "library", "show", "--no-bundled", "--library", "demo.json", "demo/talker.py").output
+
+
+def test_programs_that_cannot_be_read_are_named_by_reason(repository: Path) -> None:
+    workspace(repository)
+    (repository / "src" / "demo" / "also.sh").write_text("#!/bin/sh\n")
+    (repository / "src" / "demo" / "also.sh").chmod(0o755)
+    assert run(repository, "extract", "src", "-o", "demo.json").errors == (
+        "1 program, 2 names, 1 not known as a whole\n"
+        "2 programs not read:\n"
+        "  demo/also.sh (src/demo/also.sh), demo/run.sh (src/demo/run.sh): it is a script, but not Python\n"
+    )
+
+
+def test_standard_output_and_quiet(repository: Path) -> None:
+    workspace(repository)
+    ran = run(repository, "extract", "--quiet", "--package", "demo", "src")
+    assert (ran.status, ran.errors) == (0, "")
+    assert list(json.loads(ran.output)["packages"]) == ["demo"]
+    assert run(repository, "extract", "-q", "src").output == ran.output
+
+
+def test_what_cannot_be_done(repository: Path) -> None:
+    workspace(repository)
+    nowhere = "cannot write the library to 'no/where.json': the directory 'no' does not exist; create it first"
+    for words, message in (
+        (["extract", "missing"], "cannot read sources from 'missing': it does not exist"),
+        (["extract", "src", "--package", "dmeo"], "--package dmeo: there is no such package in these sources; did you mean demo?"),
+        (["extract", "src", "-o", "no/where.json"], nowhere),
+    ):
+        ran = run(repository, *words)
+        assert (ran.status, ran.output, ran.errors) == (2, "", f"launchlint: {message}\n")

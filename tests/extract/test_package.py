@@ -1,0 +1,245 @@
+"""From a workspace to a library."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from launchlint.errors import UsageError
+from launchlint.extract.package import extract
+from launchlint.library.validate import faults
+
+MANIFEST = "<package format='2'><name>{name}</name><version>1.0.0</version>{more}</package>"
+TALKER = "#!/usr/bin/env python3\nimport rospy\nfrom std_msgs.msg import String\nrospy.Publisher('chatter', String, queue_size=1)\n"
+
+PLAIN = TALKER.partition("\n")[2]
+
+
+def grow(root: Path, files: dict[str, str]) -> Path:
+    """Write files; what begins with ``#!`` can be run."""
+    for name, text in files.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        if text.startswith("#!"):
+            path.chmod(0o755)
+    return root
+
+
+def program(root: Path, package: str, name: str, kind: str = "executables") -> Any:
+    """What the library says of a program, after a look whether it is a library at all."""
+    document = extract([str(root)]).document
+    assert faults(document) == []
+    return document["packages"][package][kind][name]
+
+
+def at(*places: str) -> list[dict[str, str]]:
+    return [{"by": "static", "at": f"ws:{place}"} for place in places]
+
+
+def test_a_library_of_one_script(tmp_path: Path) -> None:
+    root = grow(tmp_path / "ws", {"demo/package.xml": MANIFEST.format(name="demo", more=""), "demo/scripts/talker.py": TALKER})
+    result = extract([str(root)])
+    document = result.document
+    document.pop("generator")
+    assert document == {
+        "format": "launchlint-library",
+        "version": 1,
+        "sources": [{"id": "ws", "url": "file:ws"}],
+        "packages": {
+            "demo": {
+                "source": "ws",
+                "executables": {
+                    "talker.py": {
+                        "class": "rospy",
+                        "variants": {
+                            "default": {
+                                "publishers": [
+                                    {"name": "chatter", "type": "std_msgs/String", "queue": 1, "evidence": at("demo/scripts/talker.py:4")}
+                                ]
+                            }
+                        },
+                    }
+                },
+            }
+        },
+    }
+    assert (result.programs, result.names, result.unresolved, result.skipped) == (1, 1, 0, ())
+
+
+def test_which_scripts_are_programs(tmp_path: Path) -> None:
+    root = grow(
+        tmp_path / "ws",
+        {
+            "demo/package.xml": MANIFEST.format(name="demo", more=""),
+            "demo/CMakeLists.txt": "project(demo)\ncatkin_install_python(PROGRAMS nodes/installed.py DESTINATION x)\n"
+            "install(PROGRAMS nodes/other RENAME renamed DESTINATION x)\n",
+            "demo/nodes/installed.py": PLAIN,
+            "demo/nodes/other": TALKER,
+            "demo/setup.py": "from setuptools import setup\nsetup(scripts=['bin/by_setup'])\n",
+            "demo/bin/by_setup": TALKER,
+            "demo/src/plain_module.py": PLAIN,
+            "demo/scripts/with_bit": TALKER,
+            "demo/scripts/shell.sh": "#!/bin/sh\nrosrun demo x\n",
+            "demo/scripts/no_ros.py": "#!/usr/bin/env python3\nprint('hello')\n",
+            "demo/scripts/broken.py": "#!/usr/bin/env python3\ndef f(:\n",
+        },
+    )
+    result = extract([str(root)])
+    programs = result.document["packages"]["demo"]["executables"]
+    assert {name: each["class"] for name, each in sorted(programs.items())} == {
+        "by_setup": "rospy",
+        "installed.py": "rospy",
+        "no_ros.py": "none",
+        "other": "rospy",
+        "renamed": "rospy",
+        "with_bit": "rospy",
+    }
+    assert [(each.name, each.path, each.reason) for each in result.skipped] == [
+        ("shell.sh", "demo/scripts/shell.sh", "it is a script, but not Python"),
+        ("broken.py", "demo/scripts/broken.py", "is not Python: line 2: invalid syntax"),
+    ]
+
+
+def test_modules_of_packages(tmp_path: Path) -> None:
+    root = grow(
+        tmp_path / "ws",
+        {
+            "one/package.xml": MANIFEST.format(name="one", more="<depend>two</depend>"),
+            "one/setup.py": "generate_distutils_setup(packages=['one'], package_dir={'': 'src'})\n",
+            "one/src/one/__init__.py": "",
+            "one/src/one/talk.py": "import rospy\nfrom .names import NAME\nfrom two.msg import Thing\nimport two.tool\n"
+            "def main():\n    rospy.Publisher(NAME, Thing)\n    two.tool.listen('in')\n",
+            "one/src/one/names.py": "NAME = 'from_a_module'\n",
+            "one/scripts/beside.py": "BESIDE = 'from_beside'\n",
+            "one/scripts/talk": "#!/usr/bin/env python\nimport rospy\nfrom one import talk\nfrom beside import BESIDE\n"
+            "import missing.thing\n"
+            "talk.main()\nrospy.get_param(BESIDE)\nmissing.thing.call()\n",
+            "two/package.xml": MANIFEST.format(name="two", more=""),
+            "two/src/two/__init__.py": "",
+            "two/src/two/tool.py": "import rospy\nfrom std_msgs.msg import Bool\n\ndef listen(name):\n    rospy.Subscriber(name, Bool)\n",
+        },
+    )
+    assert program(root, "one", "talk")["variants"]["default"] == {
+        "publishers": [{"name": "from_a_module", "type": "two/Thing", "evidence": at("one/src/one/talk.py:6")}],
+        "subscribers": [{"name": "in", "type": "std_msgs/Bool", "evidence": at("two/src/two/tool.py:5")}],
+        "params": [{"name": "from_beside", "evidence": at("one/scripts/talk:7")}],
+    }
+
+
+def test_dynamic_reconfigure(tmp_path: Path) -> None:
+    root = grow(
+        tmp_path / "ws",
+        {
+            "demo/package.xml": MANIFEST.format(name="demo", more=""),
+            "demo/cfg/Demo.cfg": "#!/usr/bin/env python\nfrom dynamic_reconfigure.parameter_generator_catkin import *\n"
+            "gen = ParameterGenerator()\ngroup = gen.add_group('g')\ngen.add('speed', double_t, 0, 'how fast', 1.5, 0, 3)\n"
+            "for side in ('left', 'right'):\n    group.add(side + '_on', bool_t, 0, '', False)\n"
+            "exit(gen.generate('demo', 'demo', 'Demo'))\n",
+            "demo/scripts/node": "#!/usr/bin/env python\nfrom dynamic_reconfigure.server import Server\nfrom demo.cfg import DemoConfig\n"
+            "Server(DemoConfig, lambda config, level: config)\n",
+        },
+    )
+    here = at("demo/scripts/node:4")
+    described = at("demo/cfg/Demo.cfg:7")
+    assert program(root, "demo", "node")["variants"]["default"] == {
+        "publishers": [
+            {
+                "name": "~parameter_descriptions",
+                "type": "dynamic_reconfigure/ConfigDescription",
+                "latched": True,
+                "queue": 10,
+                "evidence": here,
+            },
+            {"name": "~parameter_updates", "type": "dynamic_reconfigure/Config", "latched": True, "queue": 10, "evidence": here},
+        ],
+        "services": [{"name": "~set_parameters", "type": "dynamic_reconfigure/Reconfigure", "evidence": here}],
+        "params": [
+            {"name": "~left_on", "default": False, "type": "bool", "evidence": described},
+            {"name": "~right_on", "default": False, "type": "bool", "evidence": described},
+            {"name": "~speed", "default": 1.5, "type": "double", "evidence": at("demo/cfg/Demo.cfg:5")},
+        ],
+    }
+
+
+def test_several_places_of_one_name(tmp_path: Path) -> None:
+    source = (
+        "#!/usr/bin/env python\nimport rospy\nfrom std_msgs.msg import Bool, String\n"
+        "if rospy.get_param('~a', 1):\n    rospy.Publisher('x', String)\nelse:\n    rospy.Publisher('x', Bool)\n"
+        "rospy.wait_for_service('s')\nrospy.get_param('~a', 2.0)\n"
+        "if rospy.has_param('~b'):\n    rospy.Subscriber('y', Bool)\nif rospy.has_param('~c'):\n    rospy.Subscriber('y', Bool)\n"
+        "if rospy.has_param('~c'):\n    rospy.Subscriber('z', Bool)\nrospy.Subscriber('z', Bool)\n"
+        "rospy.Publisher('twice', Bool)\nrospy.Publisher('twice', String)\n"
+        "rospy.Publisher(input(), String)\n"
+    )
+    root = grow(tmp_path / "ws", {"demo/package.xml": MANIFEST.format(name="demo", more=""), "demo/n": source})
+    assert program(root, "demo", "n")["variants"]["default"] == {
+        "publishers": [
+            {"name": "twice", "evidence": at("demo/n:17", "demo/n:18")},
+            {
+                "name": "x",
+                "type": "std_msgs/Bool",
+                "condition": {"text": "not rospy.get_param('~a', 1)"},
+                "evidence": at("demo/n:7"),
+            },
+            {"name": "x", "type": "std_msgs/String", "condition": {"text": "rospy.get_param('~a', 1)"}, "evidence": at("demo/n:5")},
+        ],
+        "subscribers": [
+            {
+                "name": "y",
+                "type": "std_msgs/Bool",
+                "condition": {"any": [{"text": "rospy.has_param('~b')"}, {"text": "rospy.has_param('~c')"}]},
+                "evidence": at("demo/n:11", "demo/n:13"),
+            },
+            {"name": "z", "type": "std_msgs/Bool", "evidence": at("demo/n:15", "demo/n:16")},
+        ],
+        "clients": [{"name": "s", "evidence": at("demo/n:8")}],
+        "params": [
+            {"name": "~a", "type": "double", "evidence": at("demo/n:4", "demo/n:9")},
+            {"name": "~b", "evidence": at("demo/n:10")},
+            {"name": "~c", "evidence": at("demo/n:12", "demo/n:14")},
+        ],
+        "open": {"publishers": "a name that is not known (demo/n:19)"},
+    }
+
+
+def test_an_rqt_plugin(tmp_path: Path) -> None:
+    root = grow(
+        tmp_path / "ws",
+        {
+            "rqt_demo/package.xml": MANIFEST.format(name="rqt_demo", more=""),
+            "rqt_demo/plugin.xml": "<library path='src'>"
+            "<class name='Demo' type='rqt_demo.view.View' base_class_type='rqt_gui_py::Plugin'/></library>",
+            "rqt_demo/src/rqt_demo/__init__.py": "",
+            "rqt_demo/src/rqt_demo/view.py": "import rospy\nfrom rqt_gui_py.plugin import Plugin\nfrom std_msgs.msg import Bool\n"
+            "class View(Plugin):\n    def __init__(self, context):\n        super(View, self).__init__(context)\n"
+            "        rospy.Subscriber('shown', Bool, None)\n",
+            "rqt_demo/scripts/rqt_demo": "#!/usr/bin/env python\nimport sys\nfrom rqt_gui.main import Main\n"
+            "Main().main(sys.argv, standalone='rqt_demo')\n",
+        },
+    )
+    assert program(root, "rqt_demo", "rqt_demo")["variants"]["default"] == {
+        "subscribers": [{"name": "shown", "type": "std_msgs/Bool", "evidence": at("rqt_demo/src/rqt_demo/view.py:7")}]
+    }
+
+
+def test_only_some_packages_and_more_processes(tmp_path: Path) -> None:
+    files = {f"p{n}/package.xml": MANIFEST.format(name=f"p{n}", more="") for n in range(9)}
+    root = grow(tmp_path / "ws", {**files, **{f"p{n}/talker": TALKER for n in range(9)}})
+    assert extract([str(root)], jobs=2).document == extract([str(root)]).document
+    assert list(extract([str(root)], ["p3"]).document["packages"]) == ["p3"]
+    with pytest.raises(UsageError, match="--package p33: there is no such package in these sources; did you mean"):
+        extract([str(root)], ["p33"])
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [("missing", "cannot read sources from .*: it does not exist"), ("file", "it is a file"), ("empty", "there is no package in")],
+)
+def test_what_is_no_source(name: str, message: str, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(UsageError, match=message):
+        extract([str(tmp_path / name)])

@@ -1,0 +1,4 @@
+#!/usr/bin/env python3
+"""Computes for ever, and does nothing else."""
+while True:
+    pass

@@ -1,0 +1,123 @@
+"""Nodes that are hard to probe: each ends in its time, with the right diagnosis, and nothing of it is left running."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.probe.odd_nodes import PACKAGE, install, processes_with, run
+
+LIMIT = 8.0
+STOPPING = 5.0
+"""Seconds that it takes at most to end what does not want to end."""
+
+# Program → status, what it registers (category and name), and what is wrong with it.
+EXPECTED: Mapping[str, tuple[str, list[str], list[str]]] = {
+    "busy_loop.py": ("failed", [], ["busy", "silent"]),
+    "crashes_politely.py": ("failed", ["publishers before"], ["exception: IndexError: list index out of range"]),
+    "daemon.py": ("ok", ["publishers from_the_dark"], []),
+    "endless_names.py": ("failed", [], ["too-many-names"]),
+    "endless_output.py": ("failed", [], ["too-much-output"]),
+    "forks.py": ("ok", ["publishers many"], []),
+    "hidden_daemon.py": ("ok", ["publishers visible"], []),
+    "hostile_names.py": (
+        "ok",
+        [
+            "clients /\u202egnorw",
+            "params ~\x9bbell",
+            "publishers /$(touch owned)",
+            "publishers /-rf",
+            "publishers /../../etc/passwd",
+            "publishers /brace{{any}}",
+            "publishers /good",
+            "publishers /new\nline",
+            "publishers /odd_type",
+            "publishers /two words",
+        ],
+        ["waits-for-service: / gnorw"],
+    ),
+    "ignores_signals.py": ("ok", ["publishers stubborn"], []),
+    "late_topics.py": ("ok", ["params ~delay", "publishers late"], []),
+    "own_name.py": ("ok", ["publishers /robots/{any}/{node}/pose", "publishers {node}_debug", "publishers ~own"], []),
+    "random_names.py": (
+        "ok",
+        [
+            "publishers /worker_{any}",
+            "publishers id_{any}/pose",
+            "publishers session_{any}/status",
+            "publishers steady",
+            "subscribers camera_2021/image",
+        ],
+        [],
+    ),
+    "slow_import.py": ("ok", ["publishers slow"], []),
+    "waits_for_device.py": ("failed", [], ["device-missing: could not open port /dev/ttyUSB_robot: No such file or directory", "silent"]),
+    "waits_for_message.py": ("ok", ["subscribers first"], []),
+    "waits_for_service.py": ("failed", ["clients map/load"], ["waits-for-service: map/load", "timed-out"]),
+    "wants_args.py": ("failed", [], ["arguments-required: Usage: wants_args INPUT OUTPUT"]),
+}
+
+
+@pytest.fixture(scope="module")
+def records(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]:
+    prefix = install(tmp_path_factory.mktemp("odd"))
+    found = run({"prefixes": [str(prefix)], "packages": [PACKAGE], "limits": {"quiet": 0.7, "limit": LIMIT, "jobs": 6}})
+    assert found[-1] == {"kind": "end", "left": 0}
+    assert processes_with(str(prefix)) == []
+    return {record["name"]: record for record in found if record["kind"] == "node"}
+
+
+def test_every_program_was_run(records: dict[str, dict[str, Any]]) -> None:
+    assert sorted(records) == sorted(EXPECTED)
+
+
+@pytest.mark.parametrize("name", EXPECTED)
+def test_diagnosis(name: str, records: dict[str, dict[str, Any]]) -> None:
+    record = records[name]
+    status, names, problems = EXPECTED[name]
+    registered = sorted(f"{category} {entry['name']}" for category, entries in record["interface"].items() for entry in entries)
+    said = [f"{problem['code']}: {problem['detail']}" for problem in record["problems"]]
+    assert (record["status"], registered) == (status, names)
+    assert len(said) == len(problems), said
+    assert all(whole.startswith(begin) for whole, begin in zip(said, problems, strict=True)), said
+    assert record["seconds"] < (LIMIT + STOPPING) * (2 if name == "random_names.py" else 1)
+
+
+def test_arguments_and_params_are_found_again_in_names(tmp_path: Path) -> None:
+    prefix = install(tmp_path / "prefix", ["wants_args.py"])
+    job = {
+        "prefixes": [str(prefix)],
+        "packages": [PACKAGE],
+        "nodes": {f"{PACKAGE}/wants_args.py": {"args": "{} camera/{}_raw", "remap": {"unused": "/other"}}},
+        "limits": {"quiet": 0.5, "limit": LIMIT},
+    }
+    record = next(record for record in run(job) if record["kind"] == "node")
+    assert record["status"] == "ok"
+    assert record["interface"] == {
+        "subscribers": [{"name": "{arg:1}", "type": "std_msgs/String"}],
+        "publishers": [{"name": "{arg:2}", "type": "std_msgs/String"}],
+    }
+
+
+def test_shards_are_disjoint_and_whole(tmp_path: Path) -> None:
+    prefix = install(tmp_path / "prefix", ["wants_args.py", "crashes_politely.py", "waits_for_message.py"])
+    job = {"prefixes": [str(prefix)], "packages": [PACKAGE], "limits": {"quiet": 0.3, "limit": 3}}
+
+    def names(**more: Any) -> list[str]:
+        return sorted(record["name"] for record in run({**job, **more}) if record["kind"] == "node")
+
+    whole = names()
+    parts = [names(shard=[number, 3]) for number in (1, 2, 3)]
+    assert whole == ["crashes_politely.py", "waits_for_message.py", "wants_args.py"]
+    assert sorted(name for part in parts for name in part) == whole
+
+
+def test_what_is_done_is_not_done_again(tmp_path: Path) -> None:
+    prefix = install(tmp_path / "prefix", ["wants_args.py", "crashes_politely.py"])
+    job = {"prefixes": [str(prefix)], "packages": [PACKAGE], "limits": {"quiet": 0.3, "limit": 3}}
+    first = {record["name"]: record["hash"] for record in run(job) if record["kind"] == "node"}
+    again = [record["name"] for record in run({**job, "done": [first["wants_args.py"]]}) if record["kind"] == "node"]
+    assert again == ["crashes_politely.py"]

@@ -1,0 +1,188 @@
+"""The program that runs beside the nodes: old Pythons can read it, it needs nothing but itself, and its parts do what they say."""
+
+from __future__ import annotations
+
+import ast
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+PROBE = Path(__file__).resolve().parent.parent.parent / "probe"
+FILES = sorted(PROBE.rglob("*.py"))
+
+COMPARE_SUMS = """
+import glob, json, os, sys
+sys.path.insert(0, sys.argv[1])
+from launchlint_probe.messages import Definitions
+import roslib.message
+modules = "/usr/lib/python3/dist-packages"
+definitions = Definitions({}, [modules])
+found = {}
+for path in sorted(glob.glob(modules + "/*/msg/_*.py")):
+    name = os.path.basename(path)[1:-3]
+    if not name.startswith("_"):
+        kind = path.split("/")[-3] + "/" + name
+        known = roslib.message.get_message_class(kind)
+        if known is not None:
+            found[kind] = [known._md5sum, definitions.md5(kind)]
+print(json.dumps(found))
+"""
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.relative_to(PROBE).as_posix())
+def test_python_3_6_can_read_it(path: Path) -> None:
+    tree = ast.parse(path.read_text(encoding="utf-8"), feature_version=(3, 6))
+    newer = [node.lineno for node in ast.walk(tree) if isinstance(node, ast.NamedExpr | ast.Match)]
+    assert newer == []
+    words = {"capture_output", "text"} & {keyword.arg for node in ast.walk(tree) if isinstance(node, ast.Call) for keyword in node.keywords}
+    assert words == set(), "subprocess of Python 3.6 does not know these"
+    assert not any(isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in ast.walk(tree)), "3.6 has no postponed annotations"
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.relative_to(PROBE).as_posix())
+def test_it_needs_the_standard_library_only(path: Path) -> None:
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            found.add((node.module or "").split(".")[0])
+    assert found - set(sys.stdlib_module_names) <= {"launchlint_probe"}
+
+
+@pytest.mark.parametrize("name", ["setup/ros.sh", "setup/enter.sh", "setup/compile.sh"])
+def test_shell_can_read_it(name: str) -> None:
+    assert subprocess.run(["sh", "-n", str(PROBE / name)], capture_output=True, check=False).stderr == b""
+
+
+def load(name: str) -> Any:
+    """A module of the program, or of its setup, as the container sees it."""
+    import importlib
+    import importlib.util
+
+    if name.startswith("setup/"):
+        spec = importlib.util.spec_from_file_location(f"probe_{Path(name).stem}", PROBE / f"{name}.py")
+        assert spec is not None
+        assert spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return module
+    sys.path.insert(0, str(PROBE))
+    try:
+        return importlib.import_module(f"launchlint_probe.{name}")
+    finally:
+        sys.path.remove(str(PROBE))
+
+
+def test_sums_of_messages(tmp_path: Path) -> None:
+    messages = load("messages")
+    folder = tmp_path / "demo" / "msg"
+    folder.mkdir(parents=True)
+    (folder / "Reading.msg").write_text("# text\nuint8 COLD=0\nHeader header\nfloat64 value  # in degrees\nstring[] notes\n")
+    (folder / "Loop.msg").write_text("Loop self\n")
+    (folder / "Lacks.msg").write_text("other/Thing x\n")
+    (folder / "Odd.msg").write_text("three words here\n")
+    (folder / "Words.msg").write_text('string A="# kept" # all of it\nint32   B = 3   # cut\n')
+    std = tmp_path / "std_msgs" / "msg"
+    std.mkdir(parents=True)
+    (std / "Header.msg").write_text("uint32 seq\ntime stamp\nstring frame_id\n")
+    definitions = messages.Definitions({"demo": [str(tmp_path / "demo")], "std_msgs": [str(tmp_path / "std_msgs")]}, [])
+    assert definitions.md5("std_msgs/Header") == "2176decaecbce78abc3b96ef049fabed"
+    assert definitions.md5("demo/Reading") == "68d16538d80a70e69e20338c58a09ca5"
+    assert definitions.text("demo/Words") == 'string A="# kept" # all of it\nint32 B = 3'
+    assert [definitions.md5(f"demo/{name}") for name in ("Loop", "Lacks", "Odd", "Nowhere", "../../x")] == [None] * 5
+
+
+@pytest.mark.ros
+def test_sums_of_messages_are_those_of_genpy(ros_python: str) -> None:
+    done = subprocess.run([ros_python, "-c", COMPARE_SUMS, str(PROBE)], capture_output=True, text=True, timeout=120, check=True)
+    found = json.loads(done.stdout)
+    assert "std_msgs/Header" in found
+    assert {kind: sums for kind, sums in found.items() if sums[0] != sums[1]} == {}
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "merged"),
+    [
+        ("session_123/status", "session_9/status", "session_{any}/status"),
+        ("/worker_4711", "/worker_4712", "/worker_{any}"),
+        ("~id_a1b2", "~id_c3d4", "~id_{any}"),
+        ("a_1_b_2_c", "a_3_b_4_c", "a_{any}_c"),
+        ("one", "two", "one"),
+        ("{node}_12", "{node}_34", "{node}_{any}"),
+    ],
+)
+def test_names_that_change(one: str, other: str, merged: str) -> None:
+    assert load("changing").merged_name(one, other) == merged
+
+
+@pytest.mark.parametrize(
+    ("name", "distro", "packages"),
+    [
+        ("std_msgs", "", ["libstd-msgs-dev", "python3-std-msgs", "ros-std-msgs"]),
+        ("roscpp", "", ["libroscpp-dev"]),
+        ("nodelet", "", ["libnodelet-dev", "libnodeletlib-tools"]),
+        ("eigen", "", ["libeigen3-dev"]),
+        ("python-numpy", "", ["python3-numpy"]),
+        ("libsdl-dev", "", ["libsdl-dev"]),
+        ("nowhere", "", []),
+        ("std_msgs", "noetic", ["ros-noetic-std-msgs"]),
+        ("python3-numpy", "noetic", ["python3-numpy"]),
+        ("only_debian", "noetic", []),
+    ],
+)
+def test_dependencies(name: str, distro: str, packages: list[str]) -> None:
+    known = {
+        "libstd-msgs-dev", "python3-std-msgs", "ros-std-msgs", "libroscpp-dev", "libnodelet-dev", "libnodeletlib-tools", "libeigen3-dev", "python3-numpy",
+        "libsdl-dev", "ros-noetic-std-msgs",
+    }  # fmt: skip
+    assert load("setup/dependencies").packages_for(name, known, distro) == packages
+
+
+def test_manifests_say_what_is_needed(tmp_path: Path) -> None:
+    for name, needs in (("a", ("b", "roscpp", "roslint", "--evil", "x;id")), ("b", ("roscpp",))):
+        (tmp_path / name).mkdir()
+        tags = "".join(f"<depend>{need}</depend>" for need in needs)
+        (tmp_path / name / "package.xml").write_text(f"<package><name>{name}</name>{tags}<test_depend>gtest</test_depend></package>")
+    (tmp_path / "broken").mkdir()
+    (tmp_path / "broken" / "package.xml").write_text("<package>")
+    assert load("setup/dependencies").needed(str(tmp_path)) == {"roscpp": ["a", "b"]}
+
+
+def test_packages_are_built_behind_those_they_need(tmp_path: Path) -> None:
+    build = load("setup/build")
+    for name, needs in (("a", ["c"]), ("b", ["a"]), ("c", []), ("x", ["y"]), ("y", ["x"])):
+        (tmp_path / name).mkdir()
+        tags = "".join(f"<depend>{need}</depend>" for need in needs)
+        (tmp_path / name / "package.xml").write_text(f"<package><name>{name}</name>{tags}</package>")
+    (tmp_path / "left_out").mkdir()
+    (tmp_path / "left_out" / "CATKIN_IGNORE").touch()
+    (tmp_path / "left_out" / "package.xml").write_text("<package><name>left_out</name></package>")
+    assert build.ordered(build.packages(str(tmp_path))) == ["c", "a", "b", "x", "y"]
+
+
+def test_the_compiler_is_told_what_debian_needs(tmp_path: Path) -> None:
+    compiler = tmp_path / "c++"
+    compiler.write_text('#!/bin/sh\nprintf "%s\\n" "$@"\n')
+    compiler.chmod(0o755)
+    script = (PROBE / "setup" / "compile.sh").read_text().replace("/usr/bin/c++", str(compiler)).replace("/usr/include/boost/bind.hpp", str(compiler))
+    (tmp_path / "compile.sh").write_text(script)
+
+    def called(*words: str) -> list[str]:
+        return subprocess.run(["sh", str(tmp_path / "compile.sh"), *words], capture_output=True, text=True, check=True).stdout.splitlines()
+
+    assert called("-std=c++11", "-DTEXT=two words", "-c", "a b.cpp") == [
+        "-DTEXT=two words",
+        "-c",
+        "a b.cpp",
+        "-std=gnu++17",
+        "-w",
+        "-DBOOST_BIND_GLOBAL_PLACEHOLDERS",
+        "-include",
+        "boost/bind.hpp",
+    ]
+    assert called("a.o", "-o", "a") == ["a.o", "-o", "a"]

@@ -1,0 +1,185 @@
+"""What comes out of a container is hostile: nothing but checked records gets through, and never more than a bounded amount."""
+
+from __future__ import annotations
+
+import itertools
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from launchlint.probe.record import LaunchRecord, NodeRecord, Note, Problem, Record, Refused, parse
+from launchlint.probe.stream import Stream, TooMuch
+
+NODE: dict[str, Any] = {
+    "kind": "node",
+    "label": "ignored",
+    "package": "demo",
+    "name": "talker",
+    "program": "roscpp",
+    "variant": "default",
+    "hash": "0123456789abcdef",
+    "digest": "fedcba9876543210",
+    "status": "ok",
+    "interface": {"publishers": [{"name": "chatter", "type": "std_msgs/String"}]},
+    "messages": {"std_msgs/String": {"md5": "992ce8a1687cec8c8bd883ec73ca41d1", "text": "string data"}},
+    "problems": [{"code": "ended", "detail": "it ended"}],
+    "seconds": 1.5,
+    "left": [],
+}
+
+
+def records(*chunks: bytes) -> list[Record]:
+    return list(Stream().records(chunks))
+
+
+def node(**changes: Any) -> NodeRecord:
+    record = parse(json.dumps({**NODE, **changes}))
+    assert isinstance(record, NodeRecord)
+    return record
+
+
+def test_a_good_record() -> None:
+    record = node()
+    assert record._replace(line="") == NodeRecord(
+        "demo/talker",
+        "demo",
+        "talker",
+        "roscpp",
+        "default",
+        "0123456789abcdef",
+        "fedcba9876543210",
+        "ok",
+        {"publishers": [{"name": "chatter", "type": "std_msgs/String"}]},
+        {"std_msgs/String": {"md5": "992ce8a1687cec8c8bd883ec73ca41d1", "text": "string data"}},
+        (Problem("ended", "it ended"),),
+        1.5,
+        0,
+        "",
+    )
+    assert parse(record.line) == record
+
+
+def test_a_launch_file() -> None:
+    line = {
+        "kind": "launch",
+        "package": "demo",
+        "file": "launch/a.launch",
+        "args": {"x": "1", "-y": "2"},
+        "hash": "0123456789abcdef",
+        "status": "ok",
+        "interface": {
+            "nodes": [
+                {"name": "talker", "publishers": [{"name": "chatter"}], "evil": 1},
+                {"name": "../x"},
+                "text",
+            ],
+            "params": ["volume", "a b", 3],
+        },
+        "problems": [],
+        "seconds": 2,
+        "left": [],
+    }
+    record = parse(json.dumps(line))
+    assert isinstance(record, LaunchRecord)
+    assert (record.label, record.args, record.nodes, record.params) == (
+        "demo/launch/a.launch",
+        {"x": "1"},
+        ({"name": "talker", "publishers": [{"name": "chatter"}]},),
+        ("volume",),
+    )
+    assert parse(record.line) == record
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"package": "../../etc"},
+        {"package": "-rf"},
+        {"package": 3},
+        {"name": "../../bin/sh"},
+        {"name": "a/b"},
+        {"name": "-x"},
+        {"name": "x\n"},
+        {"name": "\x1b[31m"},
+        {"variant": "../x"},
+        {"variant": None},
+        {"program": "exe"},
+        {"status": "great"},
+        {"kind": "nodes"},
+        {"kind": ["node"]},
+        {"program": "nodelet", "name": "a/../b"},
+    ],
+)
+def test_refused(changes: dict[str, Any]) -> None:
+    with pytest.raises(Refused):
+        parse(json.dumps({**NODE, **changes}))
+
+
+@pytest.mark.parametrize("line", ["", "[]", "null", "3", "{", '{"kind": "node"}', "[" * 100_000, '{"kind": "plan", "count": ' + "9" * 100_000 + "}", '{"kind": NaN}', "\x00"])
+def test_no_record_at_all(line: str) -> None:
+    with pytest.raises(Refused):
+        parse(line)
+
+
+def test_names_that_no_node_can_have_are_left_out_and_counted() -> None:
+    odd = [{"name": name} for name in ("good", "two words", "$(id)", "\x1b[31m", "{arg:1}", "{nonsense", "x" * 2000, 7)]
+    record = node(interface={"publishers": [*odd, "text", {"type": "a/B"}], "elsewhere": [1], "services": "text", "params": [{"name": "~p", "default": {"a": [1]}}]})
+    assert record.interface == {"publishers": [{"name": "good"}, {"name": "{arg:1}"}], "params": [{"name": "~p", "default": {"a": [1]}}]}
+    assert record.problems[-1] == Problem("odd-names", "8 names that no node can have were left out")
+
+
+def test_evidence_is_not_for_the_container_to_give() -> None:
+    record = node(interface={"publishers": [{"name": "x", "evidence": [{"by": "manual", "at": "trust me"}]}]})
+    assert record.interface == {"publishers": [{"name": "x"}]}
+
+
+def test_text_is_made_harmless_and_short() -> None:
+    record = node(problems=[{"code": "exception", "detail": "\x1b[2J" + "x" * 10_000 + "\n\u202e"}, {"code": "Not A Code", "detail": ""}, 7])
+    assert record.problems == (Problem("exception", "[2J" + "x" * 296 + "…"),)
+
+
+def test_notes() -> None:
+    lines = [
+        {"kind": "environment", "distro": "noetic\x07", "base": ["x"]},
+        {"kind": "build", "package": "demo", "result": "odd", "errors": ["a\x1b[0m", 3] * 100},
+        {"kind": "end", "left": -1},
+        {"kind": "plan", "count": True, "all": 7},
+    ]
+    assert records("".join(json.dumps(line) + "\n" for line in lines).encode()) == [
+        Note("environment", {"distro": "noetic", "base": ""}),
+        Note("build", {"package": "demo", "result": "failed", "errors": ["a [0m", ""] * 10}),
+        Note("end", {"left": 0}),
+        Note("plan", {"count": 0, "all": 7}),
+    ]
+
+
+def test_lines_in_pieces() -> None:
+    line = json.dumps(NODE).encode() + b"\n"
+    assert records(*(line[at : at + 7] for at in range(0, len(line), 7)), b"\n", line[:-1]) == [node(), node()]
+
+
+def test_what_is_no_record_is_counted() -> None:
+    stream = Stream(longest=100)
+    found = list(stream.records([b"hello\n", b"x" * 90, b"x" * 90, b"\n", b'{"kind": "end", "left": 0}\n', b"\xff\xfe\n"]))
+    assert (found, stream.refused, stream.first) == ([Note("end", {"left": 0})], 3, "it is no JSON")
+
+
+def test_a_container_that_prints_without_end_is_given_up() -> None:
+    taken = 0
+
+    def endless() -> Iterator[bytes]:
+        nonlocal taken
+        for _ in itertools.count():
+            taken += 1
+            yield b"x" * 65536
+
+    with pytest.raises(TooMuch, match="it printed more than 8 MiB"):
+        list(Stream(largest=8 * 2**20).records(endless()))
+    assert taken == 129
+
+
+def test_so_is_one_that_prints_lines_that_are_no_records() -> None:
+    with pytest.raises(TooMuch, match="it printed 1001 lines that are no records: it is no JSON"):
+        list(Stream().records(itertools.repeat(b"x\n")))
