@@ -111,13 +111,6 @@ def test_no_flipped_bit_of_an_index_is_believed(tmp_path: Path) -> None:
         assert file.package_of_class("other/Two") == "b"
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
-def test_a_cache_that_cannot_be_written(tmp_path: Path) -> None:
-    cache = tmp_path / "cache"
-    cache.mkdir(mode=0o500)
-    assert contents(open_library(written(tmp_path / "lib.json", DOCUMENT), str(cache))) == DOCUMENT["packages"]
-
-
 def test_a_cache_below_a_file(tmp_path: Path) -> None:
     path = written(tmp_path / "lib.json", DOCUMENT)
     assert contents(open_library(path, os.path.join(path, "cache"))) == DOCUMENT["packages"]
