@@ -13,12 +13,22 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 NOT_SHIPPED = {".pyc", ".pyo"}
+CONTAINER = "launchlint/probe/container"
 
 
 def package_files(root: Path) -> set[str]:
-    """Names of all files below ``root/launchlint``, relative to ``root`` and with ``/``, without compiled ones."""
-    return {
-        path.relative_to(root).as_posix() for path in (root / "launchlint").rglob("*") if path.is_file() and path.suffix not in NOT_SHIPPED
+    """Names of all files below ``root/launchlint``, relative to ``root`` and with ``/``, without compiled ones, and those of
+    ``root/probe``.
+
+    The latter, but for its settings of ruff, are shipped in ``launchlint/probe/container`` (``force-include`` in pyproject.toml).
+    """
+
+    def below(directory: str) -> set[str]:
+        files = (path for path in (root / directory).rglob("*") if path.is_file() and path.suffix not in NOT_SHIPPED)
+        return {path.relative_to(root / directory).as_posix() for path in files}
+
+    return {f"launchlint/{name}" for name in below("launchlint")} | {
+        f"{CONTAINER}/{name}" for name in below("probe") if not name.startswith((".", "ruff.toml"))
     }
 
 

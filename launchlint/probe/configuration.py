@@ -245,7 +245,8 @@ class _Reader:
             if name != "default" and "match" not in settings and not settings.get("params"):
                 self.document.fail(
                     key,
-                    f"the variant {shown(name)} sets no params, so say by `match` (a condition of the library format) when it is the one that runs",
+                    f"the variant {shown(name)} sets no params, so say by `match` (a condition of the library format) "
+                    "when it is the one that runs",
                 )
             found[name] = settings
         return found

@@ -22,7 +22,8 @@ CERTIFICATES = "LAUNCHLINT_CA_CERTIFICATES"
 
 
 def program_directory() -> str:
-    """The directory with the Dockerfile and the program that runs beside the nodes: inside an installed launchlint, else in its source tree.
+    """The directory with the Dockerfile and the program that runs beside the nodes: inside an installed launchlint, else in its source
+    tree.
 
     Raises:
         UsageError: there is none.
@@ -96,6 +97,6 @@ def _certificates() -> list[tuple[str, bytes]]:
         try:
             with open(path, "rb") as file:
                 found.append((f"launchlint-{number}.crt", file.read(LARGEST_FILE)))
-        except OSError as error:
+        except OSError as error:  # noqa: PERF203 (each says which file it is)
             raise UsageError(f"{CERTIFICATES}: {path} cannot be read: {error.strerror or error}") from None
     return found

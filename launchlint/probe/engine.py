@@ -1,6 +1,7 @@
 """The Docker engine: an image built, a container run within bounds, and nothing left behind.
 
-Everything goes over the engine's API, so an engine on another machine (``DOCKER_HOST``) works the same: no directory of this machine is mounted.
+Everything goes over the engine's API, so an engine on another machine (``DOCKER_HOST``) works the same: no directory of this machine is
+mounted.
 """
 
 from __future__ import annotations
@@ -24,6 +25,10 @@ LABEL = "launchlint.probe"
 """Marks every image, container and volume of the probe; its value is the id of the run."""
 REPOSITORY = "launchlint-probe"
 USER = "launchlint"
+ENGINE_SECONDS = 120
+"""An engine that does not answer a question for so long is given up."""
+BUILD_SECONDS = 6 * 3600
+"""So is one whose build says nothing for so long."""
 LOG_LINES = 60
 """Lines of a failed build that are shown."""
 LAST_WORDS = 2_000
@@ -88,6 +93,7 @@ class Engine:
             buildargs={"BASE": base},
             labels={LABEL: "image"},
             network_mode=network,
+            timeout=BUILD_SECONDS,
             rm=True,
             forcerm=True,
             decode=True,
@@ -122,6 +128,7 @@ class Engine:
     def clean(self) -> None:
         """Remove every container and volume of this run: by label, so that also what an interruption left half made goes."""
         import docker
+        import requests
 
         with _undisturbed():
             for _ in range(3):
@@ -131,7 +138,7 @@ class Engine:
                     for volume in self._client.volumes.list(filters={"label": f"{LABEL}={self.run}"}):
                         volume.remove(force=True)
                     return
-                except (docker.errors.DockerException, OSError):
+                except (docker.errors.DockerException, requests.exceptions.RequestException, OSError):  # noqa: PERF203 (tried again)
                     continue
 
     def close(self) -> None:
@@ -146,12 +153,13 @@ class Container:
     def __init__(self, container: Any) -> None:
         self._container = container
         self._words = b""
+        self._stream: Any = None
         self.timed_out = False
 
     def output(self, seconds: float) -> Iterator[bytes]:
         """Start it; its standard output as it comes. After ``seconds`` it is killed, and ``timed_out`` says so."""
         with _spoken():
-            stream = self._container.attach(stdout=True, stderr=True, stream=True, logs=False, demux=True)
+            self._stream = stream = self._container.attach(stdout=True, stderr=True, stream=True, logs=False, demux=True)
             timer = threading.Timer(seconds, self._expire)
             timer.daemon = True
             timer.start()
@@ -164,6 +172,15 @@ class Container:
                         yield said
             finally:
                 timer.cancel()
+                self._hang_up()
+
+    def _hang_up(self) -> None:
+        """Stop listening: the engine cannot end a container whose output nobody takes and nobody refuses."""
+        try:
+            if self._stream is not None:
+                self._stream.close()
+        except (OSError, ValueError):  # it has been closed already
+            return
 
     def _expire(self) -> None:
         self.timed_out = True
@@ -172,10 +189,12 @@ class Container:
     def kill(self) -> None:
         """End it at once."""
         import docker
+        import requests
 
+        self._hang_up()
         try:
             self._container.kill()
-        except (docker.errors.DockerException, OSError):
+        except (docker.errors.DockerException, requests.exceptions.RequestException, OSError):
             return
 
     def last_words(self) -> str:
@@ -217,7 +236,7 @@ def connect(run: str) -> Engine:
             "the Python package docker is missing: install it (pip install docker), or probe the ROS of this machine with --local"
         ) from None
     with _spoken():
-        client = docker.from_env(timeout=600)
+        client = docker.from_env(timeout=ENGINE_SECONDS)
         client.ping()
     return Engine(client, run)
 
@@ -247,9 +266,11 @@ def _why(error: BaseException) -> str:
     local = "or probe the ROS of this machine with --local"
     causes = list(_causes(error))
     if any(isinstance(cause, PermissionError) for cause in causes):
-        return f"Docker does not let this user in ({place}): add the user to the group docker and log in again, or use rootless Docker, {local}"
+        advice = "add the user to the group docker and log in again, or use rootless Docker"
+        return f"Docker does not let this user in ({place}): {advice}, {local}"
     if any(isinstance(cause, FileNotFoundError) for cause in causes):
-        return f"there is no Docker engine here ({place} does not exist): install and start Docker, or name another engine by DOCKER_HOST, {local}"
+        advice = "install and start Docker, or name another engine by DOCKER_HOST"
+        return f"there is no Docker engine here ({place} does not exist): {advice}, {local}"
     if any(isinstance(cause, (ConnectionRefusedError, ConnectionResetError)) for cause in causes):
         return f"no Docker engine answers ({place}): start it (sudo systemctl start docker), {local}"
     return f"the Docker engine cannot be used ({place}): {plain(str(error))}; check it with `docker version`, {local}"
@@ -268,7 +289,9 @@ def _causes(error: BaseException | None) -> Iterator[BaseException]:
 
 
 def _bounds(limits: Limits, volume: str, run: str) -> Mapping[str, Any]:
-    """How a container is locked in: no network, nothing to write but memory, no privileges, bounded memory and processes, no log on disk."""
+    """How a container is locked in: no network, nothing to write but memory, no privileges, bounded memory and processes, no log on
+    disk.
+    """
     memory = _bytes(limits.memory)
     return {
         "labels": {LABEL: run},

@@ -1,4 +1,5 @@
-"""Lines of JSON from the program beside the nodes → records. Whatever runs in the container can write them: none is believed before it is checked.
+"""Lines of JSON from the program beside the nodes → records. Whatever runs in the container can write them: none is believed before it
+is checked.
 
 What a record may hold is written here as data; everything else is dropped, cut or refused.
 """
@@ -41,7 +42,8 @@ class Problem(NamedTuple):
 
 
 class NodeRecord(NamedTuple):
-    """One run of one program. ``interface`` is a variant of the library format without evidence; ``line`` is the record as one line of JSON.
+    """One run of one program. ``interface`` is a variant of the library format without evidence; ``line`` is the record as one line of
+    JSON.
     ``hash`` changes with whatever may change the result of a run, ``digest`` with the program's file.
     """
 
@@ -79,7 +81,9 @@ class LaunchRecord(NamedTuple):
 
 
 class Note(NamedTuple):
-    """Any other record: ``kind`` is environment, build, dependency, package, unknown, plan, start or end; ``facts`` are checked texts and numbers."""
+    """Any other record: ``kind`` is environment, build, dependency, package, unknown, plan, start or end; ``facts`` are checked texts
+    and numbers.
+    """
 
     kind: str
     facts: Mapping[str, Any]

@@ -37,7 +37,9 @@ _BUILT = frozenset(("build", "devel", "install", "logs", "log"))
 
 
 class Tree(NamedTuple):
-    """A source tree: the directory it gets below the workspace, where it is from, its commit, and a tar file or a local directory with it."""
+    """A source tree: the directory it gets below the workspace, where it is from, its commit, and a tar file or a local directory with
+    it.
+    """
 
     name: str
     url: str

@@ -1,4 +1,5 @@
-"""What a word in a probe's configuration may look like. Each of them ends up in a command, a path or a file name somewhere, so none may begin
+"""What a word in a probe's configuration may look like. Each of them ends up in a command, a path or a file name somewhere, so none may
+begin
 with ``-``, lead out of a directory, or hold anything that a shell, git, apt, pip or Docker would take for something else.
 """
 
@@ -11,11 +12,12 @@ _URL = re.compile(r"(?:https?|ssh|git|file)://[A-Za-z0-9/][\w.:@/~+%-]{0,499}", 
 _SCP = re.compile(r"[A-Za-z0-9_][\w.-]{0,63}@[A-Za-z0-9][\w.-]{0,199}:[\w~/][\w./~+-]{0,299}", re.ASCII)
 _PASSWORD = re.compile(r"[a-z]+://[^/@]*:[^/@]*@")
 
+_PIP_VERSION = r"(?:==|>=|<=|!=|~=|<|>)[A-Za-z0-9][\w.*+!-]{0,49}"
 _SYNTAX = {
     "base": r"[A-Za-z0-9][A-Za-z0-9_.-]*(?::[0-9]{1,5})?(?:/[A-Za-z0-9][A-Za-z0-9_.-]*)*(?::[\w][\w.-]{0,127})?(?:@sha256:[0-9a-f]{64})?",
     "ref": r"(?!.*(?:\.\.|//|@\{|\.lock(?:/|$)))[A-Za-z0-9_][\w./+-]{0,199}(?<![./])",
     "apt": r"[a-z0-9][a-z0-9+.-]{1,99}(?::[a-z0-9]{1,20})?(?:=[A-Za-z0-9][A-Za-z0-9.+:~-]{0,99})?",
-    "pip": r"[A-Za-z0-9][\w.-]{0,99}(?:\[[A-Za-z0-9][\w.,-]{0,99}\])?(?:(?:==|>=|<=|!=|~=|<|>)[A-Za-z0-9][\w.*+!-]{0,49}(?:,(?:==|>=|<=|!=|~=|<|>)[A-Za-z0-9][\w.*+!-]{0,49}){0,4})?",
+    "pip": rf"[A-Za-z0-9][\w.-]{{0,99}}(?:\[[A-Za-z0-9][\w.,-]{{0,99}}\])?(?:{_PIP_VERSION}(?:,{_PIP_VERSION}){{0,4}})?",
     "package": r"[A-Za-z][A-Za-z0-9_-]{0,199}",
     "program": r"[A-Za-z][A-Za-z0-9_-]{0,199}/[A-Za-z0-9_][\w.+-]{0,199}|[A-Za-z_]\w{0,199}(?:(?:/|::)\w{1,199}){1,5}",
     "variant": r"[A-Za-z0-9][\w.-]{0,99}",

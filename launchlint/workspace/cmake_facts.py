@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from launchlint.workspace.cmake import CMakeError, Command, commands
 from launchlint.workspace.cmake_blocks import block_end, never, section
-from launchlint.workspace.cmake_scope import Scope, Value, merged, united
+from launchlint.workspace.cmake_scope import Scope, Value, merged, together, united
 from launchlint.workspace.cmake_words import HARMLESS, HARMLESS_PREFIXES
 from launchlint.workspace.reading import read_bytes
 
@@ -474,7 +474,9 @@ class _Reader:
         after = self.scope.variables
         self.facts, self.scope.variables = facts, scope
         known = {*parameters, "ARGN", "ARGV"}
-        self.scope.unions.update({each: value for each, value in after.items() if value and each not in known and scope.get(each) != value})
+        for each, value in after.items():
+            if value and each not in known and scope.get(each) != value:
+                self.scope.unions[each] = together([self.scope.unions.get(each, ""), value])
 
     def _forget_assigned(self, listed: Sequence[Command]) -> None:
         """Variables that these commands may set, some number of times, are unknown afterwards."""

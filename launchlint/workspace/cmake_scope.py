@@ -116,7 +116,7 @@ class Scope:
             before = self.variables.get(arguments[1], "")
             if before is None and arguments[1] in self.unions:
                 more = [each for each in arguments[2:] if each is not None]
-                self.unions[arguments[1]] = _united([self.unions[arguments[1]], *more])
+                self.unions[arguments[1]] = together([self.unions[arguments[1]], *more])
             self._put(arguments[1], _joined([*([before] if before != "" else []), *arguments[2:]]))
         elif action in ("LENGTH", "GET", "FIND", "JOIN", "SUBLIST"):
             self.forget(arguments[-1:])
@@ -206,11 +206,12 @@ def united(before: dict[str, Value], outcomes: Sequence[dict[str, Value]]) -> di
     for name in sorted(names):
         values = [value for each in (before, *outcomes) if (value := each.get(name)) is not None]
         if len(values) > 1 and len("".join(values)) <= _LONGEST_VALUE:
-            found[name] = _united(values)
+            found[name] = together(values)
     return found
 
 
-def _united(values: Sequence[str]) -> str:
+def together(values: Sequence[str]) -> str:
+    """One list of all that is in several, each thing once; empty where that is too long."""
     text = ";".join(dict.fromkeys(each for value in values for each in value.split(";") if each))
     return text if len(text) <= _LONGEST_VALUE else ""
 

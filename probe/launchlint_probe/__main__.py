@@ -1,4 +1,6 @@
-"""``python3 -I …/launchlint_probe/__main__.py [JOB]``: do a job (a file, else standard input), one line of JSON for each thing that is known."""
+"""``python3 -I …/launchlint_probe/__main__.py [JOB]``: do a job (a file, else standard input), one line of JSON for each thing that is
+known.
+"""
 
 import json
 import os

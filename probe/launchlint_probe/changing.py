@@ -23,10 +23,12 @@ def _joined(one: List[Entry], other: List[Entry]) -> List[Entry]:
     there = {_key(entry) for entry in other}
     here = {_key(entry) for entry in one}
     waiting = [entry for entry in other if _key(entry) not in here]
-    found = {}  # type: Dict[Tuple[str, str], Entry]
+    found: Dict[Tuple[str, str], Entry] = {}
     for entry in one:
         if _key(entry) not in there:
-            partner = next((each for each in waiting if _same_but_name(each, entry) and "{any}" in merged_name(entry["name"], each["name"])), None)
+            partner = next(
+                (each for each in waiting if _same_but_name(each, entry) and "{any}" in merged_name(entry["name"], each["name"])), None
+            )
             if partner is not None:
                 waiting.remove(partner)
                 entry = dict(entry, name=merged_name(entry["name"], partner["name"]))

@@ -21,7 +21,9 @@ MOST_PRINTED = 64 * 1024 * 1024
 class Outcome:
     """What is known when a node has been stopped. ``code`` is its exit status, None where it did not end by itself."""
 
-    def __init__(self, facts: Facts, output: str, code: Optional[int], timed_out: bool, busy: bool, devices: List[str], printed: int) -> None:
+    def __init__(
+        self, facts: Facts, output: str, code: Optional[int], timed_out: bool, busy: bool, devices: List[str], printed: int
+    ) -> None:
         self.facts = facts
         self.output = output
         self.code = code
@@ -31,18 +33,32 @@ class Outcome:
         self.printed = printed
 
 
+_CANNOT = r"(?:cannot|can't|could not|couldn't|failed to|unable to|error)"
+_NO_PARAM = (
+    r"(?im)^.*?((?:param(?:eter)?s?\b[^\n]*(?:not set|required|missing|must be|not found|undefined|not specified|is unset))"
+    r"|(?:(?:no|missing|required) param(?:eter)?\b[^\n]*)|KeyError: '[~/][^']*'"
+    r"|CANNOT (?:get|find|read|load|retrieve) (?:the )?param[^\n]*)"
+)
+_NO_DISPLAY = (
+    r"(?im)^.*?(CANNOT (?:open|connect to) (?:X )?display[^\n]*|no display name[^\n]*"
+    r"|could not load the Qt platform plugin[^\n]*|GLX[^\n]*|TclError[^\n]*)"
+)
+_NO_DEVICE = (
+    r"(?im)^.*?(CANNOT ?(?:open|connect|access)[^\n]*(?:/dev/[^\s'\"]+|port|device|camera|usb)[^\n]*|wait[^\n]*/dev/[^\n]*"
+    r"|no such file or directory:? ?'?/dev/[^\n]*|no (?:devices?|cameras?) [^\n]*found[^\n]*)"
+)
+_NO_NETWORK = (
+    r"(?im)^.*?((?:connection refused|network is unreachable|name or service not known|temporary failure in name resolution)[^\n]*)"
+)
 _SIGNS = (
     ("module-missing", r"(?:ModuleNotFoundError|ImportError): (.+)"),
     ("library-missing", r"error while loading shared libraries: ([^:\n]+)"),
     ("arguments-required", r"(?im)^(?:.*?\b)?(usage:.*|.*the following arguments are required.*|.*too few arguments.*)$"),
-    ("param-required", r"(?im)^.*?((?:param(?:eter)?s?\b[^\n]*(?:not set|required|missing|must be|not found|undefined|not specified|is unset))"
-                       r"|(?:(?:no|missing|required) param(?:eter)?\b[^\n]*)|KeyError: '[~/][^']*'|(?:(?:failed|unable) to|could ?n[o']t|cannot|can't) (?:get|find|read|load|retrieve) (?:the )?param[^\n]*)"),
-    ("display-required", r"(?im)^.*?((?:cannot|could not|couldn't|unable to) (?:open|connect to) (?:X )?display[^\n]*|no display name[^\n]*"
-                         r"|could not load the Qt platform plugin[^\n]*|GLX[^\n]*|TclError[^\n]*)"),
-    ("device-missing", r"(?im)^.*?((?:cannot|could not|couldn't|failed to|unable to|error) ?(?:open|connect|access)[^\n]*(?:/dev/[^\s'\"]+|port|device|camera|usb)"
-                       r"[^\n]*|wait[^\n]*/dev/[^\n]*|no such file or directory:? ?'?/dev/[^\n]*|no (?:devices?|cameras?) [^\n]*found[^\n]*)"),
+    ("param-required", _NO_PARAM.replace("CANNOT", _CANNOT)),
+    ("display-required", _NO_DISPLAY.replace("CANNOT", _CANNOT)),
+    ("device-missing", _NO_DEVICE.replace("CANNOT", _CANNOT)),
     ("file-missing", r"(?im)^.*?((?:no such file or directory|file not found|could not (?:open|load) file)[^\n]*)"),
-    ("network", r"(?im)^.*?((?:connection refused|network is unreachable|name or service not known|temporary failure in name resolution)[^\n]*)"),
+    ("network", _NO_NETWORK),
     ("exception", r"(?m)^(?:terminate called[^\n]*\n\s*what\(\):\s*([^\n]+)|(\w*(?:Error|Exception): [^\n]+))"),
     ("error-logged", r"(?m)^\[ ?(?:FATAL|ERROR)\] ?(?:\[[^\]\n]*\] ?)*:? ?([^\n]+)"),
 )
@@ -58,7 +74,7 @@ def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
     facts = outcome.facts
     contacted = bool(facts.nodes or facts.reads or facts.lookups or facts.searches)
     registered = bool(facts.nodes)
-    problems = []  # type: List[Problem]
+    problems: List[Problem] = []
     waits = sorted(name for name in facts.lookups if not any(name == served for _, served in facts.services))
     names = len(facts.publishers) + len(facts.subscribers) + len(facts.services)
     if facts.overflow or (outcome.timed_out and names > MOST_NAMES):
@@ -80,8 +96,11 @@ def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
             problems.append(_problem("busy", "it was still computing when it was stopped; a larger `limit` may help"))
         known = bool(problems)
         if outcome.timed_out:
-            problems.append(_problem("timed-out", "it was stopped before it registered anything") if contacted
-                            else _problem("silent", "it never contacted the master"))
+            problems.append(
+                _problem("timed-out", "it was stopped before it registered anything")
+                if contacted
+                else _problem("silent", "it never contacted the master")
+            )
         return ("failed" if contacted or known else "not-a-node"), problems
     signs = _signs(outcome.output)
     problems.extend(signs[:1] + [sign for sign in signs[1:2] if signs[0]["detail"] not in sign["detail"]])
@@ -114,8 +133,12 @@ def _signs(output: str) -> List[Problem]:
     return found
 
 
-_PASSING = ((re.compile(r"\b0x[0-9a-f]{4,}"), "0x…"), (re.compile(r"\b1[5-9]\d{8}(?:\.\d+)?\b"), "…"), (re.compile(r"launchlint_(?:ns|node)\b/?"), ""),
-            (re.compile(r"(?<=127\.0\.0\.1:)\d+|(?<=localhost:)\d+|(?<=pid )\d+|(?<=\[)\d{9,}[.\d]*(?=\])"), "…"))
+_PASSING = (
+    (re.compile(r"\b0x[0-9a-f]{4,}"), "0x…"),
+    (re.compile(r"\b1[5-9]\d{8}(?:\.\d+)?\b"), "…"),
+    (re.compile(r"launchlint_(?:ns|node)\b/?"), ""),
+    (re.compile(r"(?<=127\.0\.0\.1:)\d+|(?<=localhost:)\d+|(?<=pid )\d+|(?<=\[)\d{9,}[.\d]*(?=\])"), "…"),
+)
 """What is different each time: addresses, times, ports."""
 
 

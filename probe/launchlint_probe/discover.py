@@ -6,7 +6,7 @@ import json
 import os
 import re
 import subprocess
-from typing import Any, Dict, Iterator, List, Optional, Tuple
+from typing import Any, Dict, FrozenSet, Iterator, List, Optional, Set, Tuple
 from xml.etree import ElementTree
 
 LARGEST_SCRIPT = 4 * 1024 * 1024
@@ -18,7 +18,19 @@ _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 _PROGRAM = re.compile(r"[A-Za-z0-9_][\w.+-]{0,199}", re.ASCII)
 _CLASS = re.compile(r"[A-Za-z_]\w*(?:(?:/|::)\w+)*", re.ASCII)
 _NO_SCRIPTS = {"test", "tests", "cmake", "build", "doc", "docs", "msg", "srv", "action", "cfg"}
-_ROS_MODULES = {"rospy", "roslib", "rosgraph", "roslaunch", "rosservice", "rostopic", "actionlib", "tf", "tf2_ros", "smach_ros", "dynamic_reconfigure"}
+_ROS_MODULES = {
+    "rospy",
+    "roslib",
+    "rosgraph",
+    "roslaunch",
+    "rosservice",
+    "rostopic",
+    "actionlib",
+    "tf",
+    "tf2_ros",
+    "smach_ros",
+    "dynamic_reconfigure",
+}
 
 
 class Found:
@@ -68,7 +80,7 @@ def see(prefixes: List[str], sources: List[str]) -> Packages:
                 spaces.extend(each for each in file.read().split(";") if each and os.path.isdir(each))
         except (OSError, ValueError):
             continue
-    own = {}  # type: Dict[str, str]
+    own: Dict[str, str] = {}
     for space in spaces:
         for name, directory in sorted(_source_packages(space).items()):
             own.setdefault(name, directory)
@@ -84,7 +96,7 @@ def see(prefixes: List[str], sources: List[str]) -> Packages:
 
 def _source_packages(space: str) -> Dict[str, str]:
     """The packages below a source space: directories with a manifest, none inside another."""
-    found = {}  # type: Dict[str, str]
+    found: Dict[str, str] = {}
     for directory, inner, files in os.walk(space):
         inner[:] = sorted(name for name in inner if not name.startswith("."))
         if "CATKIN_IGNORE" in files:
@@ -112,12 +124,12 @@ def manifest_text(path: str, tag: str) -> str:
         return ""
 
 
-def packages(prefixes: List[str], own: frozenset = frozenset()) -> Dict[str, List[str]]:
+def packages(prefixes: List[str], own: FrozenSet[str] = frozenset()) -> Dict[str, List[str]]:
     """Package → the directories that hold its programs. Debian puts some programs into ``lib/PACKAGE`` without a manifest.
 
     ``own`` are packages whose manifest is in a source space.
     """
-    found = {name: [] for name in own}  # type: Dict[str, List[str]]
+    found: Dict[str, List[str]] = {name: [] for name in own}
     for prefix in prefixes:
         for place in ("lib", "libexec"):
             top = os.path.join(prefix, place)
@@ -142,7 +154,9 @@ def _has_nodes(directory: str) -> bool:
 
 
 def executables(package: str, directories: List[str], source: Optional[str] = None) -> Iterator[Found]:
-    """The programs of a package, by name; of one name the first. In its source directory only nodes count: roslaunch finds scripts there."""
+    """The programs of a package, by name; of one name the first. In its source directory only nodes count: roslaunch finds scripts
+    there.
+    """
     seen = set()
     for directory in directories:
         for name in sorted(os.listdir(directory)):
@@ -161,12 +175,17 @@ def executables(package: str, directories: List[str], source: Optional[str] = No
 
 def _is_program(path: str) -> bool:
     name = os.path.basename(path)
-    return (_PROGRAM.fullmatch(name) is not None and ".so" not in name and os.path.isfile(path) and os.access(path, os.X_OK)
-            and os.path.isfile(os.path.realpath(path)))
+    return (
+        _PROGRAM.fullmatch(name) is not None
+        and ".so" not in name
+        and os.path.isfile(path)
+        and os.access(path, os.X_OK)
+        and os.path.isfile(os.path.realpath(path))
+    )
 
 
 def _scripts(source: str) -> List[str]:
-    found = []
+    found: List[str] = []
     for directory, inner, files in os.walk(source):
         inner[:] = sorted(name for name in inner if not name.startswith(".") and name not in _NO_SCRIPTS)
         found.extend(os.path.join(directory, name) for name in sorted(files) if name != "setup.py")
@@ -210,12 +229,12 @@ def _relayed(text: str) -> str:
     return text
 
 
-def _imports(text: str) -> set:
+def _imports(text: str) -> Set[str]:
     try:
         tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return set(re.findall(r"^\s*(?:import|from)\s+(\w+)", text, re.MULTILINE))  # Python 2
-    found = set()
+    found: Set[str] = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             found.update(alias.name.split(".")[0] for alias in node.names)

@@ -59,8 +59,15 @@ class Harvest:
         tokens: words that the probe gave the node → templates, see :func:`spelled`.
     """
 
-    def __init__(self, headers: Dict[str, Dict[str, str]], services: Dict[str, Dict[str, str]], woken: Dict[str, str],
-                 reconfigure: Dict[str, Dict[str, Any]], given: Dict[str, Any], tokens: Dict[str, str]) -> None:
+    def __init__(
+        self,
+        headers: Dict[str, Dict[str, str]],
+        services: Dict[str, Dict[str, str]],
+        woken: Dict[str, str],
+        reconfigure: Dict[str, Dict[str, Any]],
+        given: Dict[str, Any],
+        tokens: Dict[str, str],
+    ) -> None:
         self.headers = headers
         self.services = services
         self.woken = woken
@@ -74,7 +81,7 @@ def interface(facts: Facts, harvest: Harvest) -> Dict[str, List[Entry]]:
     publishers = {name: kind for (_, name), (kind, _) in facts.publishers.items() if not is_infrastructure(name)}
     subscribers = {name: kind for (_, name), (kind, _) in facts.subscribers.items() if not is_infrastructure(name)}
     actions = _take_actions(publishers, subscribers)
-    found = {
+    found: Dict[str, List[Entry]] = {
         "publishers": [_topic(name, kind, harvest.headers.get(name), harvest.woken) for name, kind in publishers.items()],
         "subscribers": [_topic(name, kind, None, harvest.woken) for name, kind in subscribers.items()],
         "services": [_typed(name, harvest.services.get(name, {})) for _, name in facts.services if not is_infrastructure(name)],
@@ -85,13 +92,15 @@ def interface(facts: Facts, harvest: Harvest) -> Dict[str, List[Entry]]:
         ],
         "actions": actions,
         "params": _params(facts, harvest.reconfigure, harvest.given),
-    }  # type: Dict[str, List[Entry]]
+    }
     return {category: _sorted(entries, harvest.tokens) for category, entries in found.items() if entries}
 
 
 def per_node(facts: Facts) -> List[Entry]:
-    """What each node of a launch file publishes, subscribes and serves, by its name; names are relative to the namespace of the launch file."""
-    found = {}  # type: Dict[str, Dict[str, List[Entry]]]
+    """What each node of a launch file publishes, subscribes and serves, by its name; names are relative to the namespace of the launch
+    file.
+    """
+    found: Dict[str, Dict[str, List[Entry]]] = {}
     for category, table in (("publishers", facts.publishers), ("subscribers", facts.subscribers), ("services", facts.services)):
         for (caller, name), (kind, _) in list(table.items()):
             if is_infrastructure(name) or is_infrastructure(caller) or caller == "/rosout":
@@ -102,13 +111,15 @@ def per_node(facts: Facts) -> List[Entry]:
             found.setdefault(spelled(caller), {}).setdefault(category, []).append(entry)
     nodes = []
     for caller in {spelled(each) for each in facts.nodes if each != "/rosout" and not is_infrastructure(each)} | set(found):
-        node = {category: sorted(entries, key=lambda each: each["name"]) for category, entries in found.get(caller, {}).items()}  # type: Dict[str, Any]
+        node: Dict[str, Any] = {
+            category: sorted(entries, key=lambda each: each["name"]) for category, entries in found.get(caller, {}).items()
+        }
         nodes.append(dict(node, name=caller))
     return sorted(nodes, key=lambda node: node["name"])
 
 
 def _sorted(entries: List[Entry], tokens: Dict[str, str]) -> List[Entry]:
-    unique = {}  # type: Dict[Tuple[str, str], Entry]
+    unique: Dict[Tuple[str, str], Entry] = {}
     for entry in entries:
         entry = dict(entry, name=spelled(entry["name"], tokens))
         unique.setdefault((entry["name"], entry.get("role", "")), entry)
@@ -116,7 +127,7 @@ def _sorted(entries: List[Entry], tokens: Dict[str, str]) -> List[Entry]:
 
 
 def _topic(name: str, kind: str, header: Optional[Dict[str, str]], woken: Dict[str, str]) -> Entry:
-    entry = {"name": name}  # type: Entry
+    entry: Entry = {"name": name}
     if kind:
         entry["type"] = kind
     if header and header.get("md5sum", "*") != "*" and header.get("type") == kind:
@@ -129,7 +140,7 @@ def _topic(name: str, kind: str, header: Optional[Dict[str, str]], woken: Dict[s
 
 
 def _typed(name: str, header: Dict[str, str]) -> Entry:
-    entry = {"name": name}  # type: Entry
+    entry: Entry = {"name": name}
     if header.get("type"):
         entry["type"] = header["type"]
     if header.get("md5sum", "*") != "*":
@@ -174,7 +185,7 @@ def _params(facts: Facts, reconfigure: Dict[str, Dict[str, Any]], given: Dict[st
     names += [name for name in reconfigure if name not in facts.reads]
     entries = []
     for name in names:
-        entry = {"name": name}  # type: Entry
+        entry: Entry = {"name": name}
         known = reconfigure.get(name)
         written = facts.writes.get(name)
         if known:
@@ -186,8 +197,7 @@ def _params(facts: Facts, reconfigure: Dict[str, Dict[str, Any]], given: Dict[st
             if key in entry and not _is_plain(entry[key]):
                 del entry[key]
         entries.append(entry)
-    for name in facts.searches:
-        # Looked for in the node's own namespace first, then upward: relative, as where the search ends.
-        if not name.startswith("/") and not is_infrastructure("/" + name):
-            entries.append({"name": "{}/{}".format(NAMESPACE, name)})
+    # What is looked for is looked for in the node's own namespace first, then upward: relative, as where the search ends.
+    searches = [name for name in facts.searches if not name.startswith("/") and not is_infrastructure("/" + name)]
+    entries.extend({"name": "{}/{}".format(NAMESPACE, name)} for name in searches)
     return entries

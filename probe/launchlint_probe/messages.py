@@ -1,6 +1,7 @@
 """MD5 sums of message types, from their installed definitions.
 
-The sum of a type is the MD5 of a text made of its definition (ROS wiki, "ROS/Technical Overview", "Message serialization and msg MD5 sums"):
+The sum of a type is the MD5 of a text made of its definition (ROS wiki, "ROS/Technical Overview", "Message serialization and msg MD5
+sums"):
 comments and blanks are taken away, constants come first, and a field of another message type is written with the sum of that type in the
 place of its name.
 """
@@ -12,7 +13,22 @@ import re
 from typing import Any, Dict, List, Optional, Tuple
 
 BUILTIN = {
-    "bool", "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64", "string", "time", "duration", "char", "byte",
+    "bool",
+    "int8",
+    "uint8",
+    "int16",
+    "uint16",
+    "int32",
+    "uint32",
+    "int64",
+    "uint64",
+    "float32",
+    "float64",
+    "string",
+    "time",
+    "duration",
+    "char",
+    "byte",
 }
 LARGEST_DEFINITION = 256 * 1024
 DEEPEST = 30
@@ -31,7 +47,7 @@ class Definitions:
     def __init__(self, directories: Dict[str, List[str]], modules: List[str]) -> None:
         self._directories = directories
         self._modules = modules
-        self._sums = {}  # type: Dict[str, Optional[str]]
+        self._sums: Dict[str, Optional[str]] = {}
 
     def text(self, kind: str) -> Optional[str]:
         """The definition of ``package/Type`` without comments and blank lines; None where there is none."""
@@ -61,7 +77,8 @@ class Definitions:
         return self._sums[kind]
 
     def _sum(self, text: str, package: str, depth: int) -> Optional[str]:
-        constants, fields = [], []  # type: List[str], List[str]
+        constants: List[str] = []
+        fields: List[str] = []
         for line, constant in _lines(text):
             if constant:
                 kind, name, value = _constant(line)
@@ -98,7 +115,9 @@ def _plain(text: str) -> str:
 
 
 def _quoted(module: str) -> Optional[str]:
-    """The definition that a generated Python module quotes (``_full_text``): read, not imported. The types in it follow behind a line of ``=``."""
+    """The definition that a generated Python module quotes (``_full_text``): read, not imported. The types in it follow behind a line
+    of ``=``.
+    """
     try:
         tree = ast.parse(module)
     except (SyntaxError, ValueError, RecursionError, MemoryError):

@@ -32,7 +32,9 @@ def _all() -> List[int]:
 
 
 def belonging(mark: str, session: int) -> List[int]:
-    """The ids of all living processes of a node. A process may leave its session or clear its environment; few do both, see ``descendants``."""
+    """The ids of all living processes of a node. A process may leave its session or clear its environment; few do both, see
+    ``descendants``.
+    """
     wanted = "{}={}".format(MARK, mark).encode()
     found = []
     for process in _all():
@@ -55,14 +57,14 @@ def belonging(mark: str, session: int) -> List[int]:
 
 def descendants() -> Tuple[List[int], List[int]]:
     """All processes below this one: those that live, and the ids of its own children that have ended and were not asked for."""
-    parents = {}  # type: Dict[int, Tuple[int, str]]
+    parents: Dict[int, Tuple[int, str]] = {}
     for process in _all():
         try:
             fields = _fields(process)
             parents[process] = (int(fields[_PARENT]), fields[_STATE])
         except (OSError, IndexError, ValueError):
             continue
-    mine = {os.getpid()}  # type: Set[int]
+    mine: Set[int] = {os.getpid()}
     grown = True
     while grown:
         more = {process for process, (parent, _) in parents.items() if parent in mine} - mine
@@ -130,7 +132,9 @@ def open_devices(processes: List[int]) -> List[str]:
 
 
 def stop(mark: str, group: int, patience: float = 2.0) -> List[int]:
-    """End all processes of a node: SIGINT, SIGTERM, SIGKILL, each after ``patience`` seconds. Returns what is left: nothing, if all is well."""
+    """End all processes of a node: SIGINT, SIGTERM, SIGKILL, each after ``patience`` seconds. Returns what is left: nothing, if all is
+    well.
+    """
     if not belonging(mark, group):
         return []
     for sign, wait in ((signal.SIGINT, patience), (signal.SIGTERM, patience / 2)):

@@ -26,15 +26,15 @@ class Facts:
     def __init__(self) -> None:
         self.lock = threading.Lock()
         self.changed = time.monotonic()
-        self.publishers = {}  # type: Dict[Tuple[str, str], Tuple[str, str]]
-        self.subscribers = {}  # type: Dict[Tuple[str, str], Tuple[str, str]]
-        self.services = {}  # type: Dict[Tuple[str, str], Tuple[str, str]]
-        self.lookups = {}  # type: Dict[str, str]
-        self.reads = {}  # type: Dict[str, Tuple[str, bool]]
-        self.searches = {}  # type: Dict[str, str]
-        self.writes = {}  # type: Dict[str, Any]
-        self.nodes = {}  # type: Dict[str, str]
-        self.gone = set()  # type: Set[str]
+        self.publishers: Dict[Tuple[str, str], Tuple[str, str]] = {}
+        self.subscribers: Dict[Tuple[str, str], Tuple[str, str]] = {}
+        self.services: Dict[Tuple[str, str], Tuple[str, str]] = {}
+        self.lookups: Dict[str, str] = {}
+        self.reads: Dict[str, Tuple[str, bool]] = {}
+        self.searches: Dict[str, str] = {}
+        self.writes: Dict[str, Any] = {}
+        self.nodes: Dict[str, str] = {}
+        self.gone: Set[str] = set()
         self.overflow = False
 
     def add(self, table: Dict[Any, Any], key: Any, value: Any) -> None:
@@ -80,8 +80,8 @@ class Recorder:
 
     def __init__(self, parameters: Optional[Dict[str, Any]] = None, host: str = "127.0.0.1") -> None:
         self.facts = Facts()
-        self._parameters = {}  # type: Dict[str, Any]
-        self._watchers = {}  # type: Dict[str, Set[str]]
+        self._parameters: Dict[str, Any] = {}
+        self._watchers: Dict[str, Set[str]] = {}
         for name, value in (parameters or {}).items():
             self._store(name, value)
         self._server = _Server((host, 0), _Handler, logRequests=False, allow_none=True)
@@ -114,7 +114,7 @@ class Recorder:
         inside[steps[-1]] = value
 
     def _find(self, name: str) -> Tuple[bool, Any]:
-        value = self._parameters  # type: Any
+        value: Any = self._parameters
         for step in name.split("/"):
             if step:
                 if not isinstance(value, dict) or step not in value:
@@ -144,9 +144,9 @@ class Recorder:
 
     def names(self) -> List[str]:
         """The names of all params that hold a value."""
-        found = []  # type: List[str]
+        found: List[str] = []
         with self.facts.lock:
-            waiting = [("", self._parameters)]  # type: List[Tuple[str, Any]]
+            waiting: List[Tuple[str, Any]] = [("", self._parameters)]
             while waiting:
                 name, value = waiting.pop()
                 if isinstance(value, dict) and (value or not name):
@@ -243,7 +243,7 @@ class _Api(SimpleXMLRPCDispatcher):
         """Publishers, subscribers, services."""
         state = []
         for table in (self._facts.publishers, self._facts.subscribers, self._facts.services):
-            grouped = {}  # type: Dict[str, List[str]]
+            grouped: Dict[str, List[str]] = {}
             for node, name in list(table):
                 grouped.setdefault(name, []).append(node)
             state.append([[name, grouped[name]] for name in sorted(grouped)])
@@ -314,7 +314,7 @@ class _Api(SimpleXMLRPCDispatcher):
         return SUCCESS, "names", self._recorder.names()
 
 
-_CALLS = {
+_CALLS: Dict[str, Any] = {
     "registerPublisher": _Api.register_publisher,
     "unregisterPublisher": _Api.unregister_publisher,
     "registerSubscriber": _Api.register_subscriber,
@@ -336,7 +336,7 @@ _CALLS = {
     "setParam": _Api.set_parameter,
     "deleteParam": _Api.delete_parameter,
     "getParamNames": _Api.parameter_names,
-}  # type: Dict[str, Any]
+}
 
 
 def _in_background(function: Any, *arguments: Any) -> None:

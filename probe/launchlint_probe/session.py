@@ -43,11 +43,22 @@ class Plan:
     ``tokens`` are the words put where arguments and params say ``{}``, each with the template that stands for it.
     """
 
-    def __init__(self, label: str, command: List[str], params: Optional[Dict[str, Any]] = None, remap: Optional[Dict[str, str]] = None,
-                 environment: Optional[Dict[str, str]] = None, files: Optional[Dict[str, str]] = None, quiet: float = 1.0, limit: float = 15.0,
-                 with_name: bool = True, arguments: str = "", many: bool = False) -> None:
+    def __init__(
+        self,
+        label: str,
+        command: List[str],
+        params: Optional[Dict[str, Any]] = None,
+        remap: Optional[Dict[str, str]] = None,
+        environment: Optional[Dict[str, str]] = None,
+        files: Optional[Dict[str, str]] = None,
+        quiet: float = 1.0,
+        limit: float = 15.0,
+        with_name: bool = True,
+        arguments: str = "",
+        many: bool = False,
+    ) -> None:
         self.label = label
-        self.tokens = {}  # type: Dict[str, str]
+        self.tokens: Dict[str, str] = {}
         words = shlex.split(arguments)
         for number, word in enumerate(words, 1):
             if PLACE in word:
@@ -79,7 +90,9 @@ def full_name(name: str) -> str:
 
 
 def run(plan: Plan) -> Dict[str, Any]:
-    """Run a node. Returns its record: ``status``, ``interface``, ``problems``, ``seconds``, and what was left running (nothing, if all is well)."""
+    """Run a node. Returns its record: ``status``, ``interface``, ``problems``, ``seconds``, and what was left running (nothing, if all
+    is well).
+    """
     given = {full_name(name): value for name, value in plan.params.items()}
     recorder = Recorder(given)
     mark = "{}-{}".format(os.getpid(), int(time.monotonic() * 1e6))
@@ -97,23 +110,40 @@ def _run(plan: Plan, recorder: Recorder, given: Dict[str, Any], mark: str, direc
             file.write(text)
     output_path = os.path.join(directory, ".output")
     controller, terminal = os.openpty()
-    subscriptions = {}  # type: Dict[Tuple[str, str], Subscription]
+    subscriptions: Dict[Tuple[str, str], Subscription] = {}
     started = 0
     try:
         with open(output_path, "wb") as output:
             try:
-                process = subprocess.Popen(_command(plan, directory), cwd=directory, env=_environment(plan, recorder, mark, directory),
-                                           stdin=terminal, stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
+                process = subprocess.Popen(
+                    _command(plan, directory),
+                    cwd=directory,
+                    env=_environment(plan, recorder, mark, directory),
+                    stdin=terminal,
+                    stdout=output,
+                    stderr=subprocess.STDOUT,
+                    start_new_session=True,
+                )
             except OSError as error:
-                return {"label": plan.label, "status": "failed", "interface": {}, "seconds": 0.0, "left": [],
-                        "problems": [{"code": "not-started", "detail": "it cannot be started: {}".format(error.strerror or error)}]}
+                return {
+                    "label": plan.label,
+                    "status": "failed",
+                    "interface": {},
+                    "seconds": 0.0,
+                    "left": [],
+                    "problems": [{"code": "not-started", "detail": "it cannot be started: {}".format(error.strerror or error)}],
+                }
         started = process.pid
         os.close(terminal)
         terminal = -1
         processes.prefer_as_victim(process.pid)
         before, ended = _watch(plan, recorder, process, mark, output_path, began, subscriptions)
         facts = recorder.facts
-        services = {name: service_header(api, name) for (_, name), (api, _) in list(facts.services.items())[:MOST_WOKEN] if not is_infrastructure(name)}
+        services = {
+            name: service_header(api, name)
+            for (_, name), (api, _) in list(facts.services.items())[:MOST_WOKEN]
+            if not is_infrastructure(name)
+        }
         headers = {name: each.header for (_, name), each in subscriptions.items() if each.header}
         harvest = Harvest(headers, services, _woken(recorder, before), _reconfigure(subscriptions), given, plan.tokens)
         alive = processes.belonging(mark, process.pid)
@@ -124,9 +154,17 @@ def _run(plan: Plan, recorder: Recorder, given: Dict[str, Any], mark: str, direc
             each.close()
         left = processes.stop(mark, process.pid)
         code = process.poll() if left else process.wait()
-        outcome = Outcome(facts, _tail(output_path).replace(directory, "."), code if ended else None, timed_out, busy, devices, os.path.getsize(output_path))
+        outcome = Outcome(
+            facts,
+            _tail(output_path).replace(directory, "."),
+            code if ended else None,
+            timed_out,
+            busy,
+            devices,
+            os.path.getsize(output_path),
+        )
         status, problems = diagnose(outcome)
-        found = {}  # type: Dict[str, Any]
+        found: Dict[str, Any] = {}
         if status != "not-a-node" and not any(problem["code"] == "too-many-names" for problem in problems):
             found = {"nodes": per_node(facts), "params": _set_params(facts)} if plan.many else interface(facts, harvest)
         return {
@@ -154,10 +192,19 @@ def _command(plan: Plan, directory: str) -> List[str]:
 
 def _environment(plan: Plan, recorder: Recorder, mark: str, directory: str) -> Dict[str, str]:
     environment = dict(os.environ, **plan.environment)
-    environment.update({
-        "ROS_MASTER_URI": recorder.uri, "ROS_NAMESPACE": NAMESPACE, "ROS_IP": "127.0.0.1", "ROS_HOME": directory, "HOME": directory,
-        "ROS_LOG_DIR": directory, "PYTHONUNBUFFERED": "1", "QT_QPA_PLATFORM": "offscreen", processes.MARK: mark,
-    })
+    environment.update(
+        {
+            "ROS_MASTER_URI": recorder.uri,
+            "ROS_NAMESPACE": NAMESPACE,
+            "ROS_IP": "127.0.0.1",
+            "ROS_HOME": directory,
+            "HOME": directory,
+            "ROS_LOG_DIR": directory,
+            "PYTHONUNBUFFERED": "1",
+            "QT_QPA_PLATFORM": "offscreen",
+            processes.MARK: mark,
+        }
+    )
     for name in ("ROS_HOSTNAME", "DISPLAY", "WAYLAND_DISPLAY"):  # also: no windows on the screen of whoever probes locally
         environment.pop(name, None)
     # Scripts ask for "python3": that must be the one ROS is installed for, not another one that the user has.
@@ -165,10 +212,11 @@ def _environment(plan: Plan, recorder: Recorder, mark: str, directory: str) -> D
     return environment
 
 
-def _watch(plan: Plan, recorder: Recorder, process: Any, mark: str, output: str, began: float,
-           subscriptions: Dict[Tuple[str, str], Subscription]) -> Tuple[Any, bool]:
+def _watch(
+    plan: Plan, recorder: Recorder, process: Any, mark: str, output: str, began: float, subscriptions: Dict[Tuple[str, str], Subscription]
+) -> Tuple[Any, bool]:
     """Wait until the node is ready, wake it, wait again. Returns the names it had before it was woken, and whether it ended by itself."""
-    before = None  # type: Any
+    before: Any = None
     facts = recorder.facts
     idle_since = time.monotonic()
     last_busy = 0.0
@@ -184,7 +232,9 @@ def _watch(plan: Plan, recorder: Recorder, process: Any, mark: str, output: str,
         busy = processes.busy_time(alive)
         if busy > last_busy + 1:
             last_busy, idle_since = busy, now
-        registered = any(not is_infrastructure(name) for table in (facts.publishers, facts.subscribers, facts.services) for _, name in list(table))
+        registered = any(
+            not is_infrastructure(name) for table in (facts.publishers, facts.subscribers, facts.services) for _, name in list(table)
+        )
         settled = now - facts.changed >= plan.quiet and (now - idle_since >= min(plan.quiet, 0.5) or now - facts.changed >= 2 * plan.quiet)
         if facts.nodes and settled and (registered or now - facts.changed >= PATIENCE * plan.quiet):
             new = [(api, name) for (_, name), (_, api) in list(facts.publishers.items()) if (api, name) not in subscriptions]
@@ -234,7 +284,7 @@ def _woken(recorder: Recorder, before: Any) -> Dict[str, str]:
 
 
 def _reconfigure(subscriptions: Dict[Tuple[str, str], Subscription]) -> Dict[str, Dict[str, Any]]:
-    found = {}  # type: Dict[str, Dict[str, Any]]
+    found: Dict[str, Dict[str, Any]] = {}
     for (_, name), each in subscriptions.items():
         if each.header.get("type") == "dynamic_reconfigure/ConfigDescription" and each.message:
             base = name.rpartition("/")[0]

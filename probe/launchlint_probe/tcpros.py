@@ -23,7 +23,7 @@ def _packed(fields: Header) -> bytes:
 
 
 def _receive(connection: socket.socket, length: int) -> bytes:
-    parts = []  # type: List[bytes]
+    parts: List[bytes] = []
     while length:
         part = connection.recv(min(length, 65536))
         if not part:
@@ -41,7 +41,7 @@ def _block(connection: socket.socket, longest: int) -> bytes:
 
 
 def _unpacked(data: bytes) -> Header:
-    fields = {}  # type: Header
+    fields: Header = {}
     at = 0
     while at + 4 <= len(data):
         length = struct.unpack_from("<I", data, at)[0]
@@ -72,9 +72,9 @@ class Subscription:
     """
 
     def __init__(self, api: str, topic: str) -> None:
-        self.header = {}  # type: Header
+        self.header: Header = {}
         self.message = b""
-        self._connection = None  # type: Optional[socket.socket]
+        self._connection: Optional[socket.socket] = None
         self._closed = False
         thread = threading.Thread(target=self._run, args=(api, topic))
         thread.daemon = True
@@ -156,7 +156,7 @@ def reconfigure_description(message: bytes) -> Dict[str, Dict[str, Any]]:
     """The params of a ``dynamic_reconfigure/ConfigDescription``: name → type, default, min, max. Empty where it cannot be read."""
     try:
         reader = _Reader(message)
-        params = {}  # type: Dict[str, Dict[str, Any]]
+        params: Dict[str, Dict[str, Any]] = {}
         for _ in range(reader.count()):
             reader.text(), reader.text()
             for _ in range(reader.count()):
@@ -176,11 +176,11 @@ def reconfigure_description(message: bytes) -> Dict[str, Dict[str, Any]]:
 
 def _config(reader: _Reader) -> Dict[str, Any]:
     """A ``dynamic_reconfigure/Config``: its values by name."""
-    values = {}  # type: Dict[str, Any]
+    values: Dict[str, Any] = {}
     for read in (lambda: bool(reader.number("B")), lambda: reader.number("i"), reader.text, lambda: reader.number("d")):
         for _ in range(reader.count()):
             name = reader.text()
-            values[name] = read()  # type: ignore[no-untyped-call]  # lambdas have no types
+            values[name] = read()
     for _ in range(reader.count()):
         reader.text(), reader.number("B"), reader.number("i"), reader.number("i")
     return values

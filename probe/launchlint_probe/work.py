@@ -7,7 +7,8 @@ import subprocess
 import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from typing import Any, Dict, Iterator, List, Optional, Tuple
+from functools import partial
+from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 
 from launchlint_probe import changing, discover, processes, session
 from launchlint_probe.messages import Definitions, used
@@ -26,7 +27,7 @@ _saying = threading.Lock()
 class Task:
     """One run: what ``call`` makes of it is put into ``frame``, which names it."""
 
-    def __init__(self, frame: Record, call: Any) -> None:
+    def __init__(self, frame: Record, call: Callable[[], Record]) -> None:
         self.frame = frame
         self.call = call
 
@@ -35,7 +36,9 @@ def say(record: Record) -> None:
     """Write one line of JSON to standard output, whole."""
     line = json.dumps(record, sort_keys=True, default=str)
     if len(line) > LONGEST_LINE:
-        record = dict(record, interface={}, messages={}, status="failed", problems=[{"code": "too-large", "detail": "its interface is too large"}])
+        record = dict(
+            record, interface={}, messages={}, status="failed", problems=[{"code": "too-large", "detail": "its interface is too large"}]
+        )
         line = json.dumps(record, sort_keys=True, default=str)
     with _saying:
         sys.stdout.write(line + "\n")
@@ -47,7 +50,8 @@ def run_all(job: Job) -> int:
 
     Keys of the job, all optional: ``packages`` (names), ``everything`` (all packages that can be seen, not only those of source spaces),
     ``skip`` (packages and labels), ``nodes`` (label → settings), ``launch``, ``limits`` (``quiet``, ``limit``, ``jobs``), ``shard``
-    (number from 1, count), ``done`` (fingerprints of what need not be run), ``only`` (those of what shall), ``prefixes``, ``sources`` (source spaces), ``reports`` (a directory), ``image``.
+    (number from 1, count), ``done`` (fingerprints of what need not be run), ``only`` (those of what shall), ``prefixes``, ``sources``
+    (source spaces), ``reports`` (a directory), ``image``.
     """
     processes.adopt()
     prefixes = job.get("prefixes") or discover.default_prefixes()
@@ -74,15 +78,14 @@ def run_all(job: Job) -> int:
 
 def _do(task: Task) -> Record:
     say({"kind": "start", "label": task.frame["label"], "hash": task.frame["hash"], "frame": task.frame})
-    found = task.call()  # type: Record
-    return found
+    return task.call()
 
 
 def _programs(job: Job, seen: discover.Packages) -> List[discover.Found]:
     """The programs of the packages that the job names, sorted."""
     wanted = job.get("packages") or sorted(seen.programs if job.get("everything") or not seen.sources else seen.sources)
     loader = _loader(seen)
-    programs = []  # type: List[discover.Found]
+    programs: List[discover.Found] = []
     skip = set(job.get("skip", []))
     for package in wanted:
         if package in skip:
@@ -123,13 +126,21 @@ def _node_tasks(job: Job, programs: List[discover.Found]) -> Iterator[Task]:
     for program in programs:
         for variant, settings, plan in plans(job, program):
             mark = discover.fingerprint(program, [variant, settings, job.get("limits"), job.get("image")])
-            frame = {"kind": "node", "label": program.label, "package": program.package, "name": program.name, "program": program.kind,
-                     "variant": variant, "hash": mark, "digest": discover.digest(program)}
+            frame = {
+                "kind": "node",
+                "label": program.label,
+                "package": program.package,
+                "name": program.name,
+                "program": program.kind,
+                "variant": variant,
+                "hash": mark,
+                "digest": discover.digest(program),
+            }
             if program.kind == "none":
                 if variant == "default":
-                    yield Task(frame, lambda: {"status": "not-a-node", "interface": {}, "problems": [], "seconds": 0.0, "left": []})
+                    yield Task(frame, partial(_not_run, "not-a-node"))
             else:
-                yield Task(frame, lambda plan=plan: _once(plan))
+                yield Task(frame, partial(_once, plan))
 
 
 def plans(job: Job, program: discover.Found) -> Iterator[Tuple[str, Dict[str, Any], session.Plan]]:
@@ -142,16 +153,20 @@ def plans(job: Job, program: discover.Found) -> Iterator[Tuple[str, Dict[str, An
         for key, value in variants[name].items():
             settings[key] = dict(settings[key], **value) if isinstance(value, dict) and isinstance(settings.get(key), dict) else value
         limits = job.get("limits", {})
-        yield name, settings, session.Plan(
-            program.label,
-            program.command,
-            settings.get("params"),
-            settings.get("remap"),
-            settings.get("env"),
-            settings.get("files"),
-            settings.get("quiet", limits.get("quiet", 1.0)),
-            settings.get("limit", limits.get("limit", 15.0)),
-            arguments=settings.get("args", ""),
+        yield (
+            name,
+            settings,
+            session.Plan(
+                program.label,
+                program.command,
+                settings.get("params"),
+                settings.get("remap"),
+                settings.get("env"),
+                settings.get("files"),
+                settings.get("quiet", limits.get("quiet", 1.0)),
+                settings.get("limit", limits.get("limit", 15.0)),
+                arguments=settings.get("args", ""),
+            ),
         )
 
 
@@ -182,14 +197,27 @@ def _launch_tasks(job: Job, seen: discover.Packages) -> Iterator[Task]:
         path = next((path for path in (os.path.join(each, file) for each in seen.shares.get(package, [])) if os.path.isfile(path)), "")
         words = ["{}:={}".format(name, value) for name, value in sorted(entry.get("args", {}).items())]
         program = discover.Found(package, label, "launch", ["roslaunch", path] + words, path)
-        frame = {"kind": "launch", "label": label, "package": package, "file": file, "args": entry.get("args", {}),
-                 "hash": discover.fingerprint(program, [limits, job.get("image")])}
-        plan = session.Plan(label, program.command, quiet=limits.get("quiet", 1.0), limit=2 * limits.get("limit", 15.0), with_name=False, many=True)
+        frame = {
+            "kind": "launch",
+            "label": label,
+            "package": package,
+            "file": file,
+            "args": entry.get("args", {}),
+            "hash": discover.fingerprint(program, [limits, job.get("image")]),
+        }
+        plan = session.Plan(
+            label, program.command, quiet=limits.get("quiet", 1.0), limit=2 * limits.get("limit", 15.0), with_name=False, many=True
+        )
         if path:
-            yield Task(frame, lambda plan=plan: session.run(plan))
+            yield Task(frame, partial(session.run, plan))
         else:
-            problem = {"code": "launch-missing", "detail": "there is no such file in the package" if package in seen.shares else "there is no such package"}
-            yield Task(frame, lambda problem=problem: {"status": "failed", "interface": {}, "problems": [problem], "seconds": 0.0, "left": []})
+            why = "there is no such file in the package" if package in seen.shares else "there is no such package"
+            yield Task(frame, partial(_not_run, "failed", {"code": "launch-missing", "detail": why}))
+
+
+def _not_run(status: str, *problems: Dict[str, str]) -> Record:
+    """The record of what need not be started."""
+    return {"status": status, "interface": {}, "problems": list(problems), "seconds": 0.0, "left": []}
 
 
 def _module_directories(prefixes: List[str]) -> List[str]:
@@ -218,7 +246,12 @@ def environment() -> Record:
 
 def _ros_version() -> str:
     try:
-        done = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "libroscpp4d", "python3-rospy"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=10)
+        done = subprocess.run(
+            ["dpkg-query", "-W", "-f", "${Version}", "libroscpp4d", "python3-rospy"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            timeout=10,
+        )
         version = done.stdout.decode("ascii", "replace").strip()
         return "debian" if version else ""
     except (OSError, subprocess.TimeoutExpired):

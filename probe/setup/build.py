@@ -1,6 +1,7 @@
 """Builds the catkin packages of a workspace one by one, each as far as it goes: ``build.py WORKSPACE``.
 
-Sources are in ``WORKSPACE/src``, all results in the devel space ``WORKSPACE/devel``. A package that cannot be configured or compiled does not
+Sources are in ``WORKSPACE/src``, all results in the devel space ``WORKSPACE/devel``. A package that cannot be configured or compiled
+does not
 stop the others; what went wrong is written to ``WORKSPACE/build.json``. Plain CMake, since catkin's own tools stop at the first error.
 """
 
@@ -35,7 +36,7 @@ class Package:
 
 def packages(space: str) -> Dict[str, Package]:
     """The packages below a source space."""
-    found = {}  # type: Dict[str, Package]
+    found: Dict[str, Package] = {}
     for directory, inner, files in os.walk(space):
         inner[:] = sorted(name for name in inner if not name.startswith("."))
         if "CATKIN_IGNORE" in files:
@@ -57,7 +58,7 @@ def packages(space: str) -> Dict[str, Package]:
 def ordered(known: Dict[str, Package]) -> List[str]:
     """The names of packages, each behind those it depends on; where they depend on each other in a circle, by name."""
     left = {name: package.depends & set(known) - {name} for name, package in known.items()}
-    order = []  # type: List[str]
+    order: List[str] = []
     while left:
         free = sorted(name for name, needs in left.items() if not needs & set(left))
         for name in free or [sorted(left)[0]]:
@@ -68,7 +69,7 @@ def ordered(known: Dict[str, Package]) -> List[str]:
 
 def build(package: Package, workspace: str, environment: Dict[str, str]) -> Dict[str, object]:
     """Configure and compile one package. Returns its record."""
-    record = {"kind": "build", "package": package.name, "result": "ok", "errors": []}  # type: Dict[str, object]
+    record: Dict[str, object] = {"kind": "build", "package": package.name, "result": "ok", "errors": []}
     if package.kind.startswith("ament"):
         return dict(record, result="failed", errors=["it is a package for ROS 2"])
     if not os.path.isfile(os.path.join(package.directory, "CMakeLists.txt")):
@@ -76,9 +77,18 @@ def build(package: Package, workspace: str, environment: Dict[str, str]) -> Dict
     directory = os.path.join(workspace, "build", package.name)
     os.makedirs(directory, exist_ok=True)
     log = os.path.join(directory, "launchlint-build.log")
-    configure = ["cmake", package.directory, "-DCATKIN_DEVEL_PREFIX=" + os.path.join(workspace, "devel"), "-DCMAKE_INSTALL_PREFIX=" + os.path.join(workspace, "install"),
-                 "-DCATKIN_ENABLE_TESTING=0", "-DCATKIN_SKIP_TESTING=1", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O0", "-DCMAKE_POLICY_VERSION_MINIMUM=3.5",
-                 "-Wno-dev"]
+    configure = [
+        "cmake",
+        package.directory,
+        "-DCATKIN_DEVEL_PREFIX=" + os.path.join(workspace, "devel"),
+        "-DCMAKE_INSTALL_PREFIX=" + os.path.join(workspace, "install"),
+        "-DCATKIN_ENABLE_TESTING=0",
+        "-DCATKIN_SKIP_TESTING=1",
+        "-DCMAKE_BUILD_TYPE=None",
+        "-DCMAKE_CXX_FLAGS=-O0",
+        "-DCMAKE_POLICY_VERSION_MINIMUM=3.5",
+        "-Wno-dev",
+    ]
     if os.environ.get("LAUNCHLINT_CXX"):
         configure.append("-DCMAKE_CXX_COMPILER=" + os.environ["LAUNCHLINT_CXX"])
     if not _run(configure, directory, log, environment):
@@ -91,7 +101,15 @@ def build(package: Package, workspace: str, environment: Dict[str, str]) -> Dict
 def _run(command: List[str], directory: str, log: str, environment: Dict[str, str]) -> bool:
     """Run a command, output to the end of ``log``; whether it ended well and in time."""
     with open(log, "ab") as output:
-        process = subprocess.Popen(command, cwd=directory, env=environment, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
+        process = subprocess.Popen(
+            command,
+            cwd=directory,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
         try:
             return process.wait(LONGEST) == 0
         except subprocess.TimeoutExpired:

@@ -166,16 +166,17 @@ def against_probe(corpus: Path, probe: Path, show: int, jobs: int) -> None:
     wanted = {node["package"] for node in nodes}
     packages: dict[str, Any] = {}
     for directory in sorted(corpus.iterdir()):
-        if any((path.parent.name in wanted) for path in directory.rglob("package.xml")):
-            packages.update(
-                {name: each for name, each in extract([str(directory)], (), jobs).document["packages"].items() if name in wanted}
-            )
+        manifests = [path.read_text(encoding="utf-8", errors="replace") for path in directory.rglob("package.xml")]
+        if any(f"<name>{name}</name>" in manifest for name in wanted for manifest in manifests):
+            found = extract([str(directory)], (), jobs).document["packages"]
+            packages.update({name: each for name, each in found.items() if name in wanted})
     score = Score()
     lines: list[str] = []
     for node in nodes:
-        found = packages.get(node["package"], {}).get("executables", {}).get(node["name"])
-        if found is not None:
-            score.compare(f"{node['package']}/{node['name']}", {"variants": {"default": node["interface"]}}, found, lines)
+        known = packages.get(node["package"], {})
+        program = known.get("executables", {}).get(node["name"]) or known.get("nodelets", {}).get(node["name"])
+        if program is not None:
+            score.compare(f"{node['package']}/{node['name']}", {"variants": {"default": node["interface"]}}, program, lines)
     print(HEAD)
     print(f"{'against ' + os.path.basename(probe):44} {score.row()}")
     print("\n".join(lines[:show]))

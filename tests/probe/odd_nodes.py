@@ -33,7 +33,9 @@ def install(prefix: Path, names: list[str] | None = None) -> Path:
 
 def run(job: dict[str, Any], timeout: float = 120) -> list[dict[str, Any]]:
     """The records that the program makes of a job."""
-    done = subprocess.run([sys.executable, "-I", str(PROGRAM)], input=json.dumps(job).encode(), capture_output=True, timeout=timeout, check=False)
+    done = subprocess.run(
+        [sys.executable, "-I", str(PROGRAM)], input=json.dumps(job).encode(), capture_output=True, timeout=timeout, check=False
+    )
     assert done.stderr == b"", done.stderr.decode()
     return [json.loads(line) for line in done.stdout.splitlines()]
 

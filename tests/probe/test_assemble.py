@@ -20,26 +20,72 @@ TREE = Tree("robot-0a1b2c3d", "https://github.com/team/robot.git", "main", "0a1b
 
 CONFIGURATION = ProbeConfiguration(
     nodes={
-        "robot/driver": {"args": "{}", "params": {"~port": "/dev/null"}, "variants": {"fast": {"params": {"~rate": 100}}, "x": {"match": {"arg": 2}, "args": "a b"}}},
+        "robot/driver": {
+            "args": "{}",
+            "params": {"~port": "/dev/null"},
+            "variants": {"fast": {"params": {"~rate": 100}}, "x": {"match": {"arg": 2}, "args": "a b"}},
+        },
     },
 )
 
 
-def node(name: str, status: str = "ok", interface: dict[str, Any] | None = None, *problems: Problem, program: str = "roscpp", variant: str = "default") -> NodeRecord:
+def node(
+    name: str,
+    status: str = "ok",
+    interface: dict[str, Any] | None = None,
+    *problems: Problem,
+    program: str = "roscpp",
+    variant: str = "default",
+) -> NodeRecord:
     label = name if program == "nodelet" else f"robot/{name}"
-    return NodeRecord(label, "robot", name, program, variant, f"hash of {label} {variant}", "0123456789abcdef", status, interface or {}, STRING, problems, 1.0, 0, "")
+    return NodeRecord(
+        label,
+        "robot",
+        name,
+        program,
+        variant,
+        f"hash of {label} {variant}",
+        "0123456789abcdef",
+        status,
+        interface or {},
+        STRING,
+        problems,
+        1.0,
+        0,
+        "",
+    )
 
 
 RECORDS = [
     node("driver", "failed"),
     node("driver", "ok", {"subscribers": [{"name": "{arg:1}", "type": "std_msgs/String"}]}),
-    node("driver", "ok", {"publishers": [{"name": "fast", "type": "std_msgs/String", "md5": "992ce8a1687cec8c8bd883ec73ca41d1"}]}, variant="fast"),
+    node(
+        "driver",
+        "ok",
+        {"publishers": [{"name": "fast", "type": "std_msgs/String", "md5": "992ce8a1687cec8c8bd883ec73ca41d1"}]},
+        variant="fast",
+    ),
     node("driver", "failed", None, Problem("ended", "it ended by itself with status 3"), variant="x"),
     node("waiter", "ok", {"clients": [{"name": "map"}]}, Problem("waits-for-service", "map"), program="rospy"),
     node("broken", "failed", {"publishers": [{"name": "before"}]}, Problem("module-missing", "No module named 'x'"), program="rospy"),
     node("tool", "not-a-node", program="none"),
-    node("robot/Filter", "ok", {"params": [{"name": "~gain", "type": "double", "default": 1.0, "min": 0.0, "max": 2.0}]}, program="nodelet"),
-    LaunchRecord("robot/a.launch", "robot", "a.launch", {"x": "1"}, "h1", "ok", ({"name": "driver", "publishers": [{"name": "fast"}]},), ("volume",), (), 2.0, 0, ""),
+    node(
+        "robot/Filter", "ok", {"params": [{"name": "~gain", "type": "double", "default": 1.0, "min": 0.0, "max": 2.0}]}, program="nodelet"
+    ),
+    LaunchRecord(
+        "robot/a.launch",
+        "robot",
+        "a.launch",
+        {"x": "1"},
+        "h1",
+        "ok",
+        ({"name": "driver", "publishers": [{"name": "fast"}]},),
+        ("volume",),
+        (),
+        2.0,
+        0,
+        "",
+    ),
 ]
 NOTES = [
     Note("environment", {"distro": "debian", "base": "Debian GNU/Linux 12"}),

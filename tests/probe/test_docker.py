@@ -1,4 +1,6 @@
-"""A real container: built from a Debian image without a registry, catkin packages in it, nodes run without a network, nothing left behind."""
+"""A real container: built from a Debian image without a registry, catkin packages in it, nodes run without a network, nothing left
+behind.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +37,8 @@ def _base() -> None:
 def configuration(directory: Path, text: str = "") -> Path:
     file = directory / "probe.yaml"
     file.write_text(
-        f"base: {BASE}\nnetwork: {NETWORK}\nrepositories: [{{path: {HERE / 'workspace'}}}]\nlimits: {{quiet: 0.7, limit: 10, memory: 700m}}\n{text}"
+        f"base: {BASE}\nnetwork: {NETWORK}\nrepositories: [{{path: {HERE / 'workspace'}}}]\n"
+        f"limits: {{quiet: 0.7, limit: 10, memory: 700m}}\n{text}"
     )
     return file
 
@@ -66,7 +69,7 @@ def test_the_workspace_is_built_and_its_nodes_are_recorded(built: tuple[dict[str
     packages = document["packages"]
     assert packages["probe_talker"]["build"] == {"result": "ok"}
     assert packages["probe_counter"]["build"]["result"] == "partial"
-    assert packages["probe_counter"]["build"]["errors"][0].endswith("broken.cpp:1:21: error: ‘this_does_not_compile’ was not declared in this scope")
+    assert packages["probe_counter"]["build"]["errors"][0].endswith("was not declared in this scope")
     programs = {name: program for package in packages.values() for name, program in package["executables"].items()}
     assert {name: names(program["variants"]["default"]) for name, program in programs.items()} == {
         "counter": ["publishers ~total std_msgs/Int32", "subscribers reading probe_talker/Reading", "params ~start"],
@@ -81,7 +84,9 @@ def test_the_workspace_is_built_and_its_nodes_are_recorded(built: tuple[dict[str
     }
     reading = document["messages"]["probe_talker/Reading"]
     assert reading["md5"] == "68d16538d80a70e69e20338c58a09ca5"
-    assert {entry["md5"] for name in ("counter", "talker.py") for entry in _topics(programs[name]) if entry["type"] == "probe_talker/Reading"} == {reading["md5"]}
+    assert {
+        entry["md5"] for name in ("counter", "talker.py") for entry in _topics(programs[name]) if entry["type"] == "probe_talker/Reading"
+    } == {reading["md5"]}
 
 
 def _topics(program: dict[str, Any]) -> list[dict[str, Any]]:
@@ -97,7 +102,10 @@ def test_the_launch_file_is_recorded(built: tuple[dict[str, Any], str]) -> None:
             "nodes": [
                 {
                     "name": "talker",
-                    "publishers": [{"name": "reading", "type": "probe_talker/Reading"}, {"name": "talker/state", "type": "std_msgs/String"}],
+                    "publishers": [
+                        {"name": "reading", "type": "probe_talker/Reading"},
+                        {"name": "talker/state", "type": "std_msgs/String"},
+                    ],
                     "subscribers": [{"name": "/orders", "type": "std_msgs/String"}],
                     "services": [{"name": "talker/reset"}],
                 }
@@ -123,7 +131,7 @@ def test_a_second_run_finds_the_layers_and_the_same_library(built: tuple[dict[st
 
 
 def test_ctrl_c_ends_the_container(built: tuple[dict[str, Any], str], tmp_path: Path) -> None:
-    words = command(tmp_path, "-q", text="nodes: {probe_counter/counter: {quiet: 50}}\nlimits: {limit: 60}\n".replace("limits: {limit: 60}\n", ""))
+    words = command(tmp_path, "-q", text="nodes: {probe_counter/counter: {quiet: 50}}\n")
     process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True, preexec_fn=_obey)
     end = time.monotonic() + 120
     while time.monotonic() < end and not docker("ps", "-q", "--filter", f"label={LABEL}"):
@@ -160,14 +168,15 @@ with open("/proc/self/status") as status:
 found["capabilities"] = lines["CapEff"].strip("0") != ""
 found["privileges"] = lines["NoNewPrivs"] != "1"
 found["mounts"] = os.path.exists("/var/run/docker.sock") or os.path.exists("/work")
-print("ERROR: open doors: " + ", ".join(sorted(name for name, is_open in found.items() if is_open)))
+print("RuntimeError: open doors: " + ", ".join(sorted(name for name, is_open in found.items() if is_open)))
 for _ in range(3):  # what looks like the probe's own words, and what does not
     os.write(1, b"")
     for name in ("/proc/1/fd/1", "/proc/%d/fd/1" % os.getppid()):
         try:
             with open(name, "w") as out:
                 out.write("\\x1b]0;owned\\x07 not a record\\n")
-                out.write(json.dumps({"kind": "node", "package": "../../evil", "name": "x", "program": "rospy", "variant": "default", "status": "ok"}) + "\\n")
+                evil = {"kind": "node", "package": "../../evil", "name": "x", "program": "rospy", "variant": "default", "status": "ok"}
+                out.write(json.dumps(evil) + "\\n")
         except OSError:
             pass
 sys.exit(1)
@@ -203,9 +212,16 @@ def test_hostile_nodes_stay_inside(tmp_path: Path, built: tuple[dict[str, Any], 
     package_known = json.loads((tmp_path / "library.json").read_text())["packages"]
     assert list(package_known) == ["hostile"]
     programs = package_known["hostile"]["executables"]
-    assert {name: program["status"] for name, program in programs.items()} == {"doors.py": "failed", "flood.py": "failed", "memory.py": "failed"}
+    assert {name: program["status"] for name, program in programs.items()} == {
+        "doors.py": "failed",
+        "flood.py": "failed",
+        "memory.py": "failed",
+    }
     said = {name: [f"{problem['code']}: {problem['detail']}" for problem in program["problems"]] for name, program in programs.items()}
     assert any("open doors:" in line and line.rstrip().endswith("open doors:") for line in said["doors.py"]), said
-    assert said["memory.py"] in (["ended: it was ended by signal 9"], ["broke-the-container: it wanted more memory than it may have (`memory` in `limits`)"])
+    assert said["memory.py"] in (
+        ["ended: it was ended by signal 9"],
+        ["broke-the-container: it wanted more memory than it may have (`memory` in `limits`)"],
+    )
     assert said["flood.py"][0].startswith("broke-the-container: it printed "), said
     assert docker("ps", "-aq", "--filter", f"label={LABEL}") == ""

@@ -43,7 +43,8 @@ def why(monkeypatch: pytest.MonkeyPatch, host: str) -> str:
 def test_no_engine(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     host = f"unix://{tmp_path}/docker.sock"
     assert why(monkeypatch, host) == (
-        f"there is no Docker engine here (DOCKER_HOST={host} does not exist): install and start Docker, or name another engine by DOCKER_HOST, {LOCAL}"
+        f"there is no Docker engine here (DOCKER_HOST={host} does not exist): install and start Docker, "
+        f"or name another engine by DOCKER_HOST, {LOCAL}"
     )
 
 
@@ -69,7 +70,8 @@ def test_an_engine_that_does_not_let_us_in(monkeypatch: pytest.MonkeyPatch) -> N
     with pytest.raises(UsageError) as caught:
         engine.connect("run")
     assert str(caught.value) == (
-        "Docker does not let this user in (/var/run/docker.sock): add the user to the group docker and log in again, or use rootless Docker, " + LOCAL
+        "Docker does not let this user in (/var/run/docker.sock): add the user to the group docker and log in again, "
+        f"or use rootless Docker, {LOCAL}"
     )
 
 
@@ -96,7 +98,10 @@ def test_the_command_says_it_in_one_line(tmp_path: Path, monkeypatch: pytest.Mon
 
 def test_a_container_is_locked_in() -> None:
     bounds = engine._bounds(Limits(memory="512m", pids=99), "volume", "run")
-    assert {key: bounds[key] for key in ("network_mode", "read_only", "user", "cap_drop", "security_opt", "pids_limit", "mem_limit", "memswap_limit")} == {
+    assert {
+        key: bounds[key]
+        for key in ("network_mode", "read_only", "user", "cap_drop", "security_opt", "pids_limit", "mem_limit", "memswap_limit")
+    } == {
         "network_mode": "none",
         "read_only": True,
         "user": "launchlint",
@@ -126,8 +131,23 @@ class Lost:
         self.job = job
 
     def output(self, seconds: float) -> Iterator[bytes]:
-        frames = {name: {"kind": "node", "package": "p", "name": name, "program": "rospy", "variant": "default", "label": f"p/{name}", "hash": 2 * (name.encode().hex() + "00000000")} for name in ("a", "killer", "z")}
-        wanted = [frame for frame in frames.values() if frame["hash"] not in self.job["done"] and frame["hash"] in self.job.get("only", [frame["hash"]])]
+        frames = {
+            name: {
+                "kind": "node",
+                "package": "p",
+                "name": name,
+                "program": "rospy",
+                "variant": "default",
+                "label": f"p/{name}",
+                "hash": 2 * (name.encode().hex() + "00000000"),
+            }
+            for name in ("a", "killer", "z")
+        }
+        wanted = [
+            frame
+            for frame in frames.values()
+            if frame["hash"] not in self.job["done"] and frame["hash"] in self.job.get("only", [frame["hash"]])
+        ]
         yield json.dumps({"kind": "plan", "count": len(wanted), "all": 3}).encode() + b"\n"
         for frame in wanted:
             yield json.dumps({"kind": "start", "label": frame["label"], "hash": frame["hash"], "frame": frame}).encode() + b"\n"

@@ -110,7 +110,9 @@ def test_time_is_up(place: Path) -> None:
     (place / "prefix" / "lib" / PACKAGE / "busy.py").write_text("#!/usr/bin/env python3\n# rospy\nwhile True: pass\n")
     (place / "prefix" / "lib" / PACKAGE / "busy.py").chmod(0o755)
     arguments = command(place)
-    (place / "probe.yaml").write_text(f"packages: [{PACKAGE}]\nlimits: {{limit: 300, total: 10, jobs: 1}}\nskip: [{PACKAGE}/ignores_signals.py]\n")
+    (place / "probe.yaml").write_text(
+        f"packages: [{PACKAGE}]\nlimits: {{limit: 300, total: 10, jobs: 1}}\nskip: [{PACKAGE}/ignores_signals.py]\n"
+    )
     late = subprocess.run(arguments, capture_output=True, text=True, timeout=120, check=False)
     assert late.returncode == 1
     assert late.stderr.endswith("not everything was probed: time was up after 10 seconds (`total` in `limits`); --resume goes on\n")
@@ -124,7 +126,10 @@ def test_time_is_up(place: Path) -> None:
         (["--shard", "0/3"], "--shard cannot be '0/3': write I/N, such as 1/4 for the first of four parts"),
         (["--shard", "4/3"], "--shard cannot be '4/3': write I/N, such as 1/4 for the first of four parts"),
         (["--shard", "x"], "--shard cannot be 'x': write I/N, such as 1/4 for the first of four parts"),
-        (["-o", "/nowhere/at/all.json"], "cannot write the library to '/nowhere/at/all.json': the directory '/nowhere/at' does not exist; create it first"),
+        (
+            ["-o", "/nowhere/at/all.json"],
+            "cannot write the library to '/nowhere/at/all.json': the directory '/nowhere/at' does not exist; create it first",
+        ),
     ],
 )
 def test_usage(words: list[str], message: str, place: Path) -> None:
@@ -138,8 +143,10 @@ def test_a_package_that_is_not_there(place: Path) -> None:
     done = subprocess.run(arguments, capture_output=True, text=True, timeout=60, check=False)
     assert (done.returncode, done.stderr) == (
         1,
-        f"{place}/library.json: 0 nodes recorded, 0 could not be run, 0 programs are no nodes\n"
-        "there is no package nowhere: correct `packages`, or install it by `apt`\n",
+        (
+            f"{place}/library.json: 0 nodes recorded, 0 could not be run, 0 programs are no nodes\n"
+            "there is no package nowhere: correct `packages`, or install it by `apt`\n"
+        ),
     )
 
 

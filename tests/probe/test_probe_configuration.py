@@ -106,37 +106,57 @@ def test_an_empty_file_asks_for_the_defaults(tmp_path: Path) -> None:
 
 
 REFUSED = {
-    "repositries: []": "probe.yaml:1:1: the configuration has no key repositries, and one that is misspelled would have no effect; "
-    "did you mean repositories?",
-    "repositories: [{url: ros/ros_tutorials}]": "probe.yaml:1:16: a repository needs `ref`, a branch, tag or commit: default branches change, "
-    "and many are for ROS 2 by now",
+    "repositries: []": (
+        "probe.yaml:1:1: the configuration has no key repositries, and one that is misspelled would have no effect; "
+        "did you mean repositories?"
+    ),
+    "repositories: [{url: ros/ros_tutorials}]": (
+        "probe.yaml:1:16: a repository needs `ref`, a branch, tag or commit: default branches change, and many are for ROS 2 by now"
+    ),
     "repositories: [{ref: main}]": "probe.yaml:1:16: a repository needs `url` (owner/name or a URL) and `ref`, or `path`: which is it?",
     "repositories: [{path: ., ref: main}]": "probe.yaml:1:31: a repository has either `path`, a local checkout, or `url` and `ref`",
     "repositories: [{path: nowhere}]": "probe.yaml:1:23: there is no directory nowhere; paths are relative to this file",
-    "repositories: [{url: a/b, ref: --upload-pack=touch}]": "probe.yaml:1:32: ref cannot be --upload-pack=touch: write a branch, tag or commit",
+    "repositories: [{url: a/b, ref: --upload-pack=touch}]": (
+        "probe.yaml:1:32: ref cannot be --upload-pack=touch: write a branch, tag or commit"
+    ),
     "repositories: [{url: a/b, ref: a..b}]": "probe.yaml:1:32: ref cannot be a..b: write a branch, tag or commit",
     'repositories: [{url: a/b, ref: "x\\ny"}]': "probe.yaml:1:32: ref cannot be 'x\\ny': write a branch, tag or commit",
-    'repositories: [{url: "ext::sh -c id", ref: x}]': "probe.yaml:1:22: url cannot be ext::sh -c id: write owner/name (of GitHub), or an https, "
-    "ssh, git or file URL without a password",
-    "base: $(id)": "probe.yaml:1:7: base cannot be $(id): write the name of an image, such as debian:bookworm or osrf/ros:noetic-desktop-full",
-    "base: --help": "probe.yaml:1:7: base cannot be --help: write the name of an image, such as debian:bookworm or osrf/ros:noetic-desktop-full",
+    'repositories: [{url: "ext::sh -c id", ref: x}]': (
+        "probe.yaml:1:22: url cannot be ext::sh -c id: write owner/name (of GitHub), or an https, ssh, git or file URL without a password"
+    ),
+    "base: $(id)": (
+        "probe.yaml:1:7: base cannot be $(id): write the name of an image, such as debian:bookworm or osrf/ros:noetic-desktop-full"
+    ),
+    "base: --help": (
+        "probe.yaml:1:7: base cannot be --help: write the name of an image, such as debian:bookworm or osrf/ros:noetic-desktop-full"
+    ),
     "apt: [-oDebug=1]": "probe.yaml:1:7: an item of apt cannot be -oDebug=1: write the name of an apt package, with =version if need be",
     "apt: ['a;id']": "probe.yaml:1:7: an item of apt cannot be a;id: write the name of an apt package, with =version if need be",
-    "pip: ['git+https://x']": "probe.yaml:1:7: an item of pip cannot be git+https://x: write the name of a package on PyPI, with ==version if need be",
-    "pip: ['-r/etc/passwd']": "probe.yaml:1:7: an item of pip cannot be -r/etc/passwd: write the name of a package on PyPI, with ==version if need be",
+    "pip: ['git+https://x']": (
+        "probe.yaml:1:7: an item of pip cannot be git+https://x: write the name of a package on PyPI, with ==version if need be"
+    ),
+    "pip: ['-r/etc/passwd']": (
+        "probe.yaml:1:7: an item of pip cannot be -r/etc/passwd: write the name of a package on PyPI, with ==version if need be"
+    ),
     "packages: [../x]": "probe.yaml:1:12: an item of packages cannot be ../x: write the name of a ROS package",
     "nodes: {../x/y: {}}": "probe.yaml:1:9: nodes cannot have ../x/y: write package/executable, or the class of a nodelet",
     "nodes: {a/..: {}}": "probe.yaml:1:9: nodes cannot have a/..: write package/executable, or the class of a nodelet",
-    "nodes: {a/b: {arg: x}}": "probe.yaml:1:15: the node a/b has no key arg, and one that is misspelled would have no effect; did you mean args?",
+    "nodes: {a/b: {arg: x}}": (
+        "probe.yaml:1:15: the node a/b has no key arg, and one that is misspelled would have no effect; did you mean args?"
+    ),
     'nodes: {a/b: {args: "\\"x"}}': "probe.yaml:1:21: args cannot be split into words: no closing quotation",
     "nodes: {a/b: {files: {../x: y}}}": "probe.yaml:1:23: a file cannot be called ../x: write a plain file name without directories",
-    "nodes: {a/b: {env: {A=B: y}}}": "probe.yaml:1:21: an environment variable cannot be called A=B: write the name of an environment variable",
+    "nodes: {a/b: {env: {A=B: y}}}": (
+        "probe.yaml:1:21: an environment variable cannot be called A=B: write the name of an environment variable"
+    ),
     "nodes: {a/b: {params: {~x: .inf}}}": "probe.yaml:1:28: a param cannot be .inf: XML-RPC has no such number",
     "nodes: {a/b: {params: {~x: 3000000000}}}": "probe.yaml:1:28: a param cannot be 3000000000: whole numbers have 32 bits in ROS",
-    "nodes: {a/b: {variants: {v: {env: {A: b}}}}}": "probe.yaml:1:26: the variant v sets no params, so say by `match` (a condition of the library "
-    "format) when it is the one that runs",
-    "nodes: {a/b: {variants: {v: {match: {parm: x}}}}}": "probe.yaml:1:37: match is no condition: a condition has one of the keys param, arg, option, "
-    "remap, not, all, any, text",
+    "nodes: {a/b: {variants: {v: {env: {A: b}}}}}": (
+        "probe.yaml:1:26: the variant v sets no params, so say by `match` (a condition of the library format) when it is the one that runs"
+    ),
+    "nodes: {a/b: {variants: {v: {match: {parm: x}}}}}": (
+        "probe.yaml:1:37: match is no condition: a condition has one of the keys param, arg, option, remap, not, all, any, text"
+    ),
     "launch: [a/../../etc/passwd]": "probe.yaml:1:10: a launch file cannot be a/../../etc/passwd: write package/path/of.launch",
     "launch: [{args: {a: b}}]": "probe.yaml:1:10: a launch file needs `file`: package/path/of.launch",
     "limits: {jobs: 0}": "probe.yaml:1:16: jobs must be a whole number from 1 to 64, not 0",

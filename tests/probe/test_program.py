@@ -40,7 +40,9 @@ def test_python_3_6_can_read_it(path: Path) -> None:
     assert newer == []
     words = {"capture_output", "text"} & {keyword.arg for node in ast.walk(tree) if isinstance(node, ast.Call) for keyword in node.keywords}
     assert words == set(), "subprocess of Python 3.6 does not know these"
-    assert not any(isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in ast.walk(tree)), "3.6 has no postponed annotations"
+    assert not any(isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in ast.walk(tree)), (
+        "3.6 has no postponed annotations"
+    )
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.relative_to(PROBE).as_posix())
@@ -137,9 +139,9 @@ def test_names_that_change(one: str, other: str, merged: str) -> None:
 )
 def test_dependencies(name: str, distro: str, packages: list[str]) -> None:
     known = {
-        "libstd-msgs-dev", "python3-std-msgs", "ros-std-msgs", "libroscpp-dev", "libnodelet-dev", "libnodeletlib-tools", "libeigen3-dev", "python3-numpy",
-        "libsdl-dev", "ros-noetic-std-msgs",
-    }  # fmt: skip
+        *("libstd-msgs-dev", "python3-std-msgs", "ros-std-msgs", "libroscpp-dev", "libnodelet-dev", "libnodeletlib-tools"),
+        *("libeigen3-dev", "python3-numpy", "libsdl-dev", "ros-noetic-std-msgs"),
+    }
     assert load("setup/dependencies").packages_for(name, known, distro) == packages
 
 
@@ -169,7 +171,12 @@ def test_the_compiler_is_told_what_debian_needs(tmp_path: Path) -> None:
     compiler = tmp_path / "c++"
     compiler.write_text('#!/bin/sh\nprintf "%s\\n" "$@"\n')
     compiler.chmod(0o755)
-    script = (PROBE / "setup" / "compile.sh").read_text().replace("/usr/bin/c++", str(compiler)).replace("/usr/include/boost/bind.hpp", str(compiler))
+    script = (
+        (PROBE / "setup" / "compile.sh")
+        .read_text()
+        .replace("/usr/bin/c++", str(compiler))
+        .replace("/usr/include/boost/bind.hpp", str(compiler))
+    )
     (tmp_path / "compile.sh").write_text(script)
 
     def called(*words: str) -> list[str]:

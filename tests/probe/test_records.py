@@ -117,7 +117,21 @@ def test_refused(changes: dict[str, Any]) -> None:
         parse(json.dumps({**NODE, **changes}))
 
 
-@pytest.mark.parametrize("line", ["", "[]", "null", "3", "{", '{"kind": "node"}', "[" * 100_000, '{"kind": "plan", "count": ' + "9" * 100_000 + "}", '{"kind": NaN}', "\x00"])
+@pytest.mark.parametrize(
+    "line",
+    [
+        "",
+        "[]",
+        "null",
+        "3",
+        "{",
+        '{"kind": "node"}',
+        "[" * 100_000,
+        '{"kind": "plan", "count": ' + "9" * 100_000 + "}",
+        '{"kind": NaN}',
+        "\x00",
+    ],
+)
 def test_no_record_at_all(line: str) -> None:
     with pytest.raises(Refused):
         parse(line)
@@ -125,7 +139,14 @@ def test_no_record_at_all(line: str) -> None:
 
 def test_names_that_no_node_can_have_are_left_out_and_counted() -> None:
     odd = [{"name": name} for name in ("good", "two words", "$(id)", "\x1b[31m", "{arg:1}", "{nonsense", "x" * 2000, 7)]
-    record = node(interface={"publishers": [*odd, "text", {"type": "a/B"}], "elsewhere": [1], "services": "text", "params": [{"name": "~p", "default": {"a": [1]}}]})
+    record = node(
+        interface={
+            "publishers": [*odd, "text", {"type": "a/B"}],
+            "elsewhere": [1],
+            "services": "text",
+            "params": [{"name": "~p", "default": {"a": [1]}}],
+        }
+    )
     assert record.interface == {"publishers": [{"name": "good"}, {"name": "{arg:1}"}], "params": [{"name": "~p", "default": {"a": [1]}}]}
     assert record.problems[-1] == Problem("odd-names", "8 names that no node can have were left out")
 
@@ -136,7 +157,9 @@ def test_evidence_is_not_for_the_container_to_give() -> None:
 
 
 def test_text_is_made_harmless_and_short() -> None:
-    record = node(problems=[{"code": "exception", "detail": "\x1b[2J" + "x" * 10_000 + "\n\u202e"}, {"code": "Not A Code", "detail": ""}, 7])
+    record = node(
+        problems=[{"code": "exception", "detail": "\x1b[2J" + "x" * 10_000 + "\n\u202e"}, {"code": "Not A Code", "detail": ""}, 7]
+    )
     assert record.problems == (Problem("exception", "[2J" + "x" * 296 + "…"),)
 
 

@@ -94,7 +94,12 @@ def test_members_of_a_hostile_archive_stay_inside(tmp_path: Path) -> None:
         for name in ("../up", "/abs", "a/../../up", "fine", "new\nline"):
             info = tarfile.TarInfo(name)
             archive.addfile(info, io.BytesIO(b""))
-        for name, kind, goal in (("l1", tarfile.SYMTYPE, "../x"), ("l2", tarfile.SYMTYPE, "/etc"), ("l3", tarfile.SYMTYPE, "fine"), ("h", tarfile.LNKTYPE, "/etc/passwd")):
+        for name, kind, goal in (
+            ("l1", tarfile.SYMTYPE, "../x"),
+            ("l2", tarfile.SYMTYPE, "/etc"),
+            ("l3", tarfile.SYMTYPE, "fine"),
+            ("h", tarfile.LNKTYPE, "/etc/passwd"),
+        ):
             info = tarfile.TarInfo(name)
             info.type, info.linkname = kind, goal
             archive.addfile(info)
@@ -135,7 +140,7 @@ def test_certificates_for_a_network_that_looks_inside(tmp_path: Path, monkeypatc
     assert found is not None
     assert found.read() == b"PEM"
     monkeypatch.setenv("LAUNCHLINT_CA_CERTIFICATES", str(tmp_path / "nowhere"))
-    with pytest.raises(UsageError, match="LAUNCHLINT_CA_CERTIFICATES: .*nowhere cannot be read"):
+    with pytest.raises(UsageError, match=r"LAUNCHLINT_CA_CERTIFICATES: .*nowhere cannot be read"):
         context_of()
 
 

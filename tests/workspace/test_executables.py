@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from launchlint.workspace.cmake_facts import read_cmake
 from launchlint.workspace.executables import Executable, ExecutableIndex, Executables, Flaw, executables, launch_install_directories
 from launchlint.workspace.nodelets import NodeletClass
 from launchlint.workspace.packages import Package, Packages
@@ -209,3 +210,43 @@ def test_links_that_lead_back_in_a_package(grow: Grow) -> None:
         }
     )
     assert _executables(root).by_name == {"run": Executable("run", "file", f"{root}/p/s/run")}
+
+
+def test_what_targets_are_made_of(grow: Grow) -> None:
+    root = grow(
+        {
+            "p/package.xml": "<package><name>p</name></package>",
+            "p/CMakeLists.txt": """
+                project(p)
+                set(sources src/a.cpp)
+                if(WITH_B)
+                  list(APPEND sources src/b.cpp)
+                endif()
+                macro(add_more name file)
+                  add_executable(${name}_exe ${file})
+                  set_target_properties(${name}_exe PROPERTIES OUTPUT_NAME ${name})
+                  target_link_libraries(${name}_exe ${PROJECT_NAME}_lib)
+                  list(APPEND more ${file})
+                endmacro()
+                add_more(one src/one.cpp)
+                add_more(two src/two.cpp)
+                add_library(${PROJECT_NAME}_lib SHARED ${sources})
+                add_library(all ${more})
+                add_executable(main src/main.cpp ${NOT_KNOWN})
+                target_link_libraries(main PRIVATE ${PROJECT_NAME}_lib ${catkin_LIBRARIES})
+                target_sources(main PRIVATE src/main2.cpp)
+            """,
+        }
+    )
+    targets = read_cmake(str(root / "p"), list).targets
+    shown = {
+        name: ([os.path.relpath(path, root / "p") for path in each.sources], each.libraries, each.is_library, each.complete)
+        for name, each in targets.items()
+    }
+    assert shown == {
+        "one_exe": (["src/one.cpp"], ["p_lib"], False, True),
+        "two_exe": (["src/two.cpp"], ["p_lib"], False, True),
+        "p_lib": (["src/a.cpp", "src/b.cpp"], [], True, True),
+        "all": (["src/one.cpp", "src/two.cpp"], [], True, True),
+        "main": (["src/main.cpp", "src/main2.cpp"], ["p_lib"], False, False),
+    }

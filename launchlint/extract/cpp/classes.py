@@ -175,6 +175,7 @@ def _members(machine: Machine, this: Thing, declared: Class, listed: dict[str, N
         cell = this.fields.get(name)
         if cell is None:
             this.fields[name] = machine.cell(value, type_, field.constant)
+            this.fields[name].changing = machine.declarations.is_assigned(name)
         else:
             machine.write(cell, value)
 
@@ -298,6 +299,7 @@ def member(machine: Machine, this: Thing | None, name: str) -> Cell | None:
         elif field.constant:
             value = initial_value(machine, field, inner)
         cell = Cell(value, field.type, 0, field.constant)
+        cell.changing = machine.declarations.is_assigned(name)
         this.fields[name] = cell
         return cell
     if name in _OF_NODELETS and any("azy" in base.name or base.last in LAZY for each in chain(machine, this) for base in each.bases):
@@ -330,11 +332,13 @@ def bindings_in(machine: Machine, this: Thing, owner: Class | None) -> dict[str,
 
 def methods(machine: Machine, this: Thing, name: str) -> list[Function]:
     """The functions of that name that a call on the object means."""
+    found: list[Function] = []
     for declared in chain(machine, this):
-        found = [each for each in machine.declarations.functions.get(joined(declared.name, name), []) if each.body]
-        if found:
-            return found
-    return []
+        # One of a base class with as many parameters is overridden; one with another number is meant by a call that needs it.
+        taken = {len(each.parameters) for each in found}
+        own = machine.declarations.functions.get(joined(declared.name, name), [])
+        found += [each for each in own if each.body is not None and len(each.parameters) not in taken]
+    return found
 
 
 def overriders(machine: Machine, this: Thing, name: str) -> list[tuple[Class, list[Function]]]:

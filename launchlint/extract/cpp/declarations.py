@@ -22,6 +22,7 @@ _WRAPPERS = (
     "attributed_declarator",
 )
 _DEEPEST = 60
+_ASSIGNED = re.compile(r"\b([A-Za-z_]\w*)\s*(?:=(?!=)|\+\+|--|[-+*/|&]=)|(?:\+\+|--)\s*([A-Za-z_]\w*)")
 _MESSAGE = re.compile(r"(\w+)/(\w+)\.h")
 
 
@@ -107,6 +108,7 @@ class Declarations:
         self.constants: dict[str, Node | None] = {}
         self.messages: dict[str, None] = {}
         self._owned: list[Function] = []
+        self._assigned: set[str] | None = None
 
     # -- reading ------------------------------------------------------------------------------------------------------
 
@@ -301,6 +303,16 @@ class Declarations:
                 function.name = joined(owner, function.last)
             self.functions.setdefault(function.name, []).append(function)
         self._owned = []
+
+    def is_assigned(self, name: str) -> bool:
+        """Whether a function, other than constructors, assigns a variable of that name; told by the text alone."""
+        if self._assigned is None:
+            self._assigned = set()
+            for functions in self.functions.values():
+                for each in functions:
+                    if each.body is not None and each.last != each.owner.rpartition("::")[2]:
+                        self._assigned.update(match[1] or match[2] for match in _ASSIGNED.finditer(each.body.text))
+        return name in self._assigned
 
     def _by_alias(self, owner: str) -> str:
         for start, full in self.namespaces.items():

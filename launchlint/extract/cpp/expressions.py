@@ -68,6 +68,11 @@ def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
         return _pointer(machine, node, frame)
     if kind == "subscript_expression":
         return _subscript(machine, node, frame)
+    if kind == "template_function":
+        named = node.field("name")
+        functions = calls.functions(machine, named.text, frame) if named is not None else []
+        types = tuple(machine.names.resolve(each, frame) for each in calls.template_arguments(node))
+        return Callable(tuple(functions), types=types) if functions else UNKNOWN
     if kind == "lambda_expression":
         return Closure(node, frame)
     if kind == "new_expression":

@@ -11,9 +11,9 @@ from launchlint.extract.cpp.syntax import Node, parse
 from launchlint.workspace.reading import LARGEST_FILE, read_bytes
 
 _MOST_FILES = 600
-_MOST_BYTES = 12 << 20
+_MOST_BYTES = 8 << 20
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]{1,300})[>"]', re.MULTILINE)
-_MOST_KEPT = 200
+_MOST_KEPT = 4 << 20
 
 _kept: OrderedDict[tuple[str, int, int], Node] = OrderedDict()
 
@@ -68,7 +68,7 @@ def _tree(path: str, data: bytes) -> Node:
         return _kept[key]
     tree = parse(data)
     _kept[key] = tree
-    if len(_kept) > _MOST_KEPT:
+    while len(_kept) > 1 and sum(size for _, size, _ in _kept) > _MOST_KEPT:
         _kept.popitem(last=False)
     return tree
 
@@ -87,4 +87,4 @@ def _found(name: str, quoted: bool, includer: str, directories: Sequence[str]) -
 
 
 def _relative(path: str, root: str) -> str:
-    return os.path.relpath(path, root).replace(os.sep, "/")
+    return os.path.relpath(path or ".", root).replace(os.sep, "/")

@@ -143,7 +143,7 @@ class Machine:
 
     def read(self, cell: Cell) -> Value:
         """The value of a variable; one from before the current loop or callback may have another one by then."""
-        if cell.serial < self.horizon and not cell.constant:
+        if (cell.serial < self.horizon or cell.changing) and not cell.constant:
             self.touched = True
         return cell.value
 
@@ -249,7 +249,9 @@ class Machine:
             if isinstance(first, Thing):
                 this, given = first, given[1:]
         found = overloads.chosen(self, function.functions, given if arguments or function.bound is not None else None, this)
-        return UNKNOWN if found is None else self.call(found, this, given)
+        if found is None:
+            return UNKNOWN
+        return self.call(found, this, given, dict(zip(found.template, function.types, strict=False)))
 
     def call(self, function: Function, this: Thing | None, arguments: Sequence[Argument], bindings: dict[str, Type] | None = None) -> Value:
         """Follow a function of the program with these arguments."""
@@ -307,6 +309,8 @@ class Machine:
                     frame.variables[parameter.name] = given.cell
                     continue
                 value = classes.converted(self, given.value, parameter.type, frame)
+                if isinstance(value, (Callable, Closure)):
+                    self.later(value, "message")  # it is kept, and called by whoever keeps it
             elif default is not None:
                 value = classes.converted(self, self.evaluate(default, frame), parameter.type, frame)
             else:

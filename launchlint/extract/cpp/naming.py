@@ -70,15 +70,18 @@ class Names:
             pending += [self._class_name(base.name, declared.scope) or base.name for base in declared.bases]
         return found
 
-    def _class_name(self, name: str, scope: str) -> str | None:
-        current = scope
-        while True:
-            if joined(current, name) in self.declarations.classes:
-                return joined(current, name)
-            if not current:
-                break
-            current = current.rpartition("::")[0]
-        return next((joined(used, name) for used in self.declarations.used if joined(used, name) in self.declarations.classes), None)
+    def _class_name(self, name: str, scope: str, depth: int = 0) -> str | None:
+        around = [scope]
+        while around[-1]:
+            around.append(around[-1].rpartition("::")[0])
+        for space in [*around, *self.declarations.used]:
+            full = joined(space, name)
+            if full in self.declarations.classes:
+                return full
+            alias = self.declarations.aliases.get(full)
+            if alias is not None and alias[0].name not in ("", name) and depth < _DEEPEST:
+                return self._class_name(alias[0].name, alias[1], depth + 1) or alias[0].name
+        return None
 
     def resolve(self, type_: Type, frame: Frame, scope: str | None = None, depth: int = 0) -> Type:
         """``type_`` with its full name, smart pointers and aliases looked through; template arguments resolved, too."""

@@ -96,9 +96,11 @@ def is_relevant(machine: Machine, function: Function) -> bool:
             for each, used in words.items():
                 if not each.relevant and not telling.isdisjoint(used):
                     each.relevant = True
-                    if each.last not in telling:
-                        telling.add(each.last)
-                        changed = True
+                    # An object of its class matters, too: what is made here may be called elsewhere.
+                    for name in (each.last, each.owner.rpartition("::")[2]):
+                        if name and name not in telling:
+                            telling.add(name)
+                            changed = True
         for each in words:
             each.relevant = bool(each.relevant)
     return bool(function.relevant)

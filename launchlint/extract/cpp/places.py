@@ -96,6 +96,7 @@ def _global(machine: Machine, name: str, frame: Frame) -> Cell | None:
             field = declared.fields.get(last) if declared is not None and "::" in name else None
         if field is not None:
             cell = machine.globals[full] = Cell(UNKNOWN, field.type, 0, field.constant)
+            cell.changing = machine.declarations.is_assigned(full.rpartition("::")[2])
             conditions, machine.conditions = machine.conditions, []
             inner = Frame(field.path, field.scope, None, {})
             if field.initial is not None:

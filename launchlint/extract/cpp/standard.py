@@ -25,12 +25,13 @@ if TYPE_CHECKING:
     from launchlint.extract.cpp.calls import Call
 
 _THROUGH = frozenset(
-    """std::move move std::forward boost::ref std::ref boost::cref std::cref boost::bind_ std::make_unique_ std::addressof boost::make_optional
-    boost::algorithm::trim_copy std::as_const boost::implicit_cast ros::names::clean""".split()
+    """std::move move std::forward boost::ref std::ref boost::cref std::cref boost::bind_ std::make_unique_ std::addressof
+    boost::make_optional boost::algorithm::trim_copy std::as_const boost::implicit_cast ros::names::clean""".split()
 )
 _CASTS = frozenset(
-    """static_cast dynamic_cast const_cast reinterpret_cast boost::static_pointer_cast std::static_pointer_cast boost::dynamic_pointer_cast
-    std::dynamic_pointer_cast dynamic_pointer_cast static_pointer_cast boost::const_pointer_cast boost::numeric_cast boost::polymorphic_cast""".split()
+    """static_cast dynamic_cast const_cast reinterpret_cast boost::static_pointer_cast std::static_pointer_cast
+    boost::dynamic_pointer_cast std::dynamic_pointer_cast dynamic_pointer_cast static_pointer_cast boost::const_pointer_cast
+    boost::numeric_cast boost::polymorphic_cast""".split()
 )
 _MAKERS = frozenset(
     """boost::make_shared std::make_shared std::make_unique make_shared make_unique absl::make_unique boost::make_unique""".split()
@@ -91,7 +92,7 @@ def _bound(asked: Call) -> Value:
                     first = first.choices[0][1]
                 if isinstance(first, Thing):
                     this, given = first, given[1:]
-            found.append((condition, Callable(value.functions, this, tuple(given))))
+            found.append((condition, Callable(value.functions, this, tuple(given), value.types)))
         else:
             found.append((condition, value))
     return either(found) if found else UNKNOWN

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from launchlint.extract.cpp import classes, places
 from launchlint.extract.cpp.declarations import function_declarator, is_pointer, name_of
 from launchlint.extract.cpp.frame import Frame
-from launchlint.extract.cpp.spelled_type import UNTYPED, Type, parse_type
+from launchlint.extract.cpp.spelled_type import TEXTS, UNTYPED, Type, parse_type
 from launchlint.extract.cpp.syntax import Node, parse_expression
 from launchlint.extract.cpp.values import UNKNOWN, Cell, Items, Null, Number, Text, Unknown, Value, either
 
@@ -76,7 +76,7 @@ def execute(machine: Machine, node: Node, frame: Frame) -> str:
     return ""
 
 
-def sequence(machine: Machine, nodes: list[Node], frame: Frame) -> str:
+def sequence(machine: Machine, nodes: Sequence[Node], frame: Frame) -> str:
     """Statements one after the other."""
     for node in nodes:
         signal = machine.execute(node, frame)
@@ -168,11 +168,17 @@ def _is_construction(machine: Machine, function: Node, type_: Type, frame: Frame
                 return False
             if declarator.kind == "abstract_function_declarator":
                 continue
-        first = named.text.split("::")[0].split(".")[0]
-        known = frame.variable(first) is not None or classes.member(machine, frame.this, first) is not None
-        if not known and first not in machine.declarations.variables and first not in machine.declarations.macros:
+        if named.kind == "primitive_type" or (declarator is None and _is_type(machine, named, frame)):
             return False
     return True
+
+
+def _is_type(machine: Machine, named: Node, frame: Frame) -> bool:
+    """Whether a name that may be a variable or a type is a type."""
+    if frame.variable(named.text) is not None or classes.member(machine, frame.this, named.text) is not None:
+        return False
+    resolved = machine.names.resolve(parse_type(named.text), frame)
+    return resolved.name != named.text or machine.names.declared(resolved) is not None or resolved.name in TEXTS
 
 
 def condition_text(node: Node | None) -> str:

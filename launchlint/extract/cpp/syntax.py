@@ -7,7 +7,9 @@ A file is parsed whole and never preprocessed: both sides of every ``#if`` are i
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from types import MappingProxyType
 
 from launchlint.errors import UsageError
 
@@ -17,6 +19,7 @@ if TYPE_CHECKING:
 
 _MOST_NODES = 1_500_000
 _DEEPEST = 400
+_NO_FIELDS: Mapping[str, Sequence[Node]] = MappingProxyType({})
 
 _BLANKED = re.compile(
     r"^[ \t]*(?:PLUGINLIB_\w+|NODELET_\w+|EIGEN_MAKE_ALIGNED_\w+|Q_(?:OBJECT|PROPERTY|ENUMS|INTERFACES|DECLARE\w*)|GZ_REGISTER_\w+"
@@ -39,8 +42,8 @@ class Node:
     def __init__(self, kind: str, line: int, source: bytes, start: int, end: int) -> None:
         self.kind = kind
         self.line = line
-        self.children: list[Node] = []
-        self.fields: dict[str, list[Node]] = {}
+        self.children: Sequence[Node] = ()
+        self.fields: Mapping[str, Sequence[Node]] = _NO_FIELDS
         self._source = source
         self._start = start
         self._end = end
@@ -138,9 +141,9 @@ def _converted(tree: Tree, source: bytes) -> Node:
             node = Node(found.type, found.start_point[0] + 1, source, found.start_byte, found.end_byte)
             parent = parents[-1]
             if found.is_named:
-                parent.children.append(node)
+                _add(parent, node)
             if name is not None:
-                parent.fields.setdefault(name, []).append(node)
+                _name(parent, name, node)
             if len(parents) < _DEEPEST and cursor.goto_first_child():
                 parents.append(node)
                 descended = True
@@ -150,6 +153,21 @@ def _converted(tree: Tree, source: bytes) -> Node:
             if len(parents) == 1 or not cursor.goto_parent():
                 return root
             parents.pop()
+
+
+def _add(parent: Node, node: Node) -> None:
+    # Most nodes are leaves: they have no list of their own.
+    if isinstance(parent.children, list):
+        parent.children.append(node)
+    else:
+        parent.children = [node]
+
+
+def _name(parent: Node, name: str, node: Node) -> None:
+    if isinstance(parent.fields, dict):
+        parent.fields[name] = (*parent.fields.get(name, ()), node)
+    else:
+        parent.fields = {name: (node,)}
 
 
 def _readable(source: bytes) -> bytes:

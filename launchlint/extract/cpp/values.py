@@ -72,11 +72,14 @@ class Items(NamedTuple):
 
 
 class Callable(NamedTuple):
-    """Functions of one name, the object they are called on, and the arguments that are bound (None: the place of an argument)."""
+    """Functions of one name, the object they are called on, and the arguments that are bound (a number: the place of an argument), and
+    the template arguments that are given.
+    """
 
     functions: tuple[Function, ...]
     this: Thing | None = None
     bound: tuple[int | Value, ...] | None = None
+    types: tuple[Type, ...] = ()
 
 
 class Closure:
@@ -96,15 +99,19 @@ class Either(NamedTuple):
 
 
 class Cell:
-    """A variable. ``serial`` counts variables in the order they come into being."""
+    """A variable.
 
-    __slots__ = ("constant", "serial", "type", "value")
+    ``serial`` counts variables in the order they come into being; one that is ``changing`` is assigned by several functions.
+    """
+
+    __slots__ = ("changing", "constant", "serial", "type", "value")
 
     def __init__(self, value: Value, type_: Type = UNTYPED, serial: int = 0, constant: bool = False) -> None:
         self.value = value
         self.type = type_
         self.serial = serial
         self.constant = constant
+        self.changing = False
 
 
 class Thing:
@@ -123,6 +130,7 @@ class Thing:
 Value = Unknown | Null | Text | Number | Handle | Items | Callable | Closure | Either | Thing
 
 MOST_CHOICES: Final = 8
+MOST_ITEMS: Final = 40
 
 
 def choices(value: Value) -> tuple[tuple[str, Value], ...]:
@@ -152,6 +160,9 @@ def either(found: list[tuple[str, Value]]) -> Value:
             longest = max((value for value in distinct if isinstance(value, Items)), key=lambda value: len(value.items))
             if all(isinstance(value, Items) and longest.items[: len(value.items)] == value.items for value in distinct):
                 return longest
+            every = tuple(dict.fromkeys(item for value in distinct if isinstance(value, Items) for item in value.items))
+            if len(every) <= MOST_ITEMS and all(isinstance(item, Thing) for item in every):
+                return Items(every)
         elif Text("") in distinct and UNKNOWN not in distinct:
             distinct.pop(Text(""))
     if len(distinct) == 1:
@@ -170,10 +181,11 @@ def _defaulted(values: list[Value]) -> Value | None:
         return None
     texts = [each for each in values if isinstance(each, Text) and each.template.startswith("{param:") and each.param]
     others = [each for each in values if each not in texts]
-    if len(texts) != 1 or len(others) != 1 or "|" in texts[0].template or texts[0].template.count("{") != 1:
+    if len(texts) != 1 or len(others) != 1:
         return None
+    slot = texts[0].template.removesuffix("}").removesuffix("|")  # an empty text that was there before is no default
     constant = plain(others[0])
-    return None if constant is None else Text(f"{texts[0].template[:-1]}|{constant}}}", True)
+    return None if constant is None or "|" in slot or slot.count("{") != 1 or "}" in slot else Text(f"{slot}|{constant}}}", True)
 
 
 def plain(value: Value) -> str | None:

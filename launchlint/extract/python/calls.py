@@ -174,9 +174,9 @@ class Calls(Expressions):
         spent = self._spent.get(id(node), 0)
         if self.active.count(id(node)) >= 2 or len(self.active) >= DEEPEST_CALL or spent > MOST_SPENT:
             return UNKNOWN
-        begin, before = self.steps, (len(self.facts), len(self.callbacks), len(self.instances))
+        begin, before = self.steps, (len(self.facts), len(self.callbacks))
         result = self._run(function, positional, keywords)
-        if before == (len(self.facts), len(self.callbacks), len(self.instances)):
+        if before == (len(self.facts), len(self.callbacks)):
             self._spent[id(node)] = spent + self.steps - begin
         else:
             self._spent[id(node)] = 0

@@ -200,7 +200,14 @@ class Statements(Calls):
     def _if(self, node: ast.If, scope: Scope) -> int:
         known = self.truth(self.evaluate(node.test, scope))
         if known is not None:
-            return self.execute(node.body if known else node.orelse, scope)
+            flow = self.execute(node.body if known else node.orelse, scope)
+            other = node.orelse if known else node.body
+            if other and changes_later(node.test, scope.module):
+                said = negated(written(node.test)) if known else written(node.test)
+                with self.branch(said) as later:
+                    later.flow = self.execute(other, scope)
+                self.join([("", Branch()), (said, later)], scope.variables)
+            return flow
         said = written(node.test)
         otherwise = negated(said)
         with self.branch(said) as first:
@@ -219,6 +226,17 @@ class Statements(Calls):
             staying = [condition for condition, way in ways if way.flow == GOES_ON]
             if len(staying) == 1 and staying[0]:
                 self.conditions.append(staying[0])
+        return GOES_ON
+
+    def _else(self, node: ast.For | ast.AsyncFor | ast.While, scope: Scope) -> int:
+        """The ``else`` of a loop: it may be passed over where there is a way to break out of the loop."""
+        if not node.orelse:
+            return GOES_ON
+        if not any(isinstance(each, ast.Break) for statement in node.body for each in ast.walk(statement)):
+            return self.execute(node.orelse, scope)
+        with self.branch("") as branch:
+            branch.flow = self.execute(node.orelse, scope)
+        self.join([("", branch), ("", Branch())], scope.variables)
         return GOES_ON
 
     def _for(self, node: ast.For | ast.AsyncFor, scope: Scope) -> int:
@@ -243,7 +261,7 @@ class Statements(Calls):
         del self.conditions[mark:]
         if flow in (RETURNED, ENDED):
             return flow
-        return GOES_ON if flow == BROKEN else self.execute(node.orelse, scope)
+        return GOES_ON if flow == BROKEN else self._else(node, scope)
 
     def _some_rounds(self, node: ast.For | ast.AsyncFor, items: list[Value], scope: Scope) -> int:
         """A loop of which not all rounds are known."""
@@ -256,7 +274,7 @@ class Statements(Calls):
                 if branch.flow in (BROKEN, CONTINUED):
                     branch.flow = GOES_ON
             self.join([(said, branch), (negated(said), Branch())], scope.variables)
-        return self.execute(node.orelse, scope)
+        return self._else(node, scope)
 
     def _while(self, node: ast.While, scope: Scope) -> int:
         mark = len(self.conditions)
@@ -268,7 +286,7 @@ class Statements(Calls):
                 break
             if not known:
                 del self.conditions[mark:]
-                return self.execute(node.orelse, scope)
+                return self._else(node, scope)
             flow = self.execute(node.body, scope)
             if flow in (BROKEN, RETURNED, ENDED):
                 del self.conditions[mark:]
@@ -410,6 +428,25 @@ class Statements(Calls):
             scope.module.stars += module.stars
         elif isinstance(module, External):
             scope.module.stars.append(module.name)
+
+
+def changes_later(test: ast.expr, module: Module) -> bool:
+    """Whether a condition asks for an attribute or global variable that some function sets: it may be otherwise when it is asked again."""
+    if module.set_later is None:
+        found: set[str] = set()
+        for function in ast.walk(module.tree) if module.tree is not None else ():
+            if isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)) and function.name != "__init__":
+                shared = {name for each in ast.walk(function) if isinstance(each, ast.Global) for name in each.names}
+                for each in ast.walk(function):
+                    if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store):
+                        found.add(each.attr)
+                    elif isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store) and each.id in shared:
+                        found.add(each.id)
+        module.set_later = frozenset(found)
+    return any(
+        (isinstance(each, ast.Attribute) and each.attr in module.set_later) or (isinstance(each, ast.Name) and each.id in module.set_later)
+        for each in ast.walk(test)
+    )
 
 
 _EXECUTE: dict[type[ast.stmt], Callable[[Statements, Value, Scope], int]] = {

@@ -202,7 +202,7 @@ def ros_name(value: Value) -> str:
         spelled = spelled[1:]
     if spelled.startswith(NODE):
         rest = spelled[len(NODE) :]
-        spelled = "~" + rest.lstrip("/") if rest[:1] == "/" and rest != "/" else "{node}" + rest
+        spelled = "~" + rest.lstrip("/") if not rest or rest[0] == "/" else "{node}" + rest
     elif spelled.startswith(NAMESPACE):
         spelled = spelled[len(NAMESPACE) :].lstrip("/") or ANY
     spelled = spelled.replace(NODE, ANY).replace(NAMESPACE, ANY)

@@ -123,7 +123,7 @@ class Scope:
 class Module:
     """A module whose source is followed. ``stars`` are the names of modules from which everything was imported and cannot be followed."""
 
-    __slots__ = ("imports_rospy", "name", "path", "scope", "stars", "tree")
+    __slots__ = ("name", "path", "scope", "set_later", "stars", "tree")
 
     def __init__(self, name: str, path: str, tree: ast.Module | None) -> None:
         self.name = name
@@ -131,7 +131,7 @@ class Module:
         self.tree = tree
         self.scope = Scope(self, None)
         self.stars: list[str] = []
-        self.imports_rospy = False
+        self.set_later: frozenset[str] | None = None
 
 
 class Function(NamedTuple):

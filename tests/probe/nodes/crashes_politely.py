@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Has an exception, prints it, and ends with status 0."""
+
 import sys
 import traceback
 from wire import Node

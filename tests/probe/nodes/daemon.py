@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Forks twice, begins a session of its own and lives on when what was started has ended."""
+
 import os
 
 if os.fork():

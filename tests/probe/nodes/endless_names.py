@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """A new topic each time."""
+
 import itertools
 from wire import Node
 

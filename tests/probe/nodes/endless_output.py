@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Prints as fast as it can."""
+
 import sys
 
 while True:

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """A child that starts a child when it is told to end, and so on; each in a session of its own."""
+
 import os
 import signal
 import time

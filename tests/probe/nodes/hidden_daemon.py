@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """As daemon.py, but it also clears its environment, so that only its ancestry tells where it came from."""
+
 import os
 import sys
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Registers what is no name, and prints what a terminal would obey."""
+
 from wire import Node, spin
 
 node = Node()

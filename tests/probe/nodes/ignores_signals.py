@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Neither Ctrl-C nor SIGTERM ends it."""
+
 import signal
 
 signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Its topics come three seconds after it has found the master."""
+
 import time
 from wire import Node, spin
 

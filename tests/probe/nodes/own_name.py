@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Names made of its own name and namespace, as with getName() in roscpp."""
+
 from wire import Node, spin
 
 node = Node()

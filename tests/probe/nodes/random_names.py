@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Part of each name is made up on the spot."""
+
 import os
 import random
 import uuid

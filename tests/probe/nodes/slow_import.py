@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Needs four seconds before it does anything at all."""
+
 import time
 
 time.sleep(4)

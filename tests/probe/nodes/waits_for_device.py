@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Tries to open a serial port that is not there, again and again."""
+
 import os
 import time
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Asks for a service until it is there, which is never; only then would it publish."""
+
 import time
 from wire import Node
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Prints how it is to be called, and ends with status 0 as if all were well."""
+
 import sys
 from wire import Node, spin
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from launchlint.extract.cpp import classes
-from launchlint.extract.cpp.declarations import Parameter
+from launchlint.extract.cpp.declarations import Function, Parameter
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.values import UNKNOWN, Callable, Closure, Thing, Value, choices
@@ -35,7 +35,7 @@ def message_type(machine: Machine, callback: Value, frame: Frame, service: bool 
         return _of_parameters(machine, machine.parameters(callback), callback.frame, service, None)
     if not isinstance(callback, Callable):
         return ""
-    for function in callback.functions:
+    for function in sorted(callback.functions, key=lambda each: _is_service(each) is not service):
         owner = machine.declarations.classes.get(function.owner)
         known = dict(classes.bindings_in(machine, callback.this, owner)) if callback.this is not None else {}
         inner = Frame(function.path, function.scope, callback.this, known)
@@ -43,6 +43,11 @@ def message_type(machine: Machine, callback: Value, frame: Frame, service: bool 
         if found:
             return found
     return ""
+
+
+def _is_service(function: Function) -> bool:
+    """Whether the parameters of an overload are those of a service."""
+    return any(each.type.last in ("Request", "Response") or each.type.name.endswith("Request") for each in function.parameters)
 
 
 def _of_parameters(

@@ -1,0 +1,155 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.extract.cpp.following import in_main, lines, program, spelled
+
+CASES = {
+    "default": ('ros::NodeHandle nh;\nnh.advertise<std_msgs::String>("a", 5);', "publishers a std_msgs/String 3 queue=5"),
+    "private": (
+        'ros::NodeHandle nh("~");\nnh.advertise<std_msgs::String>("a", 5, true);',
+        "publishers ~a std_msgs/String 3 latched queue=5",
+    ),
+    "sub": ('ros::NodeHandle nh("arm");\nnh.advertise<std_msgs::String>("a", 5);', "publishers arm/a std_msgs/String 3 queue=5"),
+    "global": ('ros::NodeHandle nh("/arm");\nnh.advertise<std_msgs::String>("a", 5);', "publishers /arm/a std_msgs/String 3 queue=5"),
+    "global name": ('ros::NodeHandle nh("~");\nnh.advertise<std_msgs::String>("/a", 5);', "publishers /a std_msgs/String 3 queue=5"),
+    "nested": (
+        'ros::NodeHandle nh("~");\nros::NodeHandle arm(nh, "arm");\narm.advertise<std_msgs::String>("a", 5);',
+        "publishers ~arm/a std_msgs/String 4 queue=5",
+    ),
+    "copy": (
+        'ros::NodeHandle nh("~");\nros::NodeHandle b(nh);\nb.advertise<std_msgs::String>("a", 5);',
+        "publishers ~a std_msgs/String 4 queue=5",
+    ),
+    "pointer": (
+        'ros::NodeHandle* nh = new ros::NodeHandle("~");\nnh->advertise<std_msgs::String>("a", 5);',
+        "publishers ~a std_msgs/String 3 queue=5",
+    ),
+    "shared pointer": (
+        'boost::shared_ptr<ros::NodeHandle> nh = boost::make_shared<ros::NodeHandle>("~");\nnh->advertise<std_msgs::String>("a", 5);',
+        "publishers ~a std_msgs/String 3 queue=5",
+    ),
+    "reset": (
+        'std::unique_ptr<ros::NodeHandle> nh;\nnh.reset(new ros::NodeHandle("~"));\nnh->advertise<std_msgs::String>("a", 5);',
+        "publishers ~a std_msgs/String 4 queue=5",
+    ),
+    "one of two": (
+        'ros::NodeHandle nh;\nif (argc > 3) nh = ros::NodeHandle("~");\nnh.advertise<std_msgs::String>("a", 5);',
+        """
+        publishers a std_msgs/String 4 queue=5 if !(argc > 3)
+        publishers ~a std_msgs/String 4 queue=5 if argc > 3
+        """,
+    ),
+    "by getName": (
+        """
+        ros::NodeHandle nh;
+        nh.advertise<std_msgs::String>(ros::this_node::getName() + "/a", 5);
+        nh.advertise<std_msgs::String>(ros::this_node::getName() + "_b", 5);
+        """,
+        """
+        publishers {node}_b std_msgs/String 4 queue=5
+        publishers ~a std_msgs/String 3 queue=5
+        """,
+    ),
+    "resolved": (
+        'ros::NodeHandle nh;\nnh.subscribe(nh.resolveName("rgb") + "/image", 1, cb);',
+        "subscribers {remap:rgb}/image - 3 queue=1",
+    ),
+    "argument": ("ros::NodeHandle nh;\nnh.advertise<std_msgs::String>(argv[1], 5);", "publishers {arg:1} std_msgs/String 3 queue=5"),
+    "alias of a namespace": (
+        'namespace r = ros;\nros::NodeHandle nh;\nnh.serviceClient<std_srvs::Empty>("a");',
+        "clients a std_srvs/Empty 4",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_namespace_of_a_node_handle(tmp_path: Path, name: str) -> None:
+    body, expected = CASES[name]
+    facts, doubts = program(tmp_path, in_main(body))
+    assert [spelled(fact) for fact in facts] == lines(expected)
+    assert doubts == ()
+
+
+def test_handle_and_name_travel_together_through_constructors(tmp_path: Path) -> None:
+    source = """
+    #include <sensor_msgs/LaserScan.h>
+    class Base {
+     public:
+      explicit Base(ros::NodeHandle& nh) : nh_(nh), pnh_("~") {}
+      void open(const std::string& topic) { pub_ = nh_.advertise<sensor_msgs::LaserScan>(topic, 1); }
+      ros::NodeHandle nh_, pnh_;
+      ros::Publisher pub_;
+    };
+    class Node : public Base {
+     public:
+      Node(ros::NodeHandle nh, std::string prefix = "front") : Base(nh), prefix_(prefix) {
+        open(prefix_ + "/scan");
+        pnh_.param("rate", rate_, 10.0);
+      }
+      std::string prefix_;
+      double rate_;
+    };
+    int main(int argc, char** argv) {
+      ros::NodeHandle nh("robot");
+      Node one(nh);
+      Node* two = new Node(ros::NodeHandle("~"), "rear");
+    }
+    """
+    facts, doubts = program(tmp_path, source)
+    assert [spelled(fact) for fact in facts] == lines(
+        """
+        params ~rate double 14 default=10.0
+        publishers robot/front/scan sensor_msgs/LaserScan 6 queue=1
+        publishers ~rear/scan sensor_msgs/LaserScan 6 queue=1
+        """
+    )
+    assert doubts == ()
+
+
+def test_class_in_a_header_with_its_constructor_in_another_file(tmp_path: Path) -> None:
+    files = {
+        "include/demo/node.h": "namespace demo { class Node { public: Node(ros::NodeHandle nh, int queue = 7); ros::Publisher pub_; }; }",
+        "src/node.cpp": '#include "demo/node.h"\nusing namespace demo;\n'
+        'Node::Node(ros::NodeHandle nh, int queue) { pub_ = nh.advertise<std_msgs::Bool>("on", queue); }',
+        "src/main.cpp": "#include <demo/node.h>\nint main() { ros::NodeHandle nh; demo::Node node(nh); }",
+    }
+    facts, doubts = program(tmp_path, files)
+    assert [(spelled(fact), fact.path) for fact in facts] == [("publishers on std_msgs/Bool 3 queue=7", "src/node.cpp")]
+    assert doubts == ()
+
+
+def test_handle_given_to_code_that_is_not_there_is_a_doubt_in_every_category(tmp_path: Path) -> None:
+    facts, doubts = program(tmp_path, in_main("ros::NodeHandle nh;\nelsewhere::Planner planner(nh);"))
+    assert facts == ()
+    assert [(doubt.category, doubt.reason, doubt.line) for doubt in doubts] == [
+        (category, "elsewhere::Planner is given a node handle, and is not in these sources", 3)
+        for category in ("actions", "clients", "params", "publishers", "services", "subscribers")
+    ]
+
+
+def test_nodelet(tmp_path: Path) -> None:
+    source = """
+    namespace demo {
+    class Relay : public nodelet::Nodelet {
+      virtual void onInit() {
+        ros::NodeHandle& private_nh = getPrivateNodeHandle();
+        image_transport::ImageTransport it(getNodeHandle());
+        boost::lock_guard<boost::mutex> lock(mutex_);
+        pub_ = private_nh.advertise<std_msgs::String>("out", 1, boost::bind(&Relay::connect, this));
+      }
+      void connect() { sub_ = getNodeHandle().subscribe("in", 2, &Relay::heard, this); }
+      void heard(const std_msgs::StringConstPtr& message) {}
+    };
+    }
+    """
+    facts, doubts = program(tmp_path, source, "demo::Relay")
+    assert [spelled(fact) for fact in facts] == lines(
+        """
+        publishers ~out std_msgs/String 8 queue=1
+        subscribers in std_msgs/String 10 queue=2 when=subscriber
+        """
+    )
+    assert doubts == ()
