@@ -27,6 +27,8 @@ REPOSITORY = "launchlint-probe"
 USER = "launchlint"
 ENGINE_SECONDS = 120
 """An engine that does not answer a question for so long is given up."""
+BUILD_MEMORY = 8 * 2**30
+"""Bytes that the building of packages may take at least: compilers want more than nodes."""
 BUILD_SECONDS = 6 * 3600
 """So is one whose build says nothing for so long."""
 LOG_LINES = 60
@@ -90,14 +92,14 @@ class Engine:
             encoding=None,
             tag=name,
             target=target,
-            buildargs={"BASE": base},
+            buildargs={"BASE": base, **({"BUILD_LIMIT": f"{limits.build:.0f}"} if limits else {})},
             labels={LABEL: "image"},
             network_mode=network,
             timeout=BUILD_SECONDS,
             rm=True,
             forcerm=True,
             decode=True,
-            container_limits={"memory": _bytes(limits.memory)} if limits else None,
+            container_limits={"memory": max(_bytes(limits.memory), BUILD_MEMORY)} if limits else None,
         )
         last: list[str] = []
         for event in events:

@@ -21,6 +21,8 @@ MOST_WOKEN = 500
 """Publishers that are connected to."""
 PATIENCE = 5
 """A node that has contacted the master but registered nothing of its own is given this many times ``quiet``: it may be slow to begin."""
+HALF = 0.6
+"""Where a node's publishers are woken, there is a silence before and one after it, each this part of ``quiet``."""
 PLACE = "{}"
 """Stands in arguments and params for a word that the probe makes up, to find it again in names."""
 
@@ -147,7 +149,7 @@ def _run(plan: Plan, recorder: Recorder, given: Dict[str, Any], mark: str, direc
         headers = {name: each.header for (_, name), each in subscriptions.items() if each.header}
         harvest = Harvest(headers, services, _woken(recorder, before), _reconfigure(subscriptions), given, plan.tokens)
         alive = processes.belonging(mark, process.pid)
-        busy = _is_busy(alive)
+        busy = not facts.nodes and _is_busy(alive)
         devices = processes.open_devices(alive)
         timed_out = time.monotonic() - began >= plan.limit and not ended
         for each in subscriptions.values():
@@ -235,34 +237,24 @@ def _watch(
         registered = any(
             not is_infrastructure(name) for table in (facts.publishers, facts.subscribers, facts.services) for _, name in list(table)
         )
-        settled = now - facts.changed >= plan.quiet and (now - idle_since >= min(plan.quiet, 0.5) or now - facts.changed >= 2 * plan.quiet)
-        if facts.nodes and settled and (registered or now - facts.changed >= PATIENCE * plan.quiet):
-            new = [(api, name) for (_, name), (_, api) in list(facts.publishers.items()) if (api, name) not in subscriptions]
+        new = [(api, name) for (_, name), (_, api) in list(facts.publishers.items()) if _wants_waking(api, name, subscriptions)]
+        wakes = before is not None or bool(new)
+        needed = plan.quiet * (HALF if wakes else 1.0) * (1 if registered else PATIENCE)
+        silence = now - facts.changed
+        if facts.nodes and silence >= needed and (now - idle_since >= min(plan.quiet, 0.5) or silence >= 2 * needed):
             if before is None:
                 before = set(list(facts.publishers) + list(facts.subscribers) + list(facts.services))
             if not new or len(subscriptions) >= MOST_WOKEN:
                 return before, False
             for api, name in new[:MOST_WOKEN]:
-                if not name.startswith("/rosout"):
-                    subscriptions[(api, name)] = Subscription(api, name)
-                else:
-                    subscriptions.setdefault((api, name), _SILENT)
+                subscriptions[(api, name)] = Subscription(api, name)
             facts.changed = time.monotonic()
         time.sleep(STEP)
 
 
-class _Silent(Subscription):
-    """Stands for a publisher that nobody needs to hear."""
-
-    def __init__(self) -> None:
-        self.header = {}
-        self.message = b""
-
-    def close(self) -> None:
-        """There is nothing to close."""
-
-
-_SILENT = _Silent()
+def _wants_waking(api: str, name: str, subscriptions: Dict[Tuple[str, str], Subscription]) -> bool:
+    """Whether a publisher has not been listened to yet. To /rosout nobody needs to listen."""
+    return (api, name) not in subscriptions and not name.startswith("/rosout")
 
 
 def _is_busy(alive: List[int]) -> bool:

@@ -1,7 +1,8 @@
 """How much of real launch files the bundled library knows: ``python -m tests.bench.knowledge CORPUS [--missing N]``.
 
-``CORPUS`` holds one directory per repository. Each ``<node>`` and ``<test>`` element is one instance, counted once, as it is evaluated in its own
-file (else in the files that include it) with default args. Printed: instances by what is known, and the programs most often unknown.
+``CORPUS`` holds one directory per repository. Each ``<node>`` and ``<test>`` element is one instance, counted once, as it is
+evaluated in its own file (else in the files that include it) with default args. Printed: instances by what is known, and the
+programs most often unknown.
 """
 
 from __future__ import annotations

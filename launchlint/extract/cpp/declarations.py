@@ -105,7 +105,7 @@ class Declarations:
         self.used: dict[str, None] = {}
         self.macros: dict[str, str] = {}
         self.calls: dict[str, tuple[tuple[str, ...], str]] = {}
-        self.constants: dict[str, Node | None] = {}
+        self.constants: dict[str, tuple[Node | None, int]] = {}
         self.messages: dict[str, None] = {}
         self._owned: list[Function] = []
         self._assigned: set[str] | None = None
@@ -209,13 +209,19 @@ class Declarations:
         self._scope(body.children, qualified, path, (), depth + 1)
 
     def _enum(self, node: Node, scope: str) -> None:
+        """Enumerators: each is the last one that is given a value, and how many it stands behind that."""
         name, body = node.field("name"), node.field("body")
+        last: Node | None = None
+        behind = 0
         for each in body.children if body else ():
-            named = each.field("name")
-            if named:
-                self.constants.setdefault(joined(scope, named.text), each.field("value"))
-                if name:
-                    self.constants.setdefault(joined(joined(scope, name.text), named.text), each.field("value"))
+            named, value = each.field("name"), each.field("value")
+            if named is None:
+                continue
+            last, behind = (value, 0) if value is not None else (last, behind)
+            self.constants.setdefault(joined(scope, named.text), (last, behind))
+            if name:
+                self.constants.setdefault(joined(joined(scope, name.text), named.text), (last, behind))
+            behind += 1
 
     def using(self, node: Node, scope: str) -> None:
         """A using declaration or directive."""

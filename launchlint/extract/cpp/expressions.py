@@ -127,8 +127,9 @@ def constant(machine: Machine, name: str, frame: Frame) -> Value:
     for scope in machine.names.scopes(frame.scope):
         full = joined(scope, name)
         if full in machine.declarations.constants:
-            value = machine.declarations.constants[full]
-            return machine.evaluate(value, frame) if value is not None else UNKNOWN
+            node, behind = machine.declarations.constants[full]
+            first = machine.evaluate(node, Frame(frame.path, scope, None, {})) if node is not None else Number(0)
+            return combined(machine, "+", first, Number(behind)) if behind else first
     return UNKNOWN
 
 

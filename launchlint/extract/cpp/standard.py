@@ -168,10 +168,18 @@ def method(value: Value, asked: Call, cell: Cell | None) -> Value:
             return value.items[0 if name == "front" else -1]
         if name == "clear" and cell is not None:
             machine.write(cell, Items(()))
+        elif name == "resize" and cell is not None and _length(asked.value(0)) is not None:
+            length = _length(asked.value(0)) or 0
+            machine.write(cell, Items((*value.items[:length], *[UNKNOWN] * (length - len(value.items)))))
         elif name in ("resize", "assign", "erase", "pop_back", "swap") and cell is not None:
             machine.write(cell, UNKNOWN)
         return UNKNOWN
     return UNKNOWN
+
+
+def _length(value: Value) -> int | None:
+    known = value.value if isinstance(value, Number) else None
+    return known if isinstance(known, int) and not isinstance(known, bool) and 0 <= known <= _MOST_ITEMS else None
 
 
 def _part(value: Text, asked: Call) -> Value:

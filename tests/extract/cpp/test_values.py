@@ -48,11 +48,17 @@ NAMES = {
     "a macro": ("std::string t = TOPIC;", "from/macro"),
     "a constant of a class": ("std::string t = Names::SCAN;", "of/class"),
     "a list": ('std::vector<std::string> v = {"a", "b"};\nstd::string t = v[1];', "b"),
+    "a list by enumerators": (
+        'std::vector<std::string> v;\nv.resize(5);\nv[THIRD] = "c";\nstd::string t = v[4];',
+        "c",
+    ),
     "unknown": ("std::string t = read_from_somewhere();", "{any}"),
     "partly unknown": ('std::string t = read_from_somewhere() + "/scan";', "{any}/scan"),
     "with braces": ('std::string t = "a{b}";', "a{{b}}"),
 }
-BEFORE = '#define TOPIC "from/macro"\nstruct Names { static constexpr const char* SCAN = "of/class"; };\n'
+BEFORE = (
+    'enum { FIRST, SECOND = 3, THIRD };\n#define TOPIC "from/macro"\nstruct Names { static constexpr const char* SCAN = "of/class"; };\n'
+)
 
 
 @pytest.mark.parametrize("name", NAMES)

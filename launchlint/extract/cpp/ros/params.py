@@ -19,7 +19,8 @@ def named(handle: Handle, name: Value) -> Value:
     """A name in the namespace of a node handle."""
     found: list[tuple[str, Value]] = []
     for condition, each in choices(name):
-        text = each.template if isinstance(each, Text) else ANY
+        # Nothing can be called by an empty name: it is given elsewhere.
+        text = each.template if isinstance(each, Text) and each.template else ANY
         found.append((condition, Text(in_namespace(handle.namespace, text))))
     return either(found)
 
