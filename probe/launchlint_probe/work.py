@@ -41,8 +41,12 @@ def say(record: Record) -> None:
         )
         line = json.dumps(record, sort_keys=True, default=str)
     with _saying:
-        sys.stdout.write(line + "\n")
-        sys.stdout.flush()
+        try:
+            sys.stdout.write(line + "\n")
+            sys.stdout.flush()
+        except BrokenPipeError:  # whoever wanted to know has gone: nothing of this must go on
+            processes.end_all()
+            os._exit(141)
 
 
 def run_all(job: Job) -> int:

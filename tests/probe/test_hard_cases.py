@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
+import subprocess
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests.probe.odd_nodes import PACKAGE, install, processes_with, run
+from tests.probe.odd_nodes import PACKAGE, PROGRAM, install, processes_with, run
 
 LIMIT = 8.0
 STOPPING = 5.0
@@ -121,3 +124,17 @@ def test_what_is_done_is_not_done_again(tmp_path: Path) -> None:
     first = {record["name"]: record["hash"] for record in run(job) if record["kind"] == "node"}
     again = [record["name"] for record in run({**job, "done": [first["wants_args.py"]]}) if record["kind"] == "node"]
     assert again == ["crashes_politely.py"]
+
+
+def test_nothing_goes_on_when_nobody_listens_any_more(tmp_path: Path) -> None:
+    prefix = install(tmp_path / "prefix", ["busy_loop.py", "crashes_politely.py", "ignores_signals.py"])
+    job = {"prefixes": [str(prefix)], "packages": [PACKAGE], "limits": {"quiet": 0.3, "limit": 300, "jobs": 3}}
+    process = subprocess.Popen([sys.executable, "-I", str(PROGRAM)], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    assert process.stdin is not None
+    assert process.stdout is not None
+    process.stdin.write(json.dumps(job).encode())
+    process.stdin.close()
+    process.stdout.readline()
+    process.stdout.close()
+    assert process.wait(60) == 141
+    assert processes_with(str(prefix)) == []
