@@ -23,6 +23,8 @@ PATIENCE = 5
 """A node that has contacted the master but registered nothing of its own is given this many times ``quiet``: it may be slow to begin."""
 HALF = 0.6
 """Where a node's publishers are woken, there is a silence before and one after it, each this part of ``quiet``."""
+ANSWERING = 2.0
+"""Seconds that publishers are given to answer after all else is quiet."""
 PLACE = "{}"
 """Stands in arguments and params for a word that the probe makes up, to find it again in names."""
 
@@ -245,6 +247,9 @@ def _watch(
             if before is None:
                 before = set(list(facts.publishers) + list(facts.subscribers) + list(facts.services))
             if not new or len(subscriptions) >= MOST_WOKEN:
+                if silence < needed + ANSWERING and not all(each.is_settled for each in list(subscriptions.values())):
+                    time.sleep(STEP)
+                    continue
                 return before, False
             for api, name in new[:MOST_WOKEN]:
                 subscriptions[(api, name)] = Subscription(api, name)

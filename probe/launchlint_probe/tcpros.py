@@ -3,6 +3,7 @@
 import socket
 import struct
 import threading
+import time
 import xmlrpc.client
 from typing import Any, Dict, List, Optional, Tuple
 from urllib.parse import urlparse
@@ -10,6 +11,11 @@ from urllib.parse import urlparse
 CALLER = "/launchlint_probe"
 TIMEOUT = 2.0
 """Seconds for one connection."""
+ATTEMPTS = 3
+PAUSE = 0.1
+"""Seconds before a publisher that did not answer is asked again; twice as many the next time."""
+LATCHED = 0.4
+"""Seconds until a publisher that latches has sent what it has: not all of them have published anything yet."""
 LONGEST_HEADER = 1024 * 1024
 LONGEST_MESSAGE = 4 * 1024 * 1024
 
@@ -74,27 +80,46 @@ class Subscription:
     def __init__(self, api: str, topic: str) -> None:
         self.header: Header = {}
         self.message = b""
+        self._failed = False
+        self._answered = 0.0
         self._connection: Optional[socket.socket] = None
         self._closed = False
         thread = threading.Thread(target=self._run, args=(api, topic))
         thread.daemon = True
         thread.start()
 
+    @property
+    def is_settled(self) -> bool:
+        """Whether nothing more is to come soon: it has answered, and sent what it has latched, or it does not answer at all."""
+        sends_nothing = self.header.get("latching") != "1" or time.monotonic() - self._answered > LATCHED
+        return self._failed or bool(self.message) or (bool(self.header) and sends_nothing)
+
     def _run(self, api: str, topic: str) -> None:
-        try:
-            answer = xmlrpc.client.ServerProxy(api, transport=_Transport()).requestTopic(CALLER, topic, [["TCPROS"]])
-            host, port = _address(answer)
-            connection = socket.create_connection((host, port), TIMEOUT)
+        for attempt in range(ATTEMPTS):
+            try:
+                self._listen(api, topic)
+            except Exception:  # whatever a node answers, it says nothing more, or not now: some are asked before they are ready
+                if self._closed or self.header:
+                    break
+                time.sleep(PAUSE * (attempt + 1))
+        self._failed = True
+
+    def _listen(self, api: str, topic: str) -> None:
+        answer = xmlrpc.client.ServerProxy(api, transport=_Transport()).requestTopic(CALLER, topic, [["TCPROS"]])
+        host, port = _address(answer)
+        with socket.create_connection((host, port), TIMEOUT) as connection:
             self._connection = connection
             connection.settimeout(TIMEOUT)
             connection.sendall(_packed({"callerid": CALLER, "topic": topic, "type": "*", "md5sum": "*", "tcp_nodelay": "1"}))
-            self.header = _unpacked(_block(connection, LONGEST_HEADER))
+            header = _unpacked(_block(connection, LONGEST_HEADER))
+            if "error" in header:
+                raise OSError(header["error"])
+            self._answered = time.monotonic()
+            self.header = header
             connection.settimeout(None)
             while not self._closed:
                 message = _block(connection, LONGEST_MESSAGE)
                 self.message = self.message or message
-        except Exception:  # whatever a node answers, it says nothing more
-            return
 
     def close(self) -> None:
         """Hang up."""
