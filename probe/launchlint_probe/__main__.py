@@ -6,12 +6,12 @@ import json
 import os
 import signal
 import sys
+import tempfile
 
 if __name__ == "__main__":
     sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from launchlint_probe import processes
-from launchlint_probe.work import environment, run_all, say
+from launchlint_probe.work import environment, leave, run_all, say
 
 
 def main() -> int:
@@ -25,16 +25,17 @@ def main() -> int:
         job = json.load(sys.stdin)
     signal.signal(signal.SIGALRM, _stop)
     signal.alarm(int(job.get("limits", {}).get("total", 86400)) + 30)  # nobody may be left who would stop it
-    say(environment())
-    left = run_all(job)
-    say({"kind": "end", "left": left})
+    with tempfile.TemporaryDirectory(prefix="launchlint-probe-") as directory:
+        tempfile.tempdir = directory
+        say(environment())
+        left = run_all(job)
+        say({"kind": "end", "left": left})
     return 1 if left else 0
 
 
 def _stop(number: int, frame: object) -> None:
     """Asked to stop: whatever runs below this process ends with it."""
-    processes.end_all()
-    os._exit(128 + number)
+    leave(128 + number)
 
 
 if __name__ == "__main__":

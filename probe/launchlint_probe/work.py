@@ -3,8 +3,10 @@
 import hashlib
 import json
 import os
+import shutil
 import subprocess
 import sys
+import tempfile
 import threading
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import partial
@@ -45,8 +47,15 @@ def say(record: Record) -> None:
             sys.stdout.write(line + "\n")
             sys.stdout.flush()
         except BrokenPipeError:  # whoever wanted to know has gone: nothing of this must go on
-            processes.end_all()
-            os._exit(141)
+            leave(141)
+
+
+def leave(code: int) -> None:
+    """End at once, with everything that was started, and leave no files behind."""
+    processes.end_all()
+    if tempfile.tempdir is not None:
+        shutil.rmtree(tempfile.tempdir, ignore_errors=True)
+    os._exit(code)
 
 
 def run_all(job: Job) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from collections.abc import Mapping
@@ -129,7 +130,9 @@ def test_what_is_done_is_not_done_again(tmp_path: Path) -> None:
 def test_nothing_goes_on_when_nobody_listens_any_more(tmp_path: Path) -> None:
     prefix = install(tmp_path / "prefix", ["busy_loop.py", "crashes_politely.py", "ignores_signals.py"])
     job = {"prefixes": [str(prefix)], "packages": [PACKAGE], "limits": {"quiet": 0.3, "limit": 300, "jobs": 3}}
-    process = subprocess.Popen([sys.executable, "-I", str(PROGRAM)], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    (tmp_path / "tmp").mkdir()
+    environment = {**os.environ, "TMPDIR": str(tmp_path / "tmp")}
+    process = subprocess.Popen([sys.executable, "-I", str(PROGRAM)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment)
     assert process.stdin is not None
     assert process.stdout is not None
     process.stdin.write(json.dumps(job).encode())
@@ -137,4 +140,5 @@ def test_nothing_goes_on_when_nobody_listens_any_more(tmp_path: Path) -> None:
     process.stdout.readline()
     process.stdout.close()
     assert process.wait(60) == 141
+    assert list((tmp_path / "tmp").iterdir()) == []
     assert processes_with(str(prefix)) == []
