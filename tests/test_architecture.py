@@ -14,7 +14,7 @@ PACKAGE = Path(__file__).resolve().parent.parent / "launchlint"
 
 # From the top of the house to its foundation. Rooms on one line are neighbours and may import each other; all else points downward.
 FLOORS = (
-    ("__main__",),
+    ("__main__", "action"),
     ("cli",),
     ("report",),
     ("probe",),

@@ -20,6 +20,8 @@ PLAIN_FLAGS = {
     "--no-cache": "no_cache",
     "--exit-zero": "exit_zero",
     "--statistics": "statistics",
+    "--staged": "staged",
+    "--changed": "changed",
 }
 """Flags of ``check`` that need no parser."""
 
@@ -68,8 +70,16 @@ def _command(words: list[str]) -> int:
             no_cache="no_cache" in flags,
             exit_zero="exit_zero" in flags,
             statistics="statistics" in flags,
+            staged="staged" in flags,
+            changed="changed" in flags,
         )
         return run_check(EntryOptions(paths), options)
+    if words and words[0] == "format":  # on every save
+        from launchlint.cli.formatting import plain_options, run_format
+
+        given = plain_options(words[1:])
+        if given is not None:
+            return run_format(given)
     from launchlint.cli.commands import run
 
     return run(words)

@@ -21,13 +21,15 @@ from launchlint.cli.options import entry_options
     "formats",
     multiple=True,
     metavar="F[:FILE]",
-    help="text (default), concise, json, jsonl, sarif, github, gitlab, junit; repeatable.",
+    help="text (default), concise, json, jsonl, sarif, github, gitlab, junit, markdown; repeatable.",
 )
 @click.option("--fail-on", default="error", show_default=True, metavar="LEVEL", help="Least severity that makes the exit status 1.")
 @click.option("--exit-zero", is_flag=True, help="Exit with status 0 whatever is found.")
 @click.option("--baseline", metavar="FILE", help="Leave out the findings recorded in FILE.")
 @click.option("--write-baseline", metavar="FILE", help="Record the present findings in FILE and end.")
 @click.option("--base", metavar="REV", help="Tell, too, what has lost a connection since this git revision.")
+@click.option("--staged", is_flag=True, help="Judge the launch files that git would commit, as they are staged.")
+@click.option("--changed", is_flag=True, help="PATHS changed: check the whole repository, tell what concerns them.")
 @click.option("--statistics", is_flag=True, help="Add a table of how often each rule found something.")
 @click.option("--jobs", type=click.IntRange(min=0), default=0, help="Processes to use; default: as many as pay.")
 @click.option("--no-cache", is_flag=True, help="Neither read nor write the result cache.")
@@ -51,6 +53,8 @@ def command(
     color: str,
     quiet: bool,
     verbose: bool,
+    staged: bool,
+    changed: bool,
 ) -> int:
     """Find the mistakes in launch files.
 
@@ -60,6 +64,6 @@ def command(
     """
     given = CheckOptions(
         select, ignore, severity, formats, fail_on, exit_zero, baseline, write_baseline, base, statistics, jobs, no_cache, color, quiet,
-        verbose,
+        verbose, staged, changed,
     )  # fmt: skip
     return run_check(entry, given)

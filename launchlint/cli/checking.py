@@ -14,6 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.baseline import Baseline
     from launchlint.check.merge import Outcome
+    from launchlint.finding import Finding
 
 
 class CheckOptions(NamedTuple):
@@ -34,6 +35,8 @@ class CheckOptions(NamedTuple):
     color: str = "auto"
     quiet: bool = False
     verbose: bool = False
+    staged: bool = False
+    changed: bool = False
 
 
 def run_check(entry: EntryOptions, given: CheckOptions) -> int:
@@ -48,6 +51,7 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
     threshold = parse_severity(given.fail_on, "--fail-on")
     _only_jsonl_with_entries(entry, given)
     check_outputs(given.formats, given.write_baseline)
+    changed = _changed(entry, given)
     directory = None if given.no_cache else default_directory()
     options = entry.options(select=given.select, ignore=given.ignore, severity=given.severity, cache=directory)
     per_file = per_file_ignores(entry.configuration, options.root)
@@ -96,7 +100,27 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
         return record(outcome, given.write_baseline, quiet=given.quiet)
     if known is not None:
         outcome = without_known(outcome, known)
+    if changed is not None:
+        outcome = outcome._replace(findings=tuple(finding for finding in outcome.findings if concerns(finding, changed)))
     return report(outcome, shown, notices)
+
+
+def _changed(entry: EntryOptions, given: CheckOptions) -> frozenset[str] | None:
+    """With --changed the files that are given, absolute; everything in the repository becomes what is checked."""
+    if (given.staged or given.changed) and (entry.standard_input is not None or entry.entries is not None):
+        raise UsageError("--staged and --changed are about files of a git repository; they go with neither standard input nor --entries")
+    entry.staged = given.staged
+    if not given.changed:
+        return None
+    if given.write_baseline is not None:
+        raise UsageError("--write-baseline records all findings; leave --changed out")
+    return frozenset(os.path.realpath(path) for path in entry.take_all_of_repository())
+
+
+def concerns(finding: Finding, files: frozenset[str]) -> bool:
+    """Whether a finding has its place, another place that belongs to it, or an include on the way to it in one of ``files``."""
+    places = (finding.location, *(related.location for related in finding.related), *finding.chain)
+    return any(os.path.realpath(place.path) in files for place in places)
 
 
 def _only_jsonl_with_entries(entry: EntryOptions, given: CheckOptions) -> None:

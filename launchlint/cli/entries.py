@@ -47,7 +47,18 @@ class EntryOptions:
         self.entries = entries
         self.workspace = workspace
         self.library = library
+        self.staged = False
+        self._config = config
         self.configuration = read_configuration(config, (self.standard_input,) if self.standard_input else self.paths)
+
+    def take_all_of_repository(self) -> tuple[str, ...]:
+        """Take the whole repository around the current directory instead of the paths that were given. Returns those."""
+        from launchlint.workspace.repository import repository_root
+
+        given = self.paths
+        self.paths = (os.path.relpath(repository_root(os.curdir)),)
+        self.configuration = read_configuration(self._config, self.paths)
+        return given
 
     @property
     def named(self) -> frozenset[str]:
@@ -63,21 +74,33 @@ class EntryOptions:
             return [EntryRequest(self.standard_input, self.standard_input, self.arguments)], {self.standard_input: sys.stdin.buffer.read()}
         if self.entries is not None:
             return self._listed(), {}
-        from launchlint.workspace.discovery import discover
-
         configuration = self.configuration
         declared: dict[str, list[Arguments]] = {}
         for entry in configuration.entries or ():
             declared.setdefault(os.path.abspath(entry.file), []).append(tuple(entry.arguments.items()))
         profiles = [tuple(arguments.items()) for arguments in configuration.args.values()]
         requests: dict[EntryRequest, None] = {}
-        for file in discover(self.paths, configuration.exclude, configuration.directory):
+        files, overlay = self._found()
+        for file in files:
             given = declared.get(os.path.abspath(file))
             for arguments in given or [()]:
                 for profile in ((), *profiles):
                     both = merge_arguments(merge_arguments(arguments, profile), self.arguments)
                     requests[EntryRequest(file, file, both, given is not None)] = None
-        return list(requests), {}
+        return list(requests), overlay
+
+    def _found(self) -> tuple[Iterable[str], dict[str, bytes]]:
+        """The launch files at and below the paths, and what is staged of those that differ from it."""
+        from launchlint.workspace.discovery import discover
+
+        exclude, directory = self.configuration.exclude, self.configuration.directory
+        if not self.staged:
+            return discover(self.paths, exclude, directory), {}
+        from launchlint.workspace.index import staged
+        from launchlint.workspace.repository import repository_root
+
+        found = staged(repository_root(os.curdir), self.paths, exclude, directory)
+        return found.files, found.content
 
     def requests_below(self, place: Callable[[str], str], back: Callable[[str], str]) -> dict[str, EntryRequest]:
         """As :meth:`requests`, of another copy of the files, one for each file; by the path as people see it.

@@ -26,6 +26,7 @@ FORMATS = {
     "github": "launchlint.report.github",
     "gitlab": "launchlint.report.gitlab",
     "junit": "launchlint.report.junit",
+    "markdown": "launchlint.report.markdown",
 }
 """Name of a format: the module whose ``render(findings, run)`` makes it. Modules are imported when first needed."""
 

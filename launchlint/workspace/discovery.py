@@ -68,10 +68,9 @@ def discover(paths: Sequence[str], exclude: Sequence[str] = (), base: str | None
 
 def is_launch_file(path: str) -> bool:
     """Whether the file at ``path`` is a launch file by its name and, where the name leaves it open, by its content."""
-    name = os.path.basename(path)
-    if name.endswith(_ENDS):
+    if path.endswith(_ENDS):
         return True
-    if name in _OTHER_XML or not name.endswith((_XML_END, _TEST_END)):
+    if not may_be_launch_file(path):
         return False
     try:
         descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
@@ -83,10 +82,22 @@ def is_launch_file(path: str) -> bool:
         return False
     finally:
         os.close(descriptor)
+    return is_launch_content(path, start)
+
+
+def may_be_launch_file(path: str) -> bool:
+    """Whether a file of this name can be a launch file."""
+    return path.endswith((*_ENDS, _TEST_END, _XML_END)) and os.path.basename(path) not in _OTHER_XML
+
+
+def is_launch_content(path: str, content: bytes) -> bool:
+    """Whether a file that may be a launch file by its name is one, with what it holds (its beginning is enough)."""
+    if path.endswith(_ENDS):
+        return True
     from launchlint.workspace.dialect import has_launch_root
 
     # A test file may be broken, and is then still meant to be one; an XML file with another root is simply something else.
-    return has_launch_root(start) or (name.endswith(_TEST_END) and b"<launch" in start)
+    return has_launch_root(content[:_SNIFFED]) or (path.endswith(_TEST_END) and b"<launch" in content[:_SNIFFED])
 
 
 def _walk(start: str, exclude: Sequence[str], base: str, seen: set[tuple[int, int]]) -> list[str]:

@@ -7,23 +7,17 @@ git stores is written as it is stored: line ends are not converted, and files ke
 from __future__ import annotations
 
 import os
-import subprocess
-import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.errors import UsageError
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import IO
+from launchlint.workspace.git import contents, git, reason
 
 LARGEST_FILE = 4 << 20
 """Bytes; a larger file is made empty: nothing that launchlint reads is so large."""
 MOST_FILES = 200_000
 MOST_BYTES = 1 << 30
 """Bytes that are written in all; what comes later is made empty."""
-LONGEST_ERROR = 500
 MOST_NESTED = 8
 """Submodules in submodules that are followed."""
 
@@ -35,10 +29,6 @@ _NEVER_READ = (
 )
 _WITHOUT_CONTENT = frozenset(_NEVER_READ.split())
 """Ends of names of which it is enough to know that the file is there: meshes, maps, pictures, recordings."""
-_NOT_OURS = frozenset(
-    {"GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_OBJECT_DIRECTORY", "GIT_COMMON_DIR", "GIT_NAMESPACE", "GIT_PREFIX"}
-)
-"""What git tells its hooks: of the repository of the commit, which need not be the one that is looked at."""
 
 
 class _Entry(NamedTuple):
@@ -61,10 +51,10 @@ def resolve(repository: str, revision: str) -> str:
     """
     if not os.path.exists(os.path.join(repository, ".git")):
         raise UsageError(f"{repository} is not in a git repository: there is no revision {revision} of it to compare with")
-    done = _git(repository, ["rev-parse", "--verify", "--quiet", "--end-of-options", revision])
+    done = git(repository, ["rev-parse", "--verify", "--quiet", "--end-of-options", revision])
     found = done.stdout.decode("ascii", "replace").strip()
     if not done.returncode and found:  # in two steps: what follows :/text belongs to the text
-        done = _git(repository, ["rev-parse", "--verify", "--quiet", "--end-of-options", f"{found}^{{commit}}"])
+        done = git(repository, ["rev-parse", "--verify", "--quiet", "--end-of-options", f"{found}^{{commit}}"])
     commit = done.stdout.decode("ascii", "replace").strip()
     if done.returncode or not commit:
         raise UsageError(f"{revision} is no revision of the git repository {repository}: {_why(done.stderr, revision)}")
@@ -75,7 +65,7 @@ def _why(errors: bytes, revision: str) -> str:
     if b"expected commit type" in errors:
         return "it is a file or directory, not a commit"
     if errors and b"^{commit}" not in errors:
-        return _reason(errors)
+        return reason(errors)
     if ".." in revision:
         first, _, second = revision.partition("..")
         return f"that is a range; give its ends as two words: {first or 'HEAD'} {second.lstrip('.') or 'HEAD'}"
@@ -83,11 +73,6 @@ def _why(errors: bytes, revision: str) -> str:
         "git knows no such commit, branch or tag; a shallow clone (the default in CI) lacks most of them: git fetch --depth=1 origin BRANCH"
         " gets one, and FETCH_HEAD is its name then"
     )
-
-
-def _reason(errors: bytes) -> str:
-    """What git says, in one line."""
-    return " ".join(errors.decode("utf-8", "replace").removeprefix("fatal: ").split())[:LONGEST_ERROR]
 
 
 def is_revision(repository: str, revision: str) -> bool:
@@ -116,9 +101,9 @@ def unpack(repository: str, revision: str, directory: str) -> None:
 
 
 def _unpack(repository: str, commit: str, revision: str, directory: str, links: list[str], depth: int) -> None:
-    listed = _git(repository, ["ls-tree", "-r", "-z", "--long", "--full-tree", commit])
+    listed = git(repository, ["ls-tree", "-r", "-z", "--long", "--full-tree", commit])
     if listed.returncode:
-        raise UsageError(f"git cannot list the files of {revision}: {_reason(listed.stderr)}")
+        raise UsageError(f"git cannot list the files of {revision}: {reason(listed.stderr)}")
     entries = [entry for entry in _entries(listed.stdout) if _is_harmless(entry.path)]
     if len(entries) > MOST_FILES:
         raise UsageError(f"{revision} has more than {MOST_FILES} files, too many to compare with")
@@ -131,7 +116,7 @@ def _unpack(repository: str, commit: str, revision: str, directory: str, links: 
                 read.append(entry)
             else:
                 _write(directory, entry, b"")
-    for entry, content in zip(read, _contents(repository, [each.object for each in read]), strict=True):
+    for entry, content in zip(read, contents(repository, [each.object for each in read]), strict=True):
         if entry.mode != _LINK:
             _write(directory, entry, content)
         elif _link(directory, entry.path, os.fsdecode(content)):
@@ -168,29 +153,6 @@ def _is_harmless(path: str) -> bool:
     return not any(part in ("", ".", "..") or part.lower() == ".git" for part in parts)
 
 
-def _contents(repository: str, names: Sequence[str]) -> Iterator[bytes]:
-    """The contents of objects, in order, one at a time."""
-    if not names:
-        return
-    with tempfile.TemporaryFile() as wanted:
-        wanted.write("".join(f"{name}\n" for name in names).encode("ascii"))
-        wanted.seek(0)
-        process = _start(repository, ["cat-file", "--batch"], wanted)
-        assert process.stdout is not None
-        try:
-            for name in names:
-                words = process.stdout.readline().split()
-                if len(words) != 3 or not words[2].isdigit():
-                    raise UsageError(f"git cannot read the object {name}: is this a partial clone? git fetch --refetch gets all of it")
-                content = process.stdout.read(int(words[2]))
-                process.stdout.read(1)
-                yield content
-        finally:
-            process.stdout.close()
-            process.kill()
-            process.wait()
-
-
 def _write(directory: str, entry: _Entry, content: bytes) -> None:
     target = os.path.join(directory, entry.path)
     try:
@@ -217,29 +179,3 @@ def _link(directory: str, path: str, goal: str) -> bool:
     except OSError:
         return False
     return True
-
-
-def _git(repository: str, words: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
-    process = _start(repository, words, None)
-    output, errors = process.communicate()
-    return subprocess.CompletedProcess(words, process.returncode, output, errors)
-
-
-def _start(repository: str, words: Sequence[str], given: IO[bytes] | None) -> subprocess.Popen[bytes]:
-    """Start git there. Whatever the repository's own configuration says, it talks to no other machine and starts no other program."""
-    environment = {name: value for name, value in os.environ.items() if name not in _NOT_OURS}
-    environment.update(
-        GIT_TERMINAL_PROMPT="0", GIT_OPTIONAL_LOCKS="0", GIT_NO_LAZY_FETCH="1", GIT_ALLOW_PROTOCOL="none", GIT_NO_REPLACE_OBJECTS="1",
-        GIT_CEILING_DIRECTORIES=os.path.dirname(repository), LC_ALL="C",
-    )  # fmt: skip
-    command = ["git", "-C", repository, "-c", "core.fsmonitor=false", "-c", "safe.bareRepository=explicit", *words]
-    try:
-        return subprocess.Popen(
-            command,
-            stdin=subprocess.DEVNULL if given is None else given,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE if given is None else subprocess.DEVNULL,
-            env=environment,
-        )
-    except OSError as error:
-        raise UsageError(f"git cannot be run: {error.strerror or error}; revisions can be compared only where git is installed") from None

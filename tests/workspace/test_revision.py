@@ -10,35 +10,11 @@ import pytest
 
 from launchlint.errors import UsageError
 from launchlint.workspace import revision
+from tests.workspace import repositories
 
 
-class Repository:
-    """A git repository for a test."""
-
-    def __init__(self, directory: Path) -> None:
-        self.directory = directory
-        directory.mkdir(parents=True, exist_ok=True)
-        self.git("init", "-q", "-b", "main")
-
-    def git(self, *words: str, check: bool = True) -> str:
-        command = ["git", "-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "protocol.file.allow=always", *words]
-        done = subprocess.run(command, cwd=self.directory, capture_output=True, check=False)
-        assert not check or done.returncode == 0, done.stderr.decode()
-        return done.stdout.decode("utf-8", "surrogateescape").strip()
-
-    def write(self, **files: str) -> None:
-        for name, text in files.items():
-            self.write_bytes(name, text.encode())
-
-    def write_bytes(self, name: str, data: bytes) -> None:
-        file = self.directory / name
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_bytes(data)
-
-    def commit(self, message: str = "more") -> str:
-        self.git("add", "-A")
-        self.git("commit", "-q", "--allow-empty", "-m", message)
-        return self.git("rev-parse", "HEAD")
+class Repository(repositories.Repository):
+    """One whose revisions are unpacked."""
 
     def unpacked(self, name: str, to: Path) -> dict[str, bytes | str]:
         """Path → content (or the goal of a link, as text) of all that is unpacked."""
@@ -124,7 +100,7 @@ def test_a_repository_without_a_commit(repository: Repository) -> None:
 
 def test_no_git(repository: Repository, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "/nowhere")
-    with pytest.raises(UsageError, match=r"git cannot be run: .*; revisions can be compared only where git is installed"):
+    with pytest.raises(UsageError, match=r"git cannot be run: .*; install it, or do without what asks for it"):
         revision.resolve(str(repository.directory), "HEAD")
 
 
