@@ -56,10 +56,13 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
     options = entry.options(select=given.select, ignore=given.ignore, severity=given.severity, cache=directory)
     per_file = per_file_ignores(entry.configuration, options.root)
     known = None
-    if given.baseline is not None and (given.write_baseline is None or os.path.exists(given.baseline)):
+    baseline = given.baseline
+    if baseline is None and entry.configuration.baseline is not None:
+        baseline = os.path.relpath(entry.configuration.baseline)
+    if baseline is not None and (given.write_baseline is None or os.path.exists(baseline)):
         from launchlint.baseline import load
 
-        known = load(given.baseline)
+        known = load(baseline)
     requests, overlay = entry.requests()
     checker = EntryChecker(options, overlay)
     if options.library:

@@ -26,6 +26,7 @@ SEVERITIES = ("error", "warning", "info")
 COMPLETENESS = ("complete", "partial")
 LINE_WIDTHS = range(40, 401)
 INDENTS = range(1, 9)
+FORMAT_KEYS = frozenset(("line-width", "indent", "sort-attributes", "sort-args"))
 
 _EMPTY: Mapping[Any, Any] = MappingProxyType({})
 
@@ -44,11 +45,14 @@ class Configuration(NamedTuple):
         per_file_ignores: pattern → rules not to run on the files that it matches.
         exclude: patterns of files and directories to leave out.
         entries: the launch files that people start, with their arguments (``file`` absolute); ``None``: found by themselves.
+        baseline: file of findings that are known and not told, absolute.
         args: name of a profile → arguments that every entry is evaluated with, once per profile.
         env: environment variables that launch files see, over those of the process.
         packages: ``complete`` where every package the robot has can be seen here, ``partial`` where not; ``None``: found by itself.
-        line_width: longest line the formatter writes, in characters.
+        line_width: characters of a line that the formatter fills with a start tag, before each attribute gets a line of its own.
         indent: blanks per level that the formatter writes.
+        sort_attributes: whether the formatter puts attributes in canonical order.
+        sort_args: whether it moves args to the start of their block, where that is proved to change nothing.
         positions: key, or key and index or name → line and column (from 1) of what is written there, for errors that only upper
             rooms can find.
     """
@@ -63,11 +67,14 @@ class Configuration(NamedTuple):
     per_file_ignores: Mapping[str, tuple[str, ...]] = _EMPTY
     exclude: tuple[str, ...] = ()
     entries: tuple[Entry, ...] | None = None
+    baseline: str | None = None
     args: Mapping[str, Mapping[str, str]] = _EMPTY
     env: Mapping[str, str] = _EMPTY
     packages: str | None = None
     line_width: int = 120
     indent: int = 2
+    sort_attributes: bool = True
+    sort_args: bool = False
     positions: Mapping[tuple[str | int, ...], tuple[int, int]] = _EMPTY
 
     def where(self, *keys: str | int) -> str:
@@ -156,6 +163,12 @@ class _Reader:
     def library(self, node: Node) -> dict[str, Any]:
         return {"library": self._paths(node, "library")}
 
+    def baseline(self, node: Node) -> dict[str, Any]:
+        text = self.document.text(node, "baseline")
+        if not text:
+            self.document.fail(node, "baseline is empty; name a file, or remove the key")
+        return {"baseline": os.path.normpath(os.path.join(self.directory, text))}
+
     def select(self, node: Node) -> dict[str, Any]:
         return {"select": self._listed(node, "select")}
 
@@ -222,8 +235,10 @@ class _Reader:
                 found["line_width"] = self._number(value, LINE_WIDTHS, key)
             elif key == "indent":
                 found["indent"] = self._number(value, INDENTS, key)
+            elif key in ("sort-attributes", "sort-args"):
+                found[key.replace("-", "_")] = self._one_of(value, ("true", "false"), key) == "true"
             else:
-                self.document.unknown(key_node, frozenset(("line-width", "indent")), "format")
+                self.document.unknown(key_node, FORMAT_KEYS, "format")
         return found
 
     def _number(self, node: Node, allowed: range, what: str) -> int:
@@ -242,6 +257,7 @@ _READERS = {
     "severity": _Reader.severity,
     "per-file-ignores": _Reader.per_file_ignores,
     "exclude": _Reader.exclude,
+    "baseline": _Reader.baseline,
     "entries": _Reader.entries,
     "args": _Reader.args,
     "env": _Reader.env,

@@ -207,6 +207,14 @@ def test_baseline(repository: Path) -> None:
     assert both.errors.startswith("launchlint: wrote 3 findings"), "the known ones stay in it"
 
 
+def test_the_configuration_names_the_baseline(repository: Path) -> None:
+    write(repository, {".launchlint.yaml": "baseline: known.json\n"})
+    missing = "launchlint: known.json: there is no such baseline file; --write-baseline makes one\n"
+    assert run(repository, "check") == (2, "", missing)
+    assert run(repository, "check", "--write-baseline", "known.json").status == 0
+    assert concise(repository) == (0, "", "")
+
+
 def test_workspace_says_where_packages_are(repository: Path, tmp_path: Path) -> None:
     write(tmp_path, {"other/arm/package.xml": PACKAGE.format(name="arm"), "other/arm/part.launch": "<launch/>\n"})
     write(repository, {"arm.launch": '<launch><include file="$(find arm)/part.launch"/></launch>'})
