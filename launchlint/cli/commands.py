@@ -11,13 +11,17 @@ from launchlint.errors import OutputClosed
 
 COMMANDS = {
     "check": ("launchlint.cli.check", "Find the mistakes in launch files."),
+    "format": ("launchlint.cli.format", "Write launch files in normal form, with the same meaning."),
+    "export": ("launchlint.cli.export", "Write a launch file again, or all that it includes as one file."),
     "model": ("launchlint.cli.model", "Print what roslaunch would start."),
     "graph": ("launchlint.cli.graph", "Show who talks to whom, and what changed."),
+    "report": ("launchlint.cli.report", "Write a page that shows what connects, what is wrong, and where that is written."),
     "rules": ("launchlint.cli.rules", "List all rules."),
     "explain": ("launchlint.cli.explain", "Explain a rule."),
     "library": ("launchlint.cli.library", "Look at, join, compare and check libraries of node interfaces."),
     "probe": ("launchlint.cli.probe", "Run nodes and record what they publish, subscribe, serve, call and read."),
     "extract": ("launchlint.cli.extract", "Make a library of node interfaces from source code."),
+    "init": ("launchlint.cli.init", "Write a configuration, and show how to run launchlint in CI."),
     "schema": ("launchlint.cli.schema", "Print a dialect as RelaxNG, for editors."),
 }
 
