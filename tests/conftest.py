@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+import sys
+import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -103,10 +105,19 @@ def find_corpus() -> str | None:
     return corpus if corpus and Path(corpus, "ros1").is_dir() else None
 
 
+@cache
+def find_package_index() -> str | None:
+    """The command that installs Python packages, where an index answers it."""
+    pip = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--disable-pip-version-check"]
+    with tempfile.TemporaryDirectory() as directory:
+        return sys.executable if _answers([*pip, "--dest", directory, "click"]) else None
+
+
 NEEDS: dict[str, tuple[Callable[[], str | None], str]] = {
     "ros": (find_ros_python, "no Python on this machine can import roslaunch (Debian: apt-get install python3-roslaunch)"),
     "docker": (find_docker, "no Docker engine answers"),
     "chromium": (find_chromium, "Chromium is not installed (Debian: apt-get install chromium)"),
+    "pypi": (find_package_index, "pip finds no package index to install from"),
     "npm": (
         find_sarif_multitool,
         "sarif-multitool is not installed (npm install @microsoft/sarif-multitool, then set SARIF_MULTITOOL to its command)",

@@ -22,6 +22,7 @@ COMMANDS = {
     "probe": ("launchlint.cli.probe", "Run nodes and record what they publish, subscribe, serve, call and read."),
     "extract": ("launchlint.cli.extract", "Make a library of node interfaces from source code."),
     "init": ("launchlint.cli.init", "Write a configuration, and show how to run launchlint in CI."),
+    "completion": ("launchlint.cli.completion", "Print what completes launchlint's words in a shell."),
     "schema": ("launchlint.cli.schema", "Print a dialect as RelaxNG, for editors."),
 }
 

@@ -11,6 +11,9 @@ from launchlint.cli.entries import EntryOptions
 
 F = TypeVar("F", bound=Callable[..., Any])
 
+FILE, DIRECTORY = click.Path(), click.Path(file_okay=False)
+"""What a shell completes; whether it is there is looked at by the command, which says more about it."""
+
 
 def entry_options(function: F) -> F:
     """Add the options of :class:`EntryOptions` to a command, which gets one as ``entry``."""
@@ -32,15 +35,21 @@ def entry_options(function: F) -> F:
     if hasattr(function, "__click_params__"):
         call.__click_params__ = function.__click_params__  # type: ignore[attr-defined]  # click keeps the options given so far there
     for decorate in (
-        click.option("--config", metavar="FILE", help="Configuration file; default: the nearest .launchlint.yaml."),
-        click.option("--library", multiple=True, metavar="FILE", help="What nodes do, over what launchlint knows itself; repeatable."),
+        click.option("--config", type=FILE, metavar="FILE", help="Configuration file; default: the nearest .launchlint.yaml."),
         click.option(
-            "--workspace", multiple=True, metavar="DIR", help="Where packages are; repeatable, the first that has a package wins."
+            "--library", multiple=True, type=FILE, metavar="FILE", help="What nodes do, over what launchlint knows itself; repeatable."
         ),
-        click.option("--entries", metavar="FILE", help="Evaluate the files, with the args, that a YAML or JSON list names."),
-        click.option("--stdin-filename", metavar="PATH", help="With - as path: judge standard input as if it stood at PATH."),
+        click.option(
+            "--workspace",
+            multiple=True,
+            type=DIRECTORY,
+            metavar="DIR",
+            help="Where packages are; repeatable, the first that has a package wins.",
+        ),
+        click.option("--entries", type=FILE, metavar="FILE", help="Evaluate the files, with the args, that a YAML or JSON list names."),
+        click.option("--stdin-filename", type=FILE, metavar="PATH", help="With - as path: judge standard input as if it stood at PATH."),
         click.option("--arg", "args", multiple=True, metavar="NAME:=VALUE", help="An arg, as on roslaunch's command line; repeatable."),
-        click.argument("paths", nargs=-1, metavar="[PATHS]..."),
+        click.argument("paths", nargs=-1, type=FILE, metavar="[PATHS]..."),
     ):
         call = decorate(call)
     return call  # type: ignore[return-value]  # the decorated function stands for the one given

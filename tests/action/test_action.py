@@ -18,6 +18,9 @@ TALKER = '#!/usr/bin/env python3\nimport rospy\nrospy.init_node("t")\n'
 INPUTS = ("paths", "args", "config", "library", "working_directory", "fail_on", "annotations", "summary", "sarif_file", "report", "base")
 
 
+pytestmark = pytest.mark.pypi  # the action installs launchlint
+
+
 @pytest.fixture(scope="session")
 def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """RUNNER_TEMP of a job in which the action was used already."""
@@ -137,8 +140,7 @@ def test_what_cannot_be_done_is_an_annotation_and_fails(repository: Repository, 
     ran = run(repository, installed, paths="gone.launch")
     assert ran.status == 2
     assert ran.log == (
-        "::error title=launchlint::gone.launch: No such file or directory;"
-        " give launch files, or directories to search for them\n"
+        "::error title=launchlint::gone.launch: No such file or directory; give launch files, or directories to search for them\n"
     )
     assert ran.outputs == {"sarif-file": "", "report": "", "findings": "0", "exit-code": "2"}
     assert (
