@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from launchlint.errors import LaunchlintError, OutputClosed
+from launchlint.errors import LaunchlintError, LibraryError, OutputClosed
 
 USAGE = 2
 STOPPED = 130
@@ -41,6 +41,8 @@ def main(args: list[str] | None = None, *, standalone_mode: bool = True) -> int:
 def _run(words: list[str]) -> int:
     try:
         return _command(words)
+    except LibraryError as error:
+        return _fail(*str(error).split("\n"))  # each of its lines has a place of its own
     except LaunchlintError as error:
         return _fail(str(error))
     except KeyboardInterrupt:
@@ -93,10 +95,11 @@ def _account(error: Exception) -> str:
     return f"launchlint itself failed: {type(error).__name__}: {str(error)[:500]} ({where}); please report this"
 
 
-def _fail(message: str) -> int:
+def _fail(*messages: str) -> int:
     from launchlint.cli.entries import tell
 
-    tell(message)
+    for message in messages:
+        tell(message)
     return USAGE
 
 

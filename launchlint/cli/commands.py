@@ -23,7 +23,7 @@ COMMANDS = {
     "extract": ("launchlint.cli.extract", "Make a library of node interfaces from source code."),
     "init": ("launchlint.cli.init", "Write a configuration, and show how to run launchlint in CI."),
     "completion": ("launchlint.cli.completion", "Print what completes launchlint's words in a shell."),
-    "schema": ("launchlint.cli.schema", "Print a dialect as RelaxNG, for editors."),
+    "schema": ("launchlint.cli.schema", "Print the schema of launch files or of the configuration, for editors."),
 }
 
 

@@ -84,6 +84,12 @@ class Configuration(NamedTuple):
         return path if position is None else f"{path}:{position[0]}:{position[1]}"
 
 
+def schema_text() -> str:
+    """The JSON Schema of the file."""
+    with open(os.path.join(os.path.dirname(__file__), SCHEMA_NAME), encoding="utf-8") as file:
+        return file.read()
+
+
 def find_configuration(path: str) -> str | None:
     """The configuration file for the launch file or directory at ``path``: the nearest one upward, not beyond its repository; absolute."""
     path = os.path.abspath(path)
