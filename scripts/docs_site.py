@@ -6,6 +6,7 @@ that is in no menu and every other warning ends the build with status 1.
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -25,8 +26,8 @@ def stage(directory: Path) -> None:
     """Put the sources of the site below ``directory``: every page at its place in one tree, links as they are there."""
     pages = directory / "docs"
     shutil.copytree(ROOT / "docs", pages)
-    for name, page in TOP.items():
-        (pages / page).write_text((ROOT / name).read_text(encoding="utf-8"), encoding="utf-8")
+    for name, top in TOP.items():
+        (pages / top).write_text((ROOT / name).read_text(encoding="utf-8"), encoding="utf-8")
     for page in sorted(pages.rglob("*.md")):
         home = ROOT if page.parent == pages and page.name in TOP.values() else ROOT / "docs" / page.relative_to(pages).parent
         moved = partial(_moved, home=home, page=page, pages=pages)
@@ -61,8 +62,9 @@ def main(words: list[str]) -> int:
     with tempfile.TemporaryDirectory() as directory:
         stage(Path(directory))
         target = Path(words[0]).resolve()
-        command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--clean", "--site-dir", str(target)]
-        return subprocess.run(command, cwd=directory, check=False).returncode
+        command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--clean", "--site-dir", str(target)]
+        environment = {**os.environ, "NO_MKDOCS_2_WARNING": "1"}
+        return subprocess.run(command, cwd=directory, env=environment, check=False).returncode
 
 
 if __name__ == "__main__":

@@ -43,7 +43,9 @@ def main() -> int:
     parser = argparse.ArgumentParser(description="Check that a wheel holds every file of the package.")
     parser.add_argument("wheel", type=Path, help="the wheel to look into")
     wheel: Path = parser.parse_args().wheel
-    expected, found = package_files(ROOT), wheel_files(wheel)
+    pages = f"{'-'.join(wheel.name.split('-')[:2])}.data/data/share/man/man1"
+    expected = package_files(ROOT) | {f"{pages}/{page.name}" for page in (ROOT / "docs/man").iterdir()}
+    found = wheel_files(wheel)
     for name in sorted(expected - found):
         print(f"{wheel.name} lacks {name}")
     for name in sorted(found - expected):

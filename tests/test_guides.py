@@ -100,6 +100,12 @@ def test_the_page_of_the_configuration_is_what_the_schema_says() -> None:
     passes(sys.executable, ROOT / "scripts/configuration_page.py", "--check")
 
 
+def test_the_manual_pages_are_what_the_commands_say() -> None:
+    if importlib.util.find_spec("click_man") is None:
+        pytest.skip("click-man is not installed (it is part of the dev extra)")
+    passes(sys.executable, ROOT / "scripts/man_pages.py", "--check")
+
+
 def test_the_site_builds(tmp_path: Path) -> None:
     if importlib.util.find_spec("material") is None:
         pytest.skip("mkdocs-material is not installed (it is part of the dev extra)")
