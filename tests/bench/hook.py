@@ -37,7 +37,7 @@ def main() -> int:
         (repository / "talk.py").chmod(0o755)
         for number in range(arguments.files):
             (repository / f"launch/{number:05}.launch").write_text(LAUNCH.format(number=number))
-        hooks = HOOK.format(id="nothing", entry="true") + HOOK.format(id="launchlint", entry=" ".join(launchlint("check", "--staged")))
+        hooks = HOOK.format(id="nothing", entry="env true") + HOOK.format(id="launchlint", entry=" ".join(launchlint("check", "--staged")))
         (repository / ".pre-commit-config.yaml").write_text(f"repos:\n  - repo: local\n    hooks:\n{hooks}")
         for words in (["init", "-q"], ["add", "-A"], ["-c", "user.name=b", "-c", "user.email=b@example.org", "commit", "-qm", "all"]):
             subprocess.run(["git", *words], cwd=repository, check=True)
