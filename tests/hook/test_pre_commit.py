@@ -97,7 +97,7 @@ def test_a_bad_remap_is_staged(repository: Hooked) -> None:
     for hook in HOOKS[:2]:
         status, output = repository.run_hook(hook)
         assert status == 1, output
-        assert "launch/part.launch:3:5: error LL105 missing-attribute" in output
+        assert "launch/part.launch:3:6: error LL105 missing-attribute" in output
 
 
 def test_only_the_including_file_is_staged(repository: Hooked) -> None:
