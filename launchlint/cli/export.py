@@ -1,0 +1,112 @@
+"""``launchlint export``."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+
+from launchlint.cli.entries import EntryOptions, tell
+from launchlint.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.check.entry import EntryChecker
+    from launchlint.check.options import EntryRequest
+    from launchlint.fix.format.style import Style
+
+
+@click.command("export")
+@click.argument("file")
+@click.argument("arguments", nargs=-1, metavar="[NAME:=VALUE]...")
+@click.option("--flatten", is_flag=True, help="Write one file that needs no other: includes inlined, args and groups resolved.")
+@click.option("--args-kept", is_flag=True, help="With --flatten: keep the args of FILE, so that they can still be given.")
+@click.option("-o", "--output", metavar="FILE", help="Where to write it; default: standard output.")
+@click.option("--workspace", multiple=True, metavar="DIR", help="Where packages are; repeatable, the first that has a package wins.")
+@click.option("--config", metavar="FILE", help="Configuration file; default: the nearest .launchlint.yaml.")
+@click.option("--stdin-filename", metavar="PATH", help="With - as FILE: take standard input as if it stood at PATH.")
+def command(
+    file: str,
+    arguments: tuple[str, ...],
+    flatten: bool,
+    args_kept: bool,
+    output: str | None,
+    workspace: tuple[str, ...],
+    config: str | None,
+    stdin_filename: str | None,
+) -> int:
+    """Write what FILE starts as a launch file again.
+
+    Without --flatten that is FILE itself in the normal form of `launchlint format`: includes, args, conditions and comments stay. What is
+    written has been compared with FILE, and means the same; otherwise nothing is written. The exit status is 1 where roslaunch would refuse
+    FILE.
+    """
+    from launchlint.atomic import check_target, write_bytes
+    from launchlint.check.entry import EntryChecker
+    from launchlint.export.written import CannotExport
+    from launchlint.fix.format.style import Style
+    from launchlint.rules.registry import RULES
+
+    if args_kept and not flatten:
+        raise UsageError("--args-kept goes with --flatten; without it, all args stay anyway")
+    if output is not None:
+        check_target(output, what="the exported file")
+    entry = EntryOptions((file,), arguments, None, workspace, config, stdin_filename)
+    requests, overlay = entry.requests()
+    request = _the_file(file, entry, requests)
+    about_loading = frozenset(rule.id for rule in RULES if rule.on or rule.view == "problem")
+    checker = EntryChecker(entry.options(everything=True)._replace(rules=about_loading, default_only=True), overlay)
+    if _refused(checker, request):
+        return 1
+    try:
+        style = Style(entry.configuration.line_width, entry.configuration.indent, entry.configuration.sort_attributes)
+        data, notices = _exported(checker, request, style, flatten=flatten, args_kept=args_kept)
+    except CannotExport as error:
+        raise UsageError(f"{file} cannot be exported, and nothing is written: {error.reason}") from error
+    for notice in notices:
+        tell(notice)
+    if output is None:
+        sys.stdout.buffer.write(data)
+        sys.stdout.buffer.flush()
+    else:
+        write_bytes(output, data, what="the exported file")
+    return 0
+
+
+def _the_file(file: str, entry: EntryOptions, requests: list[EntryRequest]) -> EntryRequest:
+    """The one file, with the args of the command line only: what a configuration says of entries and profiles is for checks."""
+    if not requests or requests[0].at != (entry.standard_input or file):
+        raise UsageError(f"{file} is no launch file; give one")
+    return requests[0]._replace(arguments=entry.arguments)
+
+
+def _refused(checker: EntryChecker, request: EntryRequest) -> bool:
+    """Whether roslaunch refuses the file; why, or what it reads over in it, is told on standard error."""
+    from launchlint import __version__
+    from launchlint.finding import Severity
+    from launchlint.report.formats import emit
+    from launchlint.report.run import Run
+    from launchlint.report.text import render
+
+    _, error = checker.model(request)
+    result = checker.check(request)
+    found = {each.key: each for each in (*(guarded.finding for file in result.files for guarded in file.findings), *result.findings)}
+    told = [each for each in found.values() if each.severity is Severity.ERROR or (error is not None and each.rule == error[0])]
+    if told:
+        emit(render(told, Run(__version__, files_checked=1, verbose=True, root=checker.session.root)), sys.stderr)
+    if error is not None:
+        rule, message = error
+        tell(f"{request.at} is not exported, since roslaunch refuses it{'' if told else f' ({rule}): {message}'}")
+    return error is not None
+
+
+def _exported(checker: EntryChecker, request: EntryRequest, style: Style, *, flatten: bool, args_kept: bool) -> tuple[bytes, list[str]]:
+    """The bytes, and what people should know about them. Raises CannotExport."""
+    from launchlint.export import flatten as flattening
+    from launchlint.export.plain import plain
+
+    session = checker.session_for(request)
+    if not flatten:
+        return plain(session, request.at, request.arguments, style), []
+    exported = flattening.flatten(session, request.at, request.arguments, style, args_kept=args_kept)
+    return exported.data, [f"fixed: {each}" for each in exported.fixed]
