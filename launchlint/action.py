@@ -201,7 +201,8 @@ def _run(root: str, words: Sequence[str], *, told: bool = False) -> tuple[int, s
         _tell(errors.removeprefix("launchlint: ") or f"launchlint ended with {done.returncode}")
     elif errors:
         print("\n".join(_harmless(errors)))
-    return (done.returncode if done.returncode in (0, 1) else 2), "" if done.stdout is None else done.stdout.decode("utf-8", "replace")
+    output = "" if told else done.stdout.decode("utf-8", "replace")
+    return done.returncode if done.returncode in (0, 1) else 2, output
 
 
 def _harmless(text: str) -> Iterator[str]:
