@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Mapping
 from typing import NamedTuple
 
 from launchlint.graph.names import Rule
 from launchlint.model import Node
+from launchlint.words import split_words
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def command_line(node: Node) -> CommandLine:
     if "args" in node.unknown:
         return CommandLine((), _from_launch(node), {}, False)
     try:
-        given = shlex.split(node.arguments)
+        given = split_words(node.arguments)
     except ValueError:
         return CommandLine((), _from_launch(node), {}, False)
     words: list[str] = []

@@ -10,6 +10,7 @@ from launchlint.model import EnvironmentSetting, Remap, Unknown
 from launchlint.source import Origin
 from launchlint.syntax.ros1.problems import conflicting_attributes
 from launchlint.syntax.tree import Element
+from launchlint.words import split_words
 
 
 def scope_namespace(file: FileEvaluation, element: Element, context: Context) -> tuple[str, bool | None]:
@@ -86,10 +87,8 @@ def check_quotes(file: FileEvaluation, element: Element, attribute: str, text: s
     """
     if not any(char in text for char in "'\"\\"):
         return
-    import shlex
-
     try:
-        shlex.split(text)
+        split_words(text)
     except ValueError as error:
         span = element.attributes[attribute].value_span
         file.problem("unbalanced-quotes", span, refused=True, attribute=attribute, reason=str(error).lower())

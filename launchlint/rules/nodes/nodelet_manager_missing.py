@@ -38,6 +38,7 @@ from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
 from launchlint.spelling import closest, one_slip
+from launchlint.words import split_words
 
 RULE = Rule("LL308", "nodelet-manager-missing", Severity.ERROR)
 
@@ -79,10 +80,8 @@ def _load(node: Node) -> str | None:
     """The manager's name as given, where the node loads a nodelet into one."""
     if node.package != "nodelet" or node.executable != "nodelet" or node.unknown & {"args", "pkg", "type"}:
         return None
-    import shlex
-
     try:
-        words = [word for word in shlex.split(node.arguments) if ":=" not in word]
+        words = [word for word in split_words(node.arguments) if ":=" not in word]
     except ValueError:
         return None
     return words[2].rstrip("/") if len(words) > 2 and words[0] == "load" and words[2].rstrip("/") else None
