@@ -44,6 +44,14 @@ class Fact(NamedTuple):
     when: str = "start"
 
 
+class Plugin(NamedTuple):
+    """A class of a plugin description: the name that it is loaded by, its C++ type, and the class that it is derived from."""
+
+    name: str
+    type: str
+    base: str
+
+
 class Doubt(NamedTuple):
     """Why a program may have more of a category than was found: what is called, and where."""
 

@@ -78,21 +78,7 @@ def read(task: Task, finder: ModuleFinder) -> Reading:
 def _cpp(task: Task) -> tuple[Sequence[Fact], tuple[Doubt, ...]]:
     from launchlint.extract.cpp import cpp_program
 
-    facts, doubts = cpp_program(task.sources, task.includes, task.origin.root, task.entry or None)
-    for loaded in task.loads:
-        more, others = cpp_program(loaded.sources, loaded.includes, task.origin.root, loaded.entry)
-        facts, doubts = (*facts, *more), (*(each for each in doubts if not each.reason.startswith("nodelet::Loader ")), *others)
-    if task.loads:
-        facts = (*facts, *_loader_facts(task))
-    return facts, doubts
-
-
-def _loader_facts(task: Task) -> list[Fact]:
-    """What nodelet::Loader itself serves and reads (nodelet/src/loader.cpp)."""
-    path, line = task.loader
-    served = (("list", "NodeletList"), ("load_nodelet", "NodeletLoad"), ("unload_nodelet", "NodeletUnload"))
-    facts = [Fact("services", f"~{name}", path, line, type=f"nodelet/{type_}") for name, type_ in served]
-    return [*facts, Fact("params", "~num_worker_threads", path, line, value_type="int")]
+    return cpp_program(task.sources, task.includes, task.origin.root, task.entry or None, task.plugins)
 
 
 def _bytes(path: str) -> bytes:

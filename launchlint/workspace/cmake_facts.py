@@ -310,10 +310,12 @@ class _Reader:
         for word in words:
             if word is None or "$<" in word:
                 target.complete = False
-            elif word not in _TARGET_WORDS and len(target.sources) < _MOST_SOURCES:
-                path = self.scope.path(word)
-                if path not in target.sources:
-                    target.sources.append(path)
+                continue
+            for each in word.split(";"):  # "${SOURCES}" in quotes is one argument, and a list all the same
+                if each and each not in _TARGET_WORDS and len(target.sources) < _MOST_SOURCES:
+                    path = self.scope.path(each)
+                    if path not in target.sources:
+                        target.sources.append(path)
 
     def _target_parts(self, name: Value, words: Sequence[Value], *, sources: bool) -> None:
         target = self.facts.targets.get(name or "")

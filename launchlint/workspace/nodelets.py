@@ -35,7 +35,7 @@ def read_nodelet_classes(package: Package) -> tuple[Mapping[str, NodeletClass], 
     if package.manifest is None:
         reasons.append(f"{os.path.basename(package.manifest_path)} cannot be used: {package.broken}")
     for path in package.nodelet_plugin_files:
-        classes, reason = _classes(path)
+        classes, reason = plugin_classes(path)
         for each in classes:
             found.setdefault(each.name, each)
         if reason:
@@ -43,7 +43,7 @@ def read_nodelet_classes(package: Package) -> tuple[Mapping[str, NodeletClass], 
     return dict(sorted(found.items())), reasons
 
 
-def _classes(path: str) -> tuple[list[NodeletClass], str]:
+def plugin_classes(path: str) -> tuple[list[NodeletClass], str]:
     """The classes of one description, and why it cannot be used (else empty)."""
     if not path.endswith(".xml"):  # the result cache knows plugin descriptions by their names
         return [], "is not called *.xml"

@@ -1,17 +1,16 @@
 """How much of a hand-written library ``launchlint extract`` finds in the sources that were read for it.
 
-``python -m tests.bench.extraction CORPUS [--client rospy] [--only NAME] [--show N] [--probe FILE.jsonl]``. CORPUS holds a directory
+``python -m tests.bench.extraction CORPUS [--client rospy] [--only NAME] [--show N] [--probe LIBRARY.json]``. CORPUS holds a directory
 ``owner+name@commit`` (the first twelve digits) for each source checked out; the bundled library is the ground truth for programs
 whose evidence is from there. Two names are equal where their templates at their defaults are. Recall counts all entries of the
 ground truth that are in that commit, precision leaves conditional entries out, and so it does with categories that the ground truth leaves
-open. With ``--probe`` the lines of a probe (``launchlint probe``) of programs of the same packages are compared, too.
+open. With ``--probe`` the ground truth is a library that ``launchlint probe`` wrote of programs of the same packages.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
-import os
 import time
 from collections import Counter
 from collections.abc import Iterator
@@ -50,7 +49,7 @@ def all_entries(program: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 def sources_of(entry: dict[str, Any]) -> Iterator[str]:
     for evidence in entry.get("evidence", ()):
-        if "@" in evidence.get("at", ""):
+        if evidence["by"] == "manual" and "@" in evidence.get("at", ""):  # what was extracted is no measure of extraction
             yield evidence["at"].split(":")[0]
 
 
@@ -160,25 +159,25 @@ def against_library(corpus: Path, client: str, only: str, show: int, jobs: int) 
 
 
 def against_probe(corpus: Path, probe: Path, show: int, jobs: int) -> None:
-    """Topics and services that nodes had in a run, held against what their sources say."""
-    nodes = [json.loads(line) for line in probe.read_text(encoding="utf-8").splitlines()]
-    nodes = [node for node in nodes if node.get("kind") == "node" and node.get("status") == "ok" and node.get("interface")]
-    wanted = {node["package"] for node in nodes}
-    packages: dict[str, Any] = {}
+    """Topics and services that nodes had in a run, held against what their sources say, source by source."""
+    probed = json.loads(probe.read_text(encoding="utf-8"))["packages"]
+    total = Score()
+    lines: list[str] = []
+    print(HEAD)
     for directory in sorted(corpus.iterdir()):
         manifests = [path.read_text(encoding="utf-8", errors="replace") for path in directory.rglob("package.xml")]
-        if any(f"<name>{name}</name>" in manifest for name in wanted for manifest in manifests):
-            found = extract([str(directory)], (), jobs).document["packages"]
-            packages.update({name: each for name, each in found.items() if name in wanted})
-    score = Score()
-    lines: list[str] = []
-    for node in nodes:
-        known = packages.get(node["package"], {})
-        program = known.get("executables", {}).get(node["name"]) or known.get("nodelets", {}).get(node["name"])
-        if program is not None:
-            score.compare(f"{node['package']}/{node['name']}", {"variants": {"default": node["interface"]}}, program, lines)
-    print(HEAD)
-    print(f"{'against ' + os.path.basename(probe):44} {score.row()}")
+        if not any(f"<name>{name}</name>" in manifest for name in probed for manifest in manifests):
+            continue
+        score = Score()
+        for package, found in extract([str(directory)], (), jobs).document["packages"].items():
+            for kind in ("executables", "nodelets"):
+                for name, program in found.get(kind, {}).items():
+                    ran = probed.get(package, {}).get(kind, {}).get(name, {})
+                    if ran.get("status", "ok") == "ok" and any(all_entries(ran)):
+                        for each in (score, total):
+                            each.compare(f"{package}/{name}", ran, program, lines if each is total else [])
+        print(f"{directory.name:44} {score.row()}")
+    print(f"{'total':44} {total.row()}")
     print("\n".join(lines[:show]))
 
 

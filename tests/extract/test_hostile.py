@@ -51,9 +51,9 @@ FUNCTIONS = "".join(f"def f{n}():\n    f{n + 1}(); f{n + 1}()\n" for n in range(
     ],
 )
 def test_it_ends(source: str, tmp_path: Path) -> None:
-    begin = time.monotonic()
+    begin = time.process_time()
     found = follow(tmp_path, HEAD + source)
-    assert time.monotonic() - begin < 20
+    assert time.process_time() - begin < 20
     assert all(fact.name and len(fact.name) <= 1_000 and len(fact.condition) <= 1_000 for fact in found.facts)
     assert os.listdir(tmp_path) == ["node.py"]
 

@@ -243,3 +243,51 @@ def test_what_is_no_source(name: str, message: str, tmp_path: Path) -> None:
     (tmp_path / "empty").mkdir()
     with pytest.raises(UsageError, match=message):
         extract([str(tmp_path / name)])
+
+
+DEPENDS = "<depend>{name}</depend>"
+HEADER = "#pragma once\nnamespace lib { class Map { public: Map(ros::NodeHandle nh); void unused(); }; }\n"
+
+
+def test_sources_of_a_library_of_another_package_come_with_its_header(tmp_path: Path) -> None:
+    root = grow(
+        tmp_path / "ws",
+        {
+            "node/package.xml": MANIFEST.format(name="node", more=DEPENDS.format(name="maps")),
+            "node/CMakeLists.txt": "project(node)\nadd_executable(node src/main)\ntarget_link_libraries(node ${catkin_LIBRARIES})\n",
+            "node/src/main.cpp": "#include <deep/map.h>\nint main() { ros::NodeHandle nh; lib::Map map(nh); }\n",
+            "maps/package.xml": MANIFEST.format(name="maps", more=""),
+            "maps/CMakeLists.txt": 'project(maps)\ninclude_directories(parts/include)\nset(S "src/map.cpp" "src/other.cpp")\n'
+            'add_library(maps "${S}")\n',
+            "maps/parts/include/deep/map.h": HEADER,
+            "maps/src/map.cpp": '#include "deep/map.h"\nlib::Map::Map(ros::NodeHandle nh) { nh.advertise<nav_msgs::Path>("map", 1); }\n',
+            "maps/src/other.cpp": "this is no C++ at all, and nobody reads it: ros::NodeHandle(",
+        },
+    )
+    assert program(root, "node", "node") == {
+        "class": "roscpp",
+        "variants": {
+            "default": {"publishers": [{"name": "map", "type": "nav_msgs/Path", "queue": 1, "evidence": at("maps/src/map.cpp:2")}]}
+        },
+    }
+
+
+def test_a_plugin_of_another_package_is_followed(tmp_path: Path) -> None:
+    described = "<library path='lib/libcurved'><class name='curved/Curved' type='Curved' base_class_type='Planner'/></library>"
+    exported = "<export><planners plugin='${prefix}/plugins.xml'/></export>"
+    root = grow(
+        tmp_path / "ws",
+        {
+            "node/package.xml": MANIFEST.format(name="node", more=""),
+            "node/CMakeLists.txt": "project(node)\nadd_executable(node main.cpp)\n",
+            "node/main.cpp": "struct Planner {};\nint main() {\n"
+            'pluginlib::ClassLoader<Planner> loader("node", "Planner");\nloader.createInstance("curved/Curved");\n}\n',
+            "curved/package.xml": MANIFEST.format(name="curved", more=exported),
+            "curved/plugins.xml": described,
+            "curved/CMakeLists.txt": "project(curved)\nadd_library(curved curved.cpp)\n",
+            "curved/curved.cpp": 'struct Curved { Curved() { ros::NodeHandle().advertise<nav_msgs::Path>("curve", 1); } };\n',
+        },
+    )
+    found = program(root, "node", "node")["variants"]["default"]
+    assert found["publishers"] == [{"name": "curve", "type": "nav_msgs/Path", "queue": 1, "evidence": at("curved/curved.cpp:1")}]
+    assert found["open"]["publishers"] == ("pluginlib::ClassLoader loads plugins, which may have interfaces of their own (node/main.cpp:3)")

@@ -34,7 +34,7 @@ args:
   simulated: {sim: true}
 env: {ROBOT: r1, NUMBER: 0x10}
 packages: complete
-format: {line-width: 100, indent: 4}
+format: {line-width: 100, indent: 4, sort-attributes: false, sort-args: true}
 """
 
 
@@ -65,6 +65,8 @@ def test_every_key(grow: Grow) -> None:
         packages="complete",
         line_width=100,
         indent=4,
+        sort_attributes=False,
+        sort_args=True,
         positions={},
     )
     assert found.where("select", 1) == f"{path}:4:15"
@@ -118,6 +120,7 @@ def test_a_file_that_says_nothing(text: str, tmp_path: Path) -> None:
         ("format: {indnt: 2}", "1:10: format has no key indnt, and one that is misspelled would have no effect; did you mean indent?"),
         ("format: {indent: 99}", "1:18: indent must be a whole number from 1 to 8, not 99"),
         ("format: {line-width: wide}", "1:22: line-width must be a whole number from 40 to 400, not wide"),
+        ("format: {sort-args: maybe}", "1:21: sort-args cannot be maybe; write one of them: true, false"),
         ("a: b: c", "1:5: this is not valid YAML: mapping values are not allowed in this context"),
         ("a: *b", "1:4: there is no anchor &b before this"),
         ("a: &b [*b]", "1:8: there is no anchor &b before this"),
@@ -208,7 +211,13 @@ def test_the_schema_knows_the_same_keys(root: Path) -> None:
     schema = json.loads((root / "launchlint" / "workspace" / SCHEMA_NAME).read_text())
     assert sorted(schema["properties"]) == sorted(KEYS)
     defaults = {name: each["default"] for name, each in schema["properties"]["format"]["properties"].items()}
-    assert defaults == {"line-width": Configuration().line_width, "indent": Configuration().indent}
+    default = Configuration()
+    assert defaults == {
+        "line-width": default.line_width,
+        "indent": default.indent,
+        "sort-attributes": default.sort_attributes,
+        "sort-args": default.sort_args,
+    }
 
 
 def test_the_schema_accepts_what_is_read(root: Path) -> None:

@@ -10,6 +10,7 @@ from launchlint.extract.cpp import classes, overloads, ros, standard
 from launchlint.extract.cpp.declarations import Class, Function, joined, without_arguments
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import UNKNOWN_SPACE
+from launchlint.extract.cpp.ros import loading
 from launchlint.extract.cpp.spelled_type import Type, parse_type
 from launchlint.extract.cpp.syntax import Node, parse_statements
 from launchlint.extract.cpp.values import (
@@ -184,6 +185,10 @@ def _named(machine: Machine, node: Node, name: str, types: tuple[Type, ...], fra
         overridden = classes.overriders(machine, frame.this, name)
         if overridden:
             return _overridden(machine, overridden, frame.this, given, types, frame)
+    for each in types:
+        declared = machine.names.declared(machine.names.resolve(each, frame))
+        if declared is not None and overloads.talks(machine, declared):
+            machine.doubt_all(f"{name} is not in these sources, and may make a {declared.name}", frame.path, node.line)
     return unanswered(machine, name, given, node, frame)
 
 
@@ -318,6 +323,7 @@ def _on(asked: Call, value: Value, cell: Cell | None) -> Value:
         return standard.method(value, asked, cell)
     if not isinstance(value, Thing):
         return unanswered(machine, asked.name, asked.arguments, asked.node, frame)
+    asked = loading.told_its_name(value, asked)
     found = classes.methods(machine, value, asked.name)
     if found:
         return _called(machine, found, value, asked.arguments, asked.types, frame)

@@ -10,6 +10,7 @@ from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, LISTS, POINTERS, TEXTS, UNTYPED, Type
 from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import (
+    MOST_ITEMS,
     NULL,
     UNKNOWN,
     Cell,
@@ -73,7 +74,7 @@ def construct(machine: Machine, type_: Type, given: Sequence[Argument], node: No
         return given[0].value if given else NULL
     resolved = machine.names.resolve(type_, frame)
     name = resolved.name
-    if name in TEXTS or name.endswith("string"):
+    if name in TEXTS or resolved.last in ("string", "basic_string"):
         first = given[0].value if given else Text("")
         return first if isinstance(first, (Text, Either)) else UNKNOWN
     if name in DOUBLES or name in INTEGERS or name == "bool":
@@ -81,13 +82,23 @@ def construct(machine: Machine, type_: Type, given: Sequence[Argument], node: No
     if name in LISTS:
         if len(given) == 1 and isinstance(given[0].value, Items):
             return given[0].value
-        return UNKNOWN if given else Items(())
+        return _filled_list(resolved, given) if given else Items(())
     declared = machine.names.declared(resolved)
     if declared is None or ros.is_made(machine, resolved):
         return ros.make(machine, resolved, given, node, frame)
     if len(given) == 1 and isinstance(given[0].value, Thing) and is_a(machine, given[0].value, declared.name):
         return given[0].value
     return make(machine, declared, resolved, given, node, frame)
+
+
+def _filled_list(type_: Type, given: Sequence[Argument]) -> Value:
+    """``std::vector<std::string>(length, text)``. What else lists are made of does not matter to names."""
+    length = given[0].value
+    if not isinstance(length, Number) or isinstance(length.value, bool) or not 0 <= length.value <= MOST_ITEMS or len(given) > 2:
+        return UNKNOWN
+    if not type_.arguments or type_.arguments[0].name not in TEXTS:
+        return UNKNOWN
+    return Items((given[1].value if len(given) == 2 else Text(""),) * int(length.value))
 
 
 def make(machine: Machine, declared: Class, type_: Type, given: Sequence[Argument], node: Node, frame: Frame) -> Value:

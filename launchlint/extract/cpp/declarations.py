@@ -321,6 +321,11 @@ class Declarations:
         return name in self._assigned
 
     def _by_alias(self, owner: str) -> str:
+        """The class that ``owner`` is another name of: ``typedef ns::Class Class``, or ``n = ns`` in front of it."""
+        named, scope = self.aliases.get(owner, (UNTYPED, ""))
+        for space in (scope, ""):
+            if named.name and joined(space, named.name) in self.classes:
+                return joined(space, named.name)
         for start, full in self.namespaces.items():
             if owner.startswith(start + "::") and full + owner[len(start) :] in self.classes:
                 return full + owner[len(start) :]

@@ -11,9 +11,11 @@ from launchlint.extract.cpp.places import cell_of, made_up
 from launchlint.extract.cpp.spelled_type import parse_type
 from launchlint.extract.cpp.syntax import Node, parse_expression
 from launchlint.extract.cpp.values import (
+    MOST_ITEMS,
     NULL,
     UNKNOWN,
     Callable,
+    Cell,
     Closure,
     Handle,
     Items,
@@ -25,12 +27,14 @@ from launchlint.extract.cpp.values import (
     Value,
     choices,
     either,
+    plain,
 )
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Machine
 
+_MAPPINGS = ("map", "unordered_map", "M_string")
 _WRAPPED = ("parenthesized_expression", "condition_clause")
 
 
@@ -41,8 +45,13 @@ def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
         return _named(machine, node, frame)
     if kind == "call_expression":
         return calls.call(machine, node, frame)
-    if kind in ("string_literal", "raw_string_literal", "concatenated_string"):
+    if kind in ("string_literal", "raw_string_literal"):
         return literal(node)
+    if kind == "concatenated_string":
+        text: Value = Text("")
+        for each in node.children:
+            text = together(text, machine.evaluate(each, frame))
+        return text
     if kind == "number_literal":
         return number(node.text)
     if kind in ("true", "false"):
@@ -216,15 +225,15 @@ def _store(machine: Machine, left: Node, value: Value, frame: Frame) -> None:
     if cell is None:
         return
     index = _index(machine, left, frame)
-    if (
-        isinstance(cell.value, Items)
-        and isinstance(index, Number)
-        and isinstance(index.value, int)
-        and 0 <= index.value < len(cell.value.items)
-    ):
-        items = list(cell.value.items)
-        items[index.value] = value
-        machine.write(cell, Items(tuple(items)))
+    if isinstance(cell.value, Thing) and cell.value.type.last in _MAPPINGS and isinstance(index, Text) and plain(index):
+        machine.write(cell.value.fields.setdefault(index.template, Cell(UNKNOWN)), value)
+        return
+    known = cell.value.items if isinstance(cell.value, Items) else ()
+    at = index.value if isinstance(index, Number) and isinstance(index.value, int) else -1
+    if isinstance(cell.value, Items) and 0 <= at < len(known):
+        machine.write(cell, Items((*known[:at], value, *known[at + 1 :])))
+    elif isinstance(value, Thing) and isinstance(cell.value, (Items, Unknown)) and at in (len(known), -1) and len(known) < MOST_ITEMS:
+        machine.write(cell, Items((*known, value)))  # a list of unknown length that is filled one by one
     elif isinstance(cell.value, Items):
         machine.write(cell, UNKNOWN)
 

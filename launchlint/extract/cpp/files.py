@@ -7,6 +7,7 @@ import re
 from collections import OrderedDict
 from collections.abc import Sequence
 
+from launchlint.extract.assembly import found_header
 from launchlint.extract.cpp.syntax import Node, parse
 from launchlint.workspace.reading import LARGEST_FILE, read_bytes
 
@@ -54,9 +55,8 @@ def read_files(sources: Sequence[str], include_directories: Sequence[str], root:
             continue
         total += len(data)
         pending.append((path, _tree(path, data)))
-        included = [
-            _found(match[2].decode("utf-8", "replace"), match[1] == b'"', path, include_directories) for match in _INCLUDE.finditer(data)
-        ]
+        spelled = [(match[2].decode("utf-8", "replace"), match[1] == b'"') for match in _INCLUDE.finditer(data)]
+        included = [found_header(name, quoted, path, include_directories) for name, quoted in spelled]
         pending += [(each, None) for each in reversed(included) if each is not None]
     return found, problems
 
@@ -71,19 +71,6 @@ def _tree(path: str, data: bytes) -> Node:
     while len(_kept) > 1 and sum(size for _, size, _ in _kept) > _MOST_KEPT:
         _kept.popitem(last=False)
     return tree
-
-
-def _found(name: str, quoted: bool, includer: str, directories: Sequence[str]) -> str | None:
-    if "\0" in name or os.path.isabs(name):
-        return None
-    beside = os.path.dirname(includer)
-    near = [beside, os.path.join(beside, "include"), os.path.join(os.path.dirname(beside), "include")]
-    # Where a header is not found, a directory called include beside the file is looked into, too.
-    for directory in [beside, *directories, *near[1:]] if quoted else directories:
-        path = os.path.normpath(os.path.join(directory, name))
-        if os.path.isfile(path):
-            return path
-    return None
 
 
 def _relative(path: str, root: str) -> str:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from launchlint.extract.cpp import classes, expressions, overloads, places, statements
 from launchlint.extract.cpp.declarations import Class, Declarations, Function, Parameter, parameters_of
 from launchlint.extract.cpp.frame import Frame
-from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, Names, finished
+from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, Instance, Names, finished
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, UNTYPED, Type
 from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import (
@@ -31,18 +31,20 @@ from launchlint.extract.cpp.values import (
     choices,
     either,
 )
-from launchlint.extract.fact import Doubt, Fact
+from launchlint.extract.fact import Doubt, Fact, Plugin
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-_MOST_STEPS = 250_000
+_MOST_STEPS = 300_000
 _DEEPEST = 110
 _DEEPEST_CALL = 22
 _MOST_PENDING = 2_000
 _MOST_FACTS = 5_000
 _MOST_LOOPS = 1
+_MOST_NUMBERED = 10
+_MOST_STEPS_OF_NUMBERED = 4_000
 _LONGEST_CONDITION = 160
 _LARGEST_IRRELEVANT = 1_500
 _LARGEST_PLAIN = 500
@@ -64,13 +66,16 @@ class Pending(NamedTuple):
     function: Callable | Closure
     when: str
     conditions: tuple[str, ...]
+    instance: Instance | None
 
 
 class Machine:
     """One run over one program."""
 
-    def __init__(self, declarations: Declarations, root: str = ".") -> None:
+    def __init__(self, declarations: Declarations, root: str = ".", plugins: Sequence[Plugin] = ()) -> None:
         self.declarations = declarations
+        self.plugins = plugins
+        self.instance: Instance | None = None
         self.root = root
         self.names = Names(declarations)
         self.facts: dict[str, Fact] = {}
@@ -132,6 +137,7 @@ class Machine:
             if isinstance(later.function, Callable) and not any(overloads.is_relevant(self, each) for each in later.function.functions):
                 continue
             self.when, self.conditions, self.horizon = later.when, list(later.conditions), self.serial + 1
+            self.instance = later.instance
             self.invoke(later.function, [])
 
     # -- variables ----------------------------------------------------------------------------------------------------
@@ -180,26 +186,55 @@ class Machine:
             return ""
         return "return" if signals == {"return"} else min(signals)
 
-    def once_or_more(self, run: Does[[], str]) -> str:
-        """Follow the body of a loop of which nobody knows how often it runs."""
+    def once_or_more(self, run: Does[[], str], condition: str) -> str:
+        """Follow the body of a loop of which nobody knows how often it runs; ``condition`` is the text of what decides that."""
+        earlier, self.facts = self.facts, {}
         signal, before, after = self._turn(run)
+        first, self.facts = self.facts, {}
         counted = [
             cell for cell, value in after.items() if isinstance(value, (Number, Items)) and isinstance(before[cell], (Number, Items))
         ]
         if counted and self.loops < _MOST_LOOPS:
             # A second turn, in which what the first one counted or collected is not known.
+            doubts = dict(self.doubts)
             for cell in counted:
                 self.write(cell, UNKNOWN)
             self.loops += 1
+            steps = self.steps
             try:
                 _, _, second = self._turn(run)
+                unknown, self.facts = self.facts, {}
+                more = {key: each for key, each in unknown.items() if key not in first}
+                if self.steps - steps < _MOST_STEPS_OF_NUMBERED and any(ANY in each.name for each in more.values()):
+                    self.doubts = doubts
+                    self._numbered(run, condition, after, {key: each for key, each in first.items() if key not in unknown})
+                    first = {key: each for key, each in first.items() if key in unknown}
+                    unknown = {key: each for key, each in unknown.items() if key in first or ANY not in each.name}
+                first.update(unknown)
             finally:
                 self.loops -= 1
             for cell, value in second.items():
                 after[cell] = either([("", after.get(cell, value)), ("", value)])
+        self.facts = {**earlier, **first, **self.facts}
         for cell, value in after.items():
             self.write(cell, statements.after_loop(before.get(cell, cell.value), value))
         return signal
+
+    def _numbered(self, run: Does[[], str], condition: str, after: dict[Cell, Value], first: dict[str, Fact]) -> None:
+        """Further turns of a loop that makes numbered names: each of them is there where the loop comes so far."""
+        for key, fact in first.items():
+            both_ = both(fact.condition, condition)
+            self.facts[key] = fact._replace(condition=both_ if len(both_) <= 3 * _LONGEST_CONDITION else fact.condition)
+        self.conditions.append(condition)
+        state = after
+        for _ in range(_MOST_NUMBERED - 1):
+            for cell, value in state.items():
+                self.write(cell, value)
+            _, _, state = self._turn(run)
+        self.conditions.pop()
+        for fact in list(self.facts.values()):
+            reason = f"names are numbered, and only {_MOST_NUMBERED} of them listed: {condition}"
+            self.doubts[Doubt(fact.category, reason, fact.path, fact.line)] = None
 
     def _turn(self, run: Does[[], str]) -> tuple[str, dict[Cell, Value], dict[Cell, Value]]:
         """One turn of a loop, undone: where it ends, and the variables that it writes with their values before and after."""
@@ -224,10 +259,11 @@ class Machine:
                 continue
             now = when if self.when == "start" or when == "message" else self.when
             bound = each.bound if isinstance(each, Callable) else None
+            key: tuple[object, ...]
             key = (each.functions, each.this, bound, now) if isinstance(each, Callable) else (each.node, each.frame.this, now)
             if key not in self.queued:
                 self.queued.add(key)
-                self.pending.append(Pending(each, now, tuple(self.conditions if conditions is None else conditions)))
+                self.pending.append(Pending(each, now, tuple(self.conditions if conditions is None else conditions), self.instance))
 
     def invoke(self, function: Value, arguments: Sequence[Argument]) -> Value:
         """Call a function value."""
@@ -345,6 +381,8 @@ class Machine:
 
     def note(self, fact: Fact) -> None:
         """Keep a fact; the same one twice is one."""
+        if self.instance is not None:
+            fact = fact._replace(name=self.instance.renamed(fact.name))
         self.facts.setdefault(repr(fact), fact)
 
     def doubt(self, category: str, reason: str, node: Node, frame: Frame) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from launchlint.extract.cpp.declarations import Class, Declarations, joined
 from launchlint.extract.cpp.frame import Frame
@@ -27,6 +28,8 @@ NODE_NAMESPACE = "\x02"
 """Stands for the namespace of the node, without a slash behind it."""
 UNKNOWN_SPACE = "\x03"
 """Stands for the namespace of a node handle of which nothing is known."""
+PLUGIN = "\x04"
+"""Stands for the short name of a plugin, until it is known which one is meant."""
 ANY = "{any}"
 
 
@@ -35,6 +38,8 @@ class Names:
 
     def __init__(self, declarations: Declarations) -> None:
         self.declarations = declarations
+        self._bases: dict[str, list[Class]] = {}
+        self._known = (0, 0)
 
     def scopes(self, scope: str) -> Iterator[str]:
         """``scope`` and those around it, then the namespaces that are used; a class's base classes after the class."""
@@ -57,6 +62,12 @@ class Names:
 
     def bases(self, name: str) -> list[Class]:
         """The base classes of a class, as far as they are declared, nearest first."""
+        known = (len(self.declarations.used), len(self.declarations.aliases))  # a using directive in a function adds to them
+        if known != self._known:
+            self._known = known
+            self._bases.clear()
+        if name in self._bases:
+            return self._bases[name]
         found: list[Class] = []
         pending = [name]
         seen: set[str] = set()
@@ -68,6 +79,7 @@ class Names:
             if declared.name != name:
                 found.append(declared)
             pending += [self._class_name(base.name, declared.scope) or base.name for base in declared.bases]
+        self._bases[name] = found
         return found
 
     def _class_name(self, name: str, scope: str, depth: int = 0) -> str | None:
@@ -186,9 +198,12 @@ class Names:
         return f"{parts[0]}/{last}" if len(parts) == 2 and f"{parts[0]}/{last}" in ("tf/tfMessage", "tf/FrameGraph") else ""
 
 
+_MARKS = dict.fromkeys(map(ord, NODE_NAME + NODE_NAMESPACE + UNKNOWN_SPACE + PLUGIN))
+
+
 def braced(text: str) -> str:
     """Plain text as a template."""
-    return text.replace("{", "{{").replace("}", "}}").replace(NODE_NAME, "").replace(NODE_NAMESPACE, "").replace(UNKNOWN_SPACE, "")
+    return text.replace("{", "{{").replace("}", "}}").translate(_MARKS)
 
 
 def together(first: Value, second: Value) -> Value:
@@ -240,13 +255,36 @@ def finished(name: str) -> str:
         name = name[1:].lstrip("/")
     elif name.startswith("~" + NODE_NAME):
         name = "~" + name[2:].lstrip("/")
-    name = name.replace(NODE_NAME, ANY).replace(NODE_NAMESPACE, ANY)
+    name = name.replace(NODE_NAME, ANY).replace(NODE_NAMESPACE, ANY).replace(PLUGIN, ANY)
     name = re.sub(r"/{2,}", "/", name).replace("~/", "~")
     if _EMPTY.fullmatch(name):
         name = name[:-2] + "}"  # no topic can be called by an empty default
     while ANY + ANY in name:
         name = name.replace(ANY + ANY, ANY)
     return name.rstrip("/") if len(name) > 1 else name
+
+
+class Instance(NamedTuple):
+    """A nodelet that a program loads into itself: the full name it has, and what its names are remapped to, all unfinished."""
+
+    name: str
+    remappings: tuple[tuple[str, str], ...]
+
+    def renamed(self, name: str) -> str:
+        """A finished name of the nodelet as one of the program."""
+        if self.name != NODE_NAME and "{param:~" in name:
+            return ANY
+        for before, after in self.remappings:
+            target = finished(after)
+            target = target[len("{remap:") : -1] if target.startswith("{remap:") and target.endswith("}") else target
+            if name == before:
+                return target
+            for slot in ("{remap:", "{parent:"):
+                if f"{slot}{before}}}" in name:
+                    return name.replace(f"{slot}{before}}}", f"{slot}{target}}}") if "{" not in target else ANY
+        if name.startswith("~") and self.name != NODE_NAME:
+            return finished(f"{self.name}/{name[1:]}")
+        return name
 
 
 def full_name(namespace: str) -> str:

@@ -19,11 +19,6 @@ _STREAMS = ("stringstream", "ostringstream")
 
 def literal(node: Node) -> Value:
     """The text of a string literal."""
-    if node.kind == "concatenated_string":
-        value: Value = Text("")
-        for each in node.children:
-            value = together(value, literal(each))
-        return value
     if node.kind == "raw_string_literal":
         content = node.child("raw_string_content")
         return Text(braced(content.text if content else "")[:LONGEST_TEXT])
@@ -83,8 +78,12 @@ def combined(machine: Machine, sign: str, left: Value, right: Value) -> Value:
 
 def filled(text: str, value: str) -> str:
     """A format with its first place filled in (boost::format, printf)."""
-    match = re.search(r"%(?:\d+%|\d+\$\w|[-+ #0]*\d*(?:\.\d+)?(?:hh|h|ll|l|z)?[a-zA-Z])", text)
-    return text if match is None else text[: match.start()] + value + text[match.end() :]
+    match = re.search(r"%(?:\d+%|\d+\$\w|[-+ #0]*(\d*)(?:\.\d+)?(?:hh|h|ll|l|z)?[a-zA-Z])", text)
+    if match is None:
+        return text
+    if match[0].startswith("%0") and match[1] and value.isdigit():
+        value = value.zfill(min(int(match[1][:2]), 20))
+    return text[: match.start()] + value + text[match.end() :]
 
 
 def _equal(left: Value, right: Value, wanted: bool) -> Value:

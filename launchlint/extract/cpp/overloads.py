@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from launchlint.extract.cpp.declarations import Function
+from launchlint.extract.cpp.declarations import Class, Function
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, POINTERS, TEXTS, Type
 from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import UNKNOWN, Callable, Closure, Handle, Number, Text, Thing, Value, choices
@@ -20,7 +20,7 @@ _TELLING = frozenset(
     hasParam searchParam NodeHandle waitForMessage waitForService createClient TransformListener TransformBroadcaster
     StaticTransformBroadcaster SimpleActionServer SimpleActionClient ActionServer ActionClient Subscriber Publisher Server
     ImageTransport Updater createTimer createWallTimer getNodeHandle getPrivateNodeHandle CameraInfoManager
-    RealtimePublisher initParam thread""".split()
+    RealtimePublisher initParam thread createInstance createUniqueInstance Loader M_string""".split()
 )
 
 
@@ -104,3 +104,10 @@ def is_relevant(machine: Machine, function: Function) -> bool:
         for each in words:
             each.relevant = bool(each.relevant)
     return bool(function.relevant)
+
+
+def talks(machine: Machine, declared: Class) -> bool:
+    """Whether a function of the class may have to do with names of ROS."""
+    prefix = f"{declared.name}::"
+    functions = machine.declarations.functions.items()
+    return any(is_relevant(machine, each) for name, found in functions if name.startswith(prefix) for each in found if each.body)

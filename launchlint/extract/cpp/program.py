@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from launchlint.extract.cpp import classes
-from launchlint.extract.cpp.declarations import Class, Declarations, Function
+from launchlint.extract.cpp import nodelet
+from launchlint.extract.cpp.declarations import Declarations
 from launchlint.extract.cpp.files import read_files
-from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.machine import Argument, Machine
 from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
 from launchlint.extract.cpp.spelled_type import Type
-from launchlint.extract.cpp.syntax import Node
-from launchlint.extract.cpp.values import UNKNOWN, Handle, Thing, Value
-from launchlint.extract.fact import Doubt, Fact
+from launchlint.extract.cpp.values import UNKNOWN, Thing
+from launchlint.extract.fact import Doubt, Fact, Plugin
 
 _EVERYWHERE = frozenset(
     (
@@ -28,17 +26,10 @@ _EVERYWHERE = frozenset(
         "/rosdistro",
     )
 )
-_LAZY_PARAMS: tuple[tuple[str, bool | float | None, str], ...] = (
-    ("~lazy", True, "bool"),
-    ("~verbose_connection", False, "bool"),
-    ("verbose_connection", False, "bool"),
-    ("~duration_to_warn_no_connection", 5.0, "double"),
-)
-_STARTS = ("onInit", "init", "initialize", "onInitialize", "Load", "initRT", "initPlugin")
 
 
 def cpp_program(
-    sources: Sequence[str], include_directories: Sequence[str], root: str, entry: str | None
+    sources: Sequence[str], include_directories: Sequence[str], root: str, entry: str | None, plugins: Sequence[Plugin] = ()
 ) -> tuple[tuple[Fact, ...], tuple[Doubt, ...]]:
     """What a program says, found by following its source code; nothing is run.
 
@@ -47,6 +38,7 @@ def cpp_program(
         include_directories: where headers of the package are; others are not read.
         root: what the paths of facts are relative to.
         entry: the class whose constructor and ``onInit`` are the start (``image_proc::RectifyNodelet``); ``main()`` if None.
+        plugins: classes that can be loaded and whose sources are among these.
 
     Returns:
         Facts, sorted by category, name and place; and doubts, why there may be more than these.
@@ -59,7 +51,7 @@ def cpp_program(
     for file in files:
         declarations.read(file.root, file.path)
     declarations.finish()
-    machine = Machine(declarations, root)
+    machine = Machine(declarations, root, plugins)
     first = files[-1].path if files else "."
     for problem in problems:
         machine.doubt_all(problem, first, 1)
@@ -67,7 +59,7 @@ def cpp_program(
         if entry is None:
             _main(machine, first)
         else:
-            _class(machine, entry, first)
+            nodelet.start(machine, entry, first)
         machine.finish()
     except RecursionError:
         machine.doubt_all("the program is nested too deeply to be followed to its end", first, 1)
@@ -97,65 +89,6 @@ def _main(machine: Machine, path: str) -> None:
     machine.serial += 1
     command_line = Thing(Type("<argv>"), None, machine.serial)
     machine.call(found[0], None, [Argument(UNKNOWN), Argument(command_line)])
-
-
-def _class(machine: Machine, entry: str, path: str) -> None:
-    name = entry.removeprefix("::")
-    frame = Frame(path, "", None, {})
-    resolved = machine.names.resolve(Type(name), frame)
-    declared = machine.names.declared(resolved)
-    if declared is None:
-        machine.doubt_all(f"the class {name[:200]} was not found in these sources", path, 1)
-        return
-    node = Node("declaration", 1, b"", 0, 0)
-    thing = classes.make(machine, declared, resolved, [], node, frame)
-    if not isinstance(thing, Thing):
-        return
-    for start in _STARTS:
-        functions = classes.methods(machine, thing, start)
-        if functions:
-            chosen = functions[-1]
-            machine.call(chosen, thing, _given(chosen))
-            break
-    else:
-        _without_start(machine, declared, path)
-        return
-    if _is_lazy(machine, declared):
-        _lazy_params(machine, declared, chosen)
-        for name in ("subscribe", "unsubscribe"):
-            for function in classes.methods(machine, thing, name):
-                if not function.parameters:
-                    machine.when = "subscriber"
-                    machine.call(function, thing, [])
-                    machine.when = "start"
-
-
-def _is_lazy(machine: Machine, declared: Class) -> bool:
-    """Whether its subscriptions are made and ended by the base class, as there are listeners."""
-    known = [declared, *machine.names.bases(declared.name)]
-    return any("azy" in base.name or base.last in classes.LAZY for each in known for base in each.bases)
-
-
-def _lazy_params(machine: Machine, declared: Class, function: Function) -> None:
-    """Params that nodelet_topic_tools::NodeletLazy reads."""
-    bases = [base for each in [declared, *machine.names.bases(declared.name)] for base in each.bases]
-    if any(base.name == "nodelet_topic_tools::NodeletLazy" and base.name not in machine.declarations.classes for base in bases):
-        for name, default, kind in _LAZY_PARAMS:
-            machine.note(Fact("params", name, function.path, function.line, default=default, value_type=kind))
-
-
-def _without_start(machine: Machine, declared: Class, path: str) -> None:
-    machine.doubt_all(f"{declared.name} has no onInit() in these sources", path, 1)
-
-
-def _given(function: Function) -> list[Argument]:
-    """What a framework gives to an init function: node handles, the second one private; the rest is not known."""
-    handles: list[Value] = [Handle(UNKNOWN_SPACE), Handle(UNKNOWN_SPACE)]
-    given: list[Argument] = []
-    for parameter in function.parameters:
-        is_handle = parameter.type.last == "NodeHandle"
-        given.append(Argument(handles.pop(0) if is_handle and handles else UNKNOWN))
-    return given
 
 
 def _sorted(facts: Sequence[Fact]) -> tuple[Fact, ...]:

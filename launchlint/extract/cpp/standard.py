@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from launchlint.extract.cpp import classes
 from launchlint.extract.cpp.naming import template, together
 from launchlint.extract.cpp.spelled_type import Type
@@ -42,6 +44,8 @@ _NUMBERS = frozenset(("int", "double", "float", "bool", "size_t", "std::size_t",
 CHANGING = frozenset(("push_back", "emplace_back", "insert", "append", "resize", "clear", "assign", "emplace", "push_front", "str"))
 """Members that change a container or a text."""
 _MOST_ITEMS = 200
+_FORMATS = re.compile(r"(?:^|::)(?:u?[Ff]ormat|[Ss]tr(?:ing)?_?[Ff]ormat|StringPrintf|stringf)$")
+"""Functions of libraries that format as printf does, and give the text."""
 
 
 def function(asked: Call) -> Value | None:
@@ -70,6 +74,8 @@ def function(asked: Call) -> Value | None:
         thing = Thing(Type("boost::format"), None, 0)
         thing.fields["<text>"] = machine.cell(asked.value(0))
         return thing
+    if len(asked.arguments) > 1 and _FORMATS.search(name) and isinstance(asked.value(0), Text):
+        return _formatted(asked, 0)
     if name in ("boost::function", "std::function") and asked.arguments:
         return asked.value(0)
     if name in ("std::make_pair", "make_pair", "std::pair", "std::make_tuple"):
@@ -111,18 +117,23 @@ def _text(asked: Call) -> Value:
 
 
 def _printed(asked: Call, position: int) -> Value:
+    cell = asked.cell(0)
+    if cell is not None:
+        asked.machine.write(cell, _formatted(asked, position))
+    return UNKNOWN
+
+
+def _formatted(asked: Call, position: int) -> Value:
+    """The format at ``position`` with the arguments behind it filled in."""
     from launchlint.extract.cpp.operators import filled
 
     text = asked.value(position)
-    cell = asked.cell(0)
-    if isinstance(text, Text) and cell is not None:
-        done = text.template
-        for each in asked.arguments[position + 1 : position + 12]:
-            done = filled(done, template(each.value))
-        asked.machine.write(cell, Text(done))
-    elif cell is not None:
-        asked.machine.write(cell, UNKNOWN)
-    return UNKNOWN
+    if not isinstance(text, Text):
+        return UNKNOWN
+    done = text.template
+    for each in asked.arguments[position + 1 : position + 12]:
+        done = filled(done, template(each.value))
+    return Text(done)
 
 
 def method(value: Value, asked: Call, cell: Cell | None) -> Value:

@@ -78,11 +78,30 @@ def execute(machine: Machine, node: Node, frame: Frame) -> str:
 
 def sequence(machine: Machine, nodes: Sequence[Node], frame: Frame) -> str:
     """Statements one after the other."""
-    for node in nodes:
+    for position, node in enumerate(nodes):
+        if _is_torn(node) and position + 1 < len(nodes) and _declare_torn(machine, node, nodes[position + 1], frame):
+            continue
         signal = machine.execute(node, frame)
         if signal:
             return signal
     return ""
+
+
+def _is_torn(node: Node) -> bool:
+    """Whether it is the type of a declaration that the grammar took for a statement of its own: ``ns::Type`` without a semicolon."""
+    return node.kind == "expression_statement" and len(node.children) == 1 and node.children[0].size == node.size
+
+
+def _declare_torn(machine: Machine, named: Node, rest: Node, frame: Frame) -> bool:
+    """``ns::Type`` and ``name(a, b);`` as the one declaration that they are; whether they are one."""
+    call = rest.child("call_expression") if rest.kind == "expression_statement" else None
+    function = call.field("function") if call else None
+    if call is None or function is None or function.kind != "identifier" or named.children[0].kind != "qualified_identifier":
+        return False
+    type_ = parse_type(named.text)
+    value = classes.construct(machine, type_, classes.arguments(machine, call.field("arguments"), frame), rest, frame)
+    frame.variables[function.text] = machine.cell(value, type_)
+    return True
 
 
 def _ends_program(node: Node) -> bool:
@@ -255,7 +274,7 @@ def _for_each(machine: Machine, node: Node, frame: Frame) -> str:
         frame.variables[name] = machine.cell(UNKNOWN, type_)
         return machine.execute(body, frame)
 
-    machine.once_or_more(turn)
+    machine.once_or_more(turn, f"{name} is one of {condition_text(node.field('right'))}")
     return ""
 
 
@@ -282,14 +301,11 @@ def _for(machine: Machine, node: Node, frame: Frame) -> str:
             break
 
     def turn() -> str:
-        if initial is not None:
-            for declarator in initial.fields.get("declarator", []):
-                cell = frame.variable(name_of(declarator))
-                if cell is not None and not isinstance(cell.value, Items):
-                    machine.write(cell, UNKNOWN)
-        return machine.execute(body, frame)
+        signal = machine.execute(body, frame)
+        machine.evaluate(update, frame)
+        return signal
 
-    machine.once_or_more(turn)
+    machine.once_or_more(turn, condition_text(condition))
     return ""
 
 
@@ -298,7 +314,7 @@ def _while(machine: Machine, node: Node, frame: Frame) -> str:
     if node.kind == "while_statement" and decided(machine, condition, frame) is False:
         return ""
     if body is not None:
-        machine.once_or_more(lambda: machine.execute(body, frame))
+        machine.once_or_more(lambda: machine.execute(body, frame), condition_text(condition))
     if node.kind == "do_statement":
         machine.evaluate(condition, frame)
     return ""

@@ -31,6 +31,7 @@ _SLOTS = re.compile(r"\b(?:public|private|protected)[ \t]+(Q_SLOTS|slots)[ \t]*:
 _ATTRIBUTE = re.compile(
     r"__attribute__[ \t]*\(\([^()\n]*(?:\([^()\n]*\)[^()\n]*)*\)\)|\bROS_FORCE_INLINE\b|\b__forceinline\b|\bROS_DEPRECATED\b"
 )
+_ADJACENT = re.compile(r"(?<==)([ \t]*[A-Z][A-Z0-9_]{2,})((?:[ \t]+[A-Z][A-Z0-9_]{2,})+)(?=[ \t]*;)")
 _EACH = re.compile(r"\b(?:BOOST_|Q_)?FOREACH[ \t]*\(|\bforeach[ \t]*\(|\bQ_FOREACH[ \t]*\(")
 
 
@@ -177,6 +178,8 @@ def _readable(source: bytes) -> bytes:
     text = _EXPORTED.sub(lambda match: match[0].replace(match[1], " " * len(match[1]), 1), text)
     text = _SLOTS.sub(lambda match: "public:" if match[2] else match[0].replace(match[1], ""), text)
     text = _ATTRIBUTE.sub(lambda match: " " * len(match[0]), text)
+    # Macros side by side are strings side by side, which the grammar takes where one of them is a literal.
+    text = _ADJACENT.sub(lambda match: f'{match[1]} ""{match[2]}', text)
     return _loops(text).encode()
 
 

@@ -130,6 +130,7 @@ class Thing:
 Value = Unknown | Null | Text | Number | Handle | Items | Callable | Closure | Either | Thing
 
 MOST_CHOICES: Final = 8
+MOST_OBJECTS: Final = 64
 MOST_ITEMS: Final = 40
 
 
@@ -170,7 +171,8 @@ def either(found: list[tuple[str, Value]]) -> Value:
     defaulted = _defaulted(list(distinct))
     if defaulted is not None:
         return defaulted
-    if len(distinct) > MOST_CHOICES or (UNKNOWN in distinct and all(isinstance(each, (Number, Unknown, Null)) for each in distinct)):
+    most = MOST_OBJECTS if all(isinstance(value, Thing) for value in distinct) else MOST_CHOICES
+    if len(distinct) > most or (UNKNOWN in distinct and all(isinstance(each, (Number, Unknown, Null)) for each in distinct)):
         return UNKNOWN
     return Either(tuple((condition, value) for value, condition in distinct.items()))
 

@@ -47,9 +47,9 @@ HOSTILE = {
 
 @pytest.mark.parametrize("name", HOSTILE)
 def test_hostile_source_is_answered(tmp_path: Path, name: str) -> None:
-    begin = time.monotonic()
+    begin = time.process_time()
     facts, doubts = program(tmp_path, HOSTILE[name])
-    assert time.monotonic() - begin < 20
+    assert time.process_time() - begin < 20
     assert len(facts) < 20
     assert all(len(fact.name) < 5_000 and len(fact.condition) < 500 for fact in facts)
     assert all(doubt.reason.isprintable() and len(doubt.reason) < 500 for doubt in doubts)

@@ -185,6 +185,32 @@ def test_configuration_of_another_package_is_a_doubt(tmp_path: Path) -> None:
     assert [(doubt.category, doubt.reason) for doubt in doubts] == [("params", "the params of other::SpeedConfig are declared elsewhere")]
 
 
+def test_the_param_with_the_transport_of_images(tmp_path: Path) -> None:
+    source = """int main() {
+      ros::NodeHandle nh, pnh("~");
+      image_transport::ImageTransport it(nh);
+      image_transport::TransportHints hints("raw", ros::TransportHints(), pnh, "depth_transport");
+      it.subscribe("depth", 1, cb, ros::VoidPtr(), hints);
+    }"""
+    facts, doubts = program(tmp_path, source)
+    assert [spelled(fact) for fact in facts] == [
+        'params ~depth_transport str 4 default="raw"',
+        "subscribers depth sensor_msgs/Image 5 transport=image queue=1",
+        "subscribers depth/{param:~depth_transport} - 5 if ~depth_transport is not raw",
+    ]
+    assert doubts == ()
+
+
+def test_a_member_is_defined_under_another_name_of_its_class(tmp_path: Path) -> None:
+    source = """
+    namespace ns { class Node : public nodelet::Nodelet { void onInit(); void advertise(); }; }
+    typedef ns::Node Node;
+    void Node::onInit() { advertise(); }
+    void ns::Node::advertise() { getNodeHandle().advertise<std_msgs::Bool>("a", 1); }
+    """
+    assert [spelled(fact) for fact in program(tmp_path, source, "ns::Node")[0]] == ["publishers a std_msgs/Bool 5 queue=1"]
+
+
 def test_plugins_are_a_doubt(tmp_path: Path) -> None:
     facts, doubts = program(tmp_path, 'int main() { pluginlib::ClassLoader<demo::Layer> loader("demo", "demo::Layer"); }')
     assert facts == ()

@@ -43,8 +43,11 @@ NAMES = {
     "put together": ('std::string t = std::string("a") + "/" + std::to_string(2);', "a/2"),
     "a stream": ('std::stringstream s;\ns << "a" << 2;\nstd::string t = s.str();', "a2"),
     "a format": ('std::string t = boost::str(boost::format("a%d/%s") % 2 % "b");', "a2/b"),
-    "printf": ('char t[20];\nsnprintf(t, 20, "a%02d", 2);', "a2"),
+    "printf": ('char t[20];\nsnprintf(t, 20, "a%02d", 2);', "a02"),
     "appended": ('std::string t = "a";\nt += "/b";', "a/b"),
+    "macros side by side": ("std::string t;\nt = TOPIC TOPIC;", "from/macrofrom/macro"),
+    "a list of a length": ('std::vector<std::string> l(3);\nl[2] = "c";\nstd::string t = "a" + l[2];', "ac"),
+    "a format of a library": ('std::string t = utils::format("a%d/%s", 2, "b");', "a2/b"),
     "a macro": ("std::string t = TOPIC;", "from/macro"),
     "a constant of a class": ("std::string t = Names::SCAN;", "of/class"),
     "a list": ('std::vector<std::string> v = {"a", "b"};\nstd::string t = v[1];', "b"),
@@ -81,6 +84,57 @@ def test_loops_over_literal_lists_are_unrolled(tmp_path: Path) -> None:
     facts, doubts = program(tmp_path, in_main(body))
     assert [fact.name for fact in facts] == ["arm0", "arm1", "left/off", "left/on", "right/off", "right/on"]
     assert doubts == ()
+
+
+NUMBERED = {
+    "for": """
+        ros::NodeHandle nh;
+        int n = count();
+        for (int i = 0; i < n; i++) {
+          nh.subscribe<std_msgs::Bool>("all", 1, cb);
+          char name[20];
+          snprintf(name, 20, "in%02d", i);
+          nh.advertise<std_msgs::Bool>(name, 1);
+        }
+        """,
+    "do while": """
+        ros::NodeHandle nh("~");
+        int i = 0;
+        bool more = false;
+        do {
+          std::stringstream s;
+          s << "odom" << i++;
+          more = nh.hasParam(s.str());
+        } while (more);
+        """,
+}
+NUMBERED_NAMES = {
+    "for": [f"publishers in{number:02} std_msgs/Bool 8 queue=1 if i < n" for number in range(10)]
+    + ["subscribers all std_msgs/Bool 5 queue=1"],
+    "do while": [f"params ~odom{number} - 8 if more" for number in range(10)],
+}
+
+
+@pytest.mark.parametrize("name", NUMBERED)
+def test_names_that_a_loop_numbers_are_listed_as_far_as_ten(tmp_path: Path, name: str) -> None:
+    facts, doubts = program(tmp_path, in_main(NUMBERED[name]))
+    assert [spelled(fact) for fact in facts] == NUMBERED_NAMES[name]
+    condition = "i < n" if name == "for" else "more"
+    assert {doubt.reason for doubt in doubts} == {f"names are numbered, and only 10 of them listed: {condition}"}
+
+
+def test_a_list_of_unknown_length_that_is_filled_one_by_one(tmp_path: Path) -> None:
+    body = """
+    ros::NodeHandle nh;
+    subs.resize(count());
+    for (int i = 0; i < count(); ++i) {
+      subs[i] = new message_filters::Subscriber<std_msgs::Bool>;
+      subs[i]->subscribe(nh, uFormat("in%d", i), 1);
+    }
+    """
+    facts, _ = program(tmp_path, in_main(body, "std::vector<message_filters::Subscriber<std_msgs::Bool>*> subs;"))
+    condition = "if i < count()"
+    assert [spelled(fact) for fact in facts] == [f"subscribers in{number} std_msgs/Bool 6 queue=1 {condition}" for number in range(10)]
 
 
 def test_loops_of_unknown_length_have_unknown_names(tmp_path: Path) -> None:
@@ -143,6 +197,24 @@ def test_condition(tmp_path: Path, name: str) -> None:
     body, expected = CONDITIONS[name]
     facts, _ = program(tmp_path, in_main("ros::NodeHandle nh;\n" + body))
     assert [spelled(fact) for fact in facts] == lines(expected)
+
+
+def test_a_name_from_a_param_may_be_absolute(tmp_path: Path) -> None:
+    body = """
+    ros::NodeHandle nh("~");
+    std::string topic, other;
+    nh.getParam("topic", topic);
+    nh.param<std::string>("other", other, "map");
+    nh.advertise<std_msgs::Bool>(topic, 1);
+    nh.advertise<std_msgs::Bool>(other + "/x", 1);
+    """
+    facts, _ = program(tmp_path, in_main(body))
+    assert [spelled(fact) for fact in facts if fact.category == "publishers"] == [
+        "publishers {param:~other}/x std_msgs/Bool 7 queue=1 if ~other is an absolute name",
+        "publishers {param:~topic} std_msgs/Bool 6 queue=1 if ~topic is an absolute name",
+        "publishers ~{param:~other|map}/x std_msgs/Bool 7 queue=1",
+        "publishers ~{param:~topic} std_msgs/Bool 6 queue=1 if ~topic is a relative name",
+    ]
 
 
 def test_a_member_that_a_callback_changes_decides_nothing(tmp_path: Path) -> None:

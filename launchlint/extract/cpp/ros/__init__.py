@@ -70,8 +70,6 @@ def make(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, f
                 return value
             elif isinstance(value, Handle) and name not in _library.HARMLESS:
                 machine.doubt_all(f"{name} is given a node handle, and is not in these sources", frame.path, node.line)
-    if name in _library.LOADERS:
-        machine.doubt_all(f"{name} loads plugins, which may have interfaces of their own", frame.path, node.line)
     return thing
 
 
@@ -138,8 +136,6 @@ def method(this: Thing, asked: Call) -> Value | None:
     ):
         for each in asked.arguments:
             asked.machine.later(each.value, "start" if asked.name in ("setCallback", "create_thread", "post") else "message")
-        return UNKNOWN
-    if this.declared is None and this.type.name in _library.LOADERS and asked.name in _library.LOADING:
         return UNKNOWN
     return None
 

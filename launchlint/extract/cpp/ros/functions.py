@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable as Does
 
 from launchlint.extract.cpp.naming import ANY, NODE_NAME, NODE_NAMESPACE, finished, in_namespace, template
+from launchlint.extract.cpp.ros import driver_base, params
 from launchlint.extract.cpp.ros import handle as handles
-from launchlint.extract.cpp.ros import params
 from launchlint.extract.cpp.ros.callbacks import callback_of, explicit, message_type
 from launchlint.extract.cpp.spelled_type import UNTYPED, Type
 from launchlint.extract.cpp.values import UNKNOWN, Handle, Text, Thing, Value, choices, either
@@ -190,6 +190,7 @@ FUNCTIONS: dict[str, Does[[Call], Value]] = {
     "ros::AdvertiseOptions::create": _advertise_options,
     "ros::SubscribeOptions::create": _subscribe_options,
     "ros::AdvertiseServiceOptions::create": _service_options,
+    "driver_base::main": driver_base.main,
     "ros::message_traits::datatype": _datatype,
     "ros::message_traits::DataType::value": _datatype,
     **dict.fromkeys(

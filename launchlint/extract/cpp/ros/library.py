@@ -6,12 +6,12 @@ from collections.abc import Callable as Does
 from collections.abc import Sequence
 
 from launchlint.extract.cpp.naming import UNKNOWN_SPACE, below, template
-from launchlint.extract.cpp.ros import functions, params
+from launchlint.extract.cpp.ros import driver_base, functions, loading, params
 from launchlint.extract.cpp.ros import handle as handles
 from launchlint.extract.cpp.ros.callbacks import action_type, callback_of, explicit, message_type
 from launchlint.extract.cpp.ros.reconfigure import reconfigured
 from launchlint.extract.cpp.spelled_type import Type
-from launchlint.extract.cpp.values import UNKNOWN, Either, Handle, Number, Text, Thing, Value, choices, either
+from launchlint.extract.cpp.values import UNKNOWN, Either, Handle, Number, Text, Thing, Value, choices, either, plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -172,10 +172,21 @@ def _transport_of(this: Value) -> Value:
     return Handle(UNKNOWN_SPACE) if not isinstance(this, Handle) else this
 
 
-def _hinted(asked: Call) -> None:
-    """A subscription without transport hints reads the param itself (image_transport::TransportHints)."""
-    if not any(isinstance(each.value, Thing) and each.value.type.last == "TransportHints" for each in asked.arguments):
-        asked.machine.fact("params", Text("~image_transport"), asked.node, asked.frame, default="raw", value_type="str")
+def _image_subscribed(asked: Call, name: Value, queue: Value) -> None:
+    """A subscription to images; image_transport::TransportHints name the param with its transport, which is ``~image_transport`` else."""
+    machine, node, frame = asked.machine, asked.node, asked.frame
+    machine.fact("subscribers", name, node, frame, type=_IMAGE, queue=handles.queue_of(queue), transport="image")
+    values = [each.value for each in asked.arguments]
+    hints = next((each for each in values if isinstance(each, Thing) and each.type.last == "TransportHints"), None)
+    if hints is None:
+        machine.fact("params", Text("~image_transport"), node, frame, default="raw", value_type="str")
+        return
+    param = plain(handles.held(hints, "<param>"))
+    if param is not None and param != "~image_transport":
+        machine.conditions.append(f"{param} is not raw")
+        for _, each in choices(name):
+            machine.fact("subscribers", Text(f"{template(each)}/{{param:{param}}}"), node, frame)
+        machine.conditions.pop()
 
 
 def _hints(asked: Call) -> Value:
@@ -185,8 +196,9 @@ def _hints(asked: Call) -> Value:
     handle = asked.value(2) if len(asked.arguments) > 2 else _PRIVATE
     name = asked.value(3) if len(asked.arguments) > 3 else Text("image_transport")
     default = asked.value(0) if asked.arguments else Text("raw")
-    asked.machine.fact("params", _in(handle, name), asked.node, asked.frame, default=params.default_of(default, "str"), value_type="str")
-    return _thing(asked, "image_transport::TransportHints")
+    param = _in(handle, name)
+    asked.machine.fact("params", param, asked.node, asked.frame, default=params.default_of(default, "str"), value_type="str")
+    return _thing(asked, "image_transport::TransportHints", **{"<param>": param})
 
 
 def _image_advertise(this: Thing, asked: Call) -> Value:
@@ -214,9 +226,7 @@ def _camera_advertise(this: Thing, asked: Call) -> Value:
 
 def _image_subscribe(this: Thing, asked: Call) -> Value:
     name = _in(_transport_of(this), asked.value(0))
-    queue = handles.queue_of(asked.value(1))
-    asked.machine.fact("subscribers", name, asked.node, asked.frame, type=_IMAGE, queue=queue, transport="image")
-    _hinted(asked)
+    _image_subscribed(asked, name, asked.value(1))
     asked.machine.later(callback_of(asked, 2), "message")
     return _thing(asked, "image_transport::Subscriber", **{"<topic>": handles.resolved(name)})
 
@@ -240,8 +250,7 @@ def _image_filter_subscribe(this: Thing, asked: Call) -> Value:
     if len(asked.arguments) < 2:
         return UNKNOWN
     name = _in(_transport_of(asked.value(0)), asked.value(1))
-    asked.machine.fact("subscribers", name, asked.node, asked.frame, type=_IMAGE, queue=handles.queue_of(asked.value(2)), transport="image")
-    _hinted(asked)
+    _image_subscribed(asked, name, asked.value(2))
     return UNKNOWN
 
 
@@ -394,6 +403,8 @@ MAKERS: dict[str, Does[[Call], Value]] = {
     "interactive_markers::InteractiveMarkerServer": _markers,
     "self_test::TestRunner": _self_test,
     "controller_manager::ControllerManager": _controller_manager,
+    "driver_base::DriverNode": driver_base.node,
+    **loading.MAKERS,
     **dict.fromkeys(("stringstream", "std::stringstream", "std::ostringstream", "ostringstream"), _text_stream),
     **dict.fromkeys(
         (
@@ -410,6 +421,7 @@ MAKERS: dict[str, Does[[Call], Value]] = {
 """What making an object of a class does."""
 
 METHODS: dict[tuple[str, str], Does[[Thing, Call], Value]] = {
+    **loading.METHODS,
     ("message_filters::Subscriber", "subscribe"): _filter_subscribe,
     ("image_transport::ImageTransport", "advertise"): _image_advertise,
     ("image_transport::ImageTransport", "advertiseCamera"): _camera_advertise,
@@ -436,10 +448,8 @@ METHODS: dict[tuple[str, str], Does[[Thing, Call], Value]] = {
 }
 """What a member of an object does."""
 
-LOADERS = frozenset(("pluginlib::ClassLoader", "nodelet::Loader", "class_loader::ClassLoader", "class_loader::MultiLibraryClassLoader"))
-"""Classes that load what no source of the program names."""
-
-LOADING = frozenset(("createInstance", "createUniqueInstance", "createUnmanagedInstance", "load"))
-
-HARMLESS = frozenset(("std::vector", "std::map", "std::pair", "ros::AsyncSpinner", "tf2_ros::Buffer", "ros::Rate", "std::tuple"))
+HARMLESS = frozenset(
+    """std::vector std::map std::pair std::tuple ros::AsyncSpinner ros::Rate tf2_ros::Buffer tf2_ros::MessageFilter
+    tf::MessageFilter""".split()
+)
 """Classes that may be given a node handle and make no name with it."""

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
 from launchlint.extract.cpp.naming import ANY, finished, in_namespace
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, LISTS, MAPPINGS, TEXTS, UNTYPED, Type
-from launchlint.extract.cpp.values import UNKNOWN, Cell, Handle, Items, Null, Number, Text, Unknown, Value, choices, either, plain
+from launchlint.extract.cpp.values import UNKNOWN, Cell, Handle, Items, Null, Number, Text, Unknown, Value, both, choices, either, plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -13,15 +15,22 @@ if TYPE_CHECKING:
     from launchlint.extract.cpp.calls import Call
 
 _DEEPEST_TEMPLATE = 6
+_SLOT = re.compile(r"\{param:([^|{}]+)(\|[^{}]*)?\}")
 
 
 def named(handle: Handle, name: Value) -> Value:
-    """A name in the namespace of a node handle."""
+    """A name in the namespace of a node handle. One that a param gives may be absolute; then the namespace does not matter."""
     found: list[tuple[str, Value]] = []
     for condition, each in choices(name):
         # Nothing can be called by an empty name: it is given elsewhere.
         text = each.template if isinstance(each, Text) and each.template else ANY
-        found.append((condition, Text(in_namespace(handle.namespace, text))))
+        below = in_namespace(handle.namespace, text)
+        slot = _SLOT.match(text)
+        if slot is None or below == text:
+            found.append((condition, Text(below)))
+            continue
+        found.append((condition if slot[2] not in (None, "|") else both(condition, f"{slot[1]} is a relative name"), Text(below)))
+        found.append((both(condition, f"{slot[1]} is an absolute name"), Text(f"{{param:{slot[1]}}}{text[slot.end() :]}")))
     return either(found)
 
 
