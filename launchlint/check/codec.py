@@ -109,7 +109,7 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
 
 
 def _finding_to_json(finding: Finding) -> list[Any]:
-    fix = None if finding.fix is None else [finding.fix.message, finding.fix.safe, finding.fix.edits]
+    fix = None if finding.fix is None else list(finding.fix)
     return [*finding[:2], int(finding.severity), *finding[3:14], fix, finding.topic]
 
 
@@ -130,6 +130,6 @@ def _finding_from_json(value: Any) -> Finding:
         tuple((key, text) for key, text in arguments),
         entries,
         element,
-        None if fix is None else Fix(fix[0], fix[1], tuple(Edit(*edit) for edit in fix[2])),
+        None if fix is None else Fix(fix[0], fix[1], tuple(Edit(*edit) for edit in fix[2]), fix[3]),
         topic,
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from copy import copy
 from functools import cached_property
 from typing import NamedTuple
 
@@ -23,6 +24,7 @@ from launchlint.workspace.packages import Packages
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.graph.connections import ConnectionGraph
     from launchlint.library.lookup import Library
 
 CALL_KINDS = ("include-undeclared-arg", "include-missing-arg")
@@ -75,6 +77,16 @@ class EntryChecker:
         from launchlint.library.lookup import open_libraries
 
         return open_libraries(self.options.library, self.options.library_cache)
+
+    def holding(self, texts: Mapping[str, bytes]) -> EntryChecker:
+        """A checker for which files hold ``texts`` instead; packages, and what was read of other files, are shared with this one."""
+        other = copy(self)
+        for file, data in texts.items():
+            other.session = other.session.with_text(file, data)
+        changed = {self.session.shown(file) for file in texts}
+        other.remember = False
+        other._files = {path: result for path, result in self._files.items() if path not in changed}
+        return other
 
     def check(self, request: EntryRequest) -> EntryResult:
         """All findings of one entry file. Never raises: a crash becomes a finding."""
@@ -153,7 +165,7 @@ class EntryChecker:
         if shared and path in self._files:
             return self._files[path]
         before = noted() if self.remember else ()
-        result = check_file(FileView(document, self.packages), self.rules)
+        result = check_file(FileView(document, self.packages, self.options.style), self.rules)
         if self.remember:
             result = result._replace(looks=tuple((path, state(path)) for path in sorted(noted())))
             note(before)
@@ -163,7 +175,7 @@ class EntryChecker:
 
     def _launch_findings(self, evaluation: Evaluation, request: EntryRequest) -> Iterator[Finding | Fine]:
         launch = evaluation.launch
-        view = LaunchView(launch, self.packages, request.declared)
+        view = LaunchView(launch, self.packages, request.declared, evaluation.documents)
         for problem in launch.problems:
             for finding in tell(problem, view, self.options.rules):
                 yield self._at_home(finding, evaluation, assumed=problem.assumed)
@@ -173,11 +185,16 @@ class EntryChecker:
         if self.graph_rules and (launch.nodes or launch.tests):
             yield from self._graph_findings(evaluation, request)
 
-    def _graph_findings(self, evaluation: Evaluation, request: EntryRequest) -> Iterator[Finding | Fine]:
+    def connected(self, evaluation: Evaluation) -> ConnectionGraph:
+        """The connection graph of what was evaluated."""
         from launchlint.graph.connect import connect
+
+        return connect(evaluation.launch, self.library)
+
+    def _graph_findings(self, evaluation: Evaluation, request: EntryRequest) -> Iterator[Finding | Fine]:
         from launchlint.rules.view import GraphView
 
-        view = GraphView(connect(evaluation.launch, self.library), self.library, self.packages, request.declared)
+        view = GraphView(self.connected(evaluation), self.library, self.packages, request.declared, evaluation.documents)
         for rule in self.graph_rules:
             for found in run_rule(rule, view, evaluation.launch.entry.path):
                 yield found if isinstance(found, Fine) else self._at_home(found, evaluation, assumed=False)

@@ -56,6 +56,10 @@ class Revision:
         """The file of the working tree (as people see it) that a file of the revision is."""
         return os.path.relpath(os.path.join(self._repository, os.path.relpath(path, self._directory)), os.path.realpath(os.curdir))
 
+    def at_home(self, text: str) -> str:
+        """``text`` with the paths of the working tree in place of those of the revision."""
+        return text.replace(self._directory, self._repository)
+
     def differs(self, root: str, files: Iterable[str]) -> bool:
         """Whether an entry file that reads these launch files (as shown) may start something else than at the revision."""
         if self._changed is None:

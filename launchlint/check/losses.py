@@ -23,10 +23,11 @@ def with_losses(results: Sequence[EntryResult], checker: EntryChecker, base: str
     """
     rules = [rule for rule in checker.rules if rule.view == "base"]
     with revision(checker.options, base) as old:
-        return [_compared(result, checker, old, base, rules) for result in results] if rules else list(results)
+        return [with_losses_since(result, checker, old, base, rules) for result in results] if rules else list(results)
 
 
-def _compared(result: EntryResult, checker: EntryChecker, old: Revision, base: str, rules: Sequence[Entry]) -> EntryResult:
+def with_losses_since(result: EntryResult, checker: EntryChecker, old: Revision, base: str, rules: Sequence[Entry]) -> EntryResult:
+    """One result with the findings of ``rules``, which compare with the revision ``base``, unpacked as ``old``."""
     request = old.request(result.request)
     if request is None or not old.differs(checker.options.root, (path for path, _ in result.visited)):
         return result

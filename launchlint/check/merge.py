@@ -47,7 +47,7 @@ def merge(
     whoever includes it. ``asked`` are the paths people gave; what is wrong in files that are merely installed is told at the include that
     leads there.
     """
-    entries = list(results) if alone else _entries(results)
+    entries = list(results) if alone else without_parts(results)
     findings: dict[Key, Finding] = {}
     reached: dict[Key, set[str]] = {}
     fine: set[Fine] = set()
@@ -95,7 +95,7 @@ def merge(
     return Outcome(tuple(ordered([*kept, *crashes])), len(looked_at), len(entries), bool(crashes))
 
 
-def _entries(results: Sequence[EntryResult]) -> list[EntryResult]:
+def without_parts(results: Sequence[EntryResult]) -> list[EntryResult]:
     """The results without those of files that lack args and that another entry file leads to.
 
     Files that only include each other in a circle are kept, so that the circle is told of.

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from launchlint.finding import Severity
+from launchlint.fix.format.style import Style
 
 Arguments = tuple[tuple[str, str], ...]
 
@@ -27,7 +28,7 @@ class Options(NamedTuple):
 
     ``rules`` are the IDs that are on; ``severities`` replace a rule's own; ``complete`` says whether every package is here (None: find
     out); ``variables`` is the environment launch files see; ``library`` are library files over the one that is shipped, and
-    ``library_cache`` a directory for their indices.
+    ``library_cache`` a directory for their indices; ``style`` is the normal form.
     """
 
     rules: frozenset[str]
@@ -40,3 +41,4 @@ class Options(NamedTuple):
     default_only: bool = False
     library: tuple[str, ...] = ()
     library_cache: str | None = None
+    style: Style = Style()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, TypeVar
 
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.options import EntryRequest, Options
@@ -16,6 +17,8 @@ BATCH = 40
 """Entry files given to a worker at a time: neighbours, since they share includes."""
 
 Progress = Callable[[int], None]
+Checker = TypeVar("Checker", bound=EntryChecker)
+Result = TypeVar("Result")
 
 
 def check_entries(
@@ -31,7 +34,7 @@ def check_entries(
     ``progress`` is called with the number of entry files done.
     """
     if cache_directory is None or len(requests) < CACHE_PAYS or checker.session.overlay:
-        return _compute(requests, checker, jobs, progress)
+        return compute(requests, checker, EntryChecker.check, jobs, progress)
     from launchlint.check.cache import Cache
 
     checker.remember = True
@@ -40,7 +43,7 @@ def check_entries(
         known = cache.look_up(requests)
         missing = [request for request, result in zip(requests, known, strict=True) if result is None]
         done = len(requests) - len(missing)
-        computed = _compute(missing, checker, jobs, None if progress is None else lambda count: progress(done + count))
+        computed = compute(missing, checker, EntryChecker.check, jobs, None if progress is None else lambda count: progress(done + count))
         cache.store(computed)
         fresh = iter(computed)
         return [next(fresh) if result is None else result for result in known]
@@ -48,30 +51,43 @@ def check_entries(
         cache.close()
 
 
-def _compute(requests: Sequence[EntryRequest], checker: EntryChecker, jobs: int, progress: Progress | None) -> list[EntryResult]:
+def compute(
+    requests: Sequence[EntryRequest],
+    checker: Checker,
+    work: Callable[[Checker, EntryRequest], Result],
+    jobs: int,
+    progress: Progress | None,
+) -> list[Result]:
+    """What ``work``, a method of ``checker``, makes of each request, in order; in several processes where that pays or is asked for."""
     workers = min(jobs or os.cpu_count() or 1, -(-len(requests) // BATCH))
-    results: list[EntryResult] = []
+    results: list[Result] = []
     if workers > 1 and (jobs > 1 or len(requests) >= POOL_PAYS):
-        results = _in_pool(requests, checker, workers, progress)
+        results = _in_pool(requests, checker, work, workers, progress)
     for request in requests[len(results) :]:
-        results.append(checker.check(request))
+        results.append(work(checker, request))
         if progress is not None:
             progress(len(results))
     return results
 
 
-def _in_pool(requests: Sequence[EntryRequest], checker: EntryChecker, workers: int, progress: Progress | None) -> list[EntryResult]:
+def _in_pool(
+    requests: Sequence[EntryRequest],
+    checker: Checker,
+    work: Callable[[Checker, EntryRequest], Result],
+    workers: int,
+    progress: Progress | None,
+) -> list[Result]:
     """The results of several processes, in order; only the first ones where processes cannot be had, or one of them was killed."""
     from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
 
-    results: list[EntryResult] = []
-    start = (checker.options, checker.session.overlay, checker.remember)
+    results: list[Result] = []
+    start = (type(checker), checker.options, checker.session.overlay, checker.remember)
     try:
         with ProcessPoolExecutor(workers, initializer=_start, initargs=start) as pool:
             try:
                 # Not pool.map: interrupted, it cancels its futures, and the pool's own thread then falls over them with a traceback.
-                for future in [pool.submit(_work, batch) for batch in _batches(requests)]:
+                for future in [pool.submit(_work, work, batch) for batch in _batches(requests)]:
                     results.extend(future.result())
                     if progress is not None:
                         progress(len(results))
@@ -98,16 +114,16 @@ def _batches(requests: Sequence[EntryRequest]) -> Iterator[list[EntryRequest]]:
 _worker: list[EntryChecker] = []
 
 
-def _start(options: Options, overlay: Mapping[str, bytes], remember: bool) -> None:
+def _start(make: type[EntryChecker], options: Options, overlay: Mapping[str, bytes], remember: bool) -> None:
     """In a new worker: what it needs for all its batches. Ctrl-C is for the parent, which ends the workers."""
     import signal
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    _worker[:] = [EntryChecker(options, overlay, remember=remember)]
+    _worker[:] = [make(options, overlay, remember=remember)]
 
 
-def _work(batch: list[EntryRequest]) -> list[EntryResult]:
-    return [_worker[0].check(request) for request in batch]
+def _work(work: Callable[[Any, EntryRequest], Result], batch: list[EntryRequest]) -> list[Result]:
+    return [work(_worker[0], request) for request in batch]
 
 
 def default_directory() -> str:

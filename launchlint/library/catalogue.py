@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.errors import UsageError
@@ -59,6 +59,12 @@ def find(library: Library, names: Sequence[str]) -> list[Entry]:
             raise UsageError(f"nothing is known of {name}: {_hint(library, name)}")
         found.update(dict.fromkeys(places))
     return [Entry(*place, *library.described(*place)) for place in found]
+
+
+def known(library: Library, names: Iterable[str]) -> list[Entry]:
+    """As :func:`find`, without those of which nothing is known; by package, table and name."""
+    places = sorted({place for name in names for place in _places(library, name)})
+    return [Entry(*place, *library.described(*place)) for place in places]
 
 
 def _places(library: Library, name: str) -> list[tuple[str, str, str]]:

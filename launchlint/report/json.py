@@ -59,8 +59,8 @@ def _place(location: Location) -> dict[str, Any]:
 
 
 def _fix(fix: Fix) -> dict[str, Any]:
-    """``start`` and ``end`` of an edit are offsets in code points from the start of the text."""
-    return {"message": fix.message, "safe": fix.safe, "edits": [edit._asdict() for edit in fix.edits]}
+    """``start`` and ``end`` of an edit are offsets in code points from the start of the text; ``changes`` is empty where nothing does."""
+    return {"message": fix.message, "safe": fix.safe, "changes": fix.changes, "edits": [edit._asdict() for edit in fix.edits]}
 
 
 def _clean(value: Any) -> Any:

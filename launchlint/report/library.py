@@ -131,7 +131,7 @@ def _variant(name: str, variant: Mapping[str, Any], verbose: bool, *, alone: boo
     widths = [min(48, max((len(row[column]) for row in cells), default=0)) for column in range(3)]
     for (category, entry), row in zip(table, cells, strict=True):
         plain = "  ".join(f"{cell:{width}}" for cell, width in zip(row, widths, strict=True))
-        yield f"  {plain}  {visible(', '.join(_notes(category, entry)))}".rstrip()
+        yield f"  {plain}  {visible(', '.join(notes(category, entry)))}".rstrip()
         for evidence in entry.get("evidence", ()) if verbose else ():
             yield f"      {evidence['by']}  {visible(evidence.get('at', evidence.get('run', '')))}".rstrip()
     for category in CATEGORIES:
@@ -141,7 +141,8 @@ def _variant(name: str, variant: Mapping[str, Any], verbose: bool, *, alone: boo
         yield "  no names of its own"
 
 
-def _notes(category: str, entry: Mapping[str, Any]) -> Iterator[str]:
+def notes(category: str, entry: Mapping[str, Any]) -> Iterator[str]:
+    """What is said of one name of a program beside its type, in words, not yet :func:`visible`."""
     if category == "actions":
         yield entry["role"]
     if entry.get("latched"):

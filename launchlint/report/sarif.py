@@ -220,7 +220,8 @@ def _fix(fix: Fix, run: Run) -> Any:
         )
         for path, edits in files.items()
     ]
-    return sarif_om.Fix(description=sarif_om.Message(text=_sentence(visible(fix.message))), artifact_changes=changes)
+    words = f"{fix.message}: {fix.changes}" if fix.changes else fix.message
+    return sarif_om.Fix(description=sarif_om.Message(text=_sentence(visible(words))), artifact_changes=changes)
 
 
 def _artifact(path: str, run: Run) -> Any:

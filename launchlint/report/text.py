@@ -109,7 +109,7 @@ def _remarks(finding: Finding) -> Iterator[str]:
     if finding.entry:
         yield f"show it: {command(finding)}"
     if finding.fix is not None:
-        yield f"fix: {visible(finding.fix.message)}"
+        yield f"fix: {visible(finding.fix.message)} ({'--fix' if finding.fix.safe else '--unsafe-fixes'})"
     # A crash of launchlint itself has no page.
     explain = "" if finding.name == "internal-error" else f"[explain {visible(finding.rule)}]"
     if finding.help or explain:

@@ -1,4 +1,6 @@
-// What the page is made from: the JSON in <script type="application/json" id="launchlint-data">, written by launchlint/report/html/data.py.
+// What the page is made from, written by launchlint/report/html/data.py. In the page it is packed: read it with
+//   read(document.getElementById("launchlint-data").textContent)   from ./unpack.js
+// which gives ReportData exactly as it is declared here.
 // Names in it come from untrusted files: show them with textContent only, key them in Maps only.
 
 /** Index into ReportData.files, line and column from 1. */
@@ -9,18 +11,25 @@ export interface ReportData {
   title: string;
   /** Version of launchlint that wrote the page. */
   version: string;
-  /** Prefix of a link to a line: sourceUrl + encoded path + "#L" + line; null where unknown. Always http(s). */
+  /** Prefix of a link to a line, always http(s) and with a slash at its end; null where unknown. sourceLink() of ./links.js makes the link. */
   sourceUrl: string | null;
   /** Revision it is compared with; null where the page shows one state only. */
   base: string | null;
-  /** Paths as shown to people, relative. */
+  /** Paths as shown to people, relative. One path stands here twice where both revisions of a comparison are referred to. */
   files: string[];
+  /** Indexes of the files that are meant as they were in `base`: places of what was removed. */
+  baseFiles: number[];
   /** Lines of files that anything on the page refers to, with two lines around findings: sorted by line. */
   lines: { file: number; lines: [line: number, text: string][] }[];
   findings: Finding[];
+  /** The first one is what the page shows first: what changed since `base`, then files that no other one includes, the larger ones first. */
   entries: Entry[];
   /** Programs that appear on the page, and all of libraries given by hand. */
   library: Program[];
+  /** How many programs of libraries given by hand are not among them. */
+  libraryLeftOut: number;
+  /** What is told of the run as a whole. */
+  notices: string[];
 }
 
 export type Mark = "added" | "removed" | "changed";
@@ -43,6 +52,8 @@ export interface Entry {
   params: Param[];
   /** Indexes into ReportData.findings of those that this entry reaches. */
   findings: number[];
+  /** Of the whole file, in a comparison. */
+  mark?: Mark;
 }
 
 /** A <group> or <include> around nodes. */
@@ -52,8 +63,9 @@ export interface Container {
   label: string;
   namespace: string;
   place: Place | null;
-  /** Index of the container around it; -1: none. */
+  /** Index of the container around it; -1: none. It may come after this one. */
   parent: number;
+  mark?: Mark;
 }
 
 export interface Node {
@@ -67,6 +79,8 @@ export interface Node {
   /** known, template, unknown …: Instance.knowledge; reason says why it is not known. */
   knowledge: string;
   reason: string;
+  /** What to type so that it becomes known; empty where it is. */
+  learn: string;
   host: string;
   namespace: string;
   isTest: boolean;
@@ -89,7 +103,7 @@ export interface Channel {
   types: string[];
   /** Everybody uses it (/tf, /clock …). */
   hub: boolean;
-  /** Belongs to an action: shown with it, not by itself. */
+  /** Machinery of nodes (bonds, dynamic_reconfigure, nodelet services), or nothing but a part of an action: not shown by itself. */
   plumbing: boolean;
   findings: number[];
   mark?: Mark;
@@ -98,7 +112,7 @@ export interface Channel {
 export interface Connection {
   node: number;
   channel: number;
-  /** publisher, subscriber, server, client, action_server, action_client …: see Endpoint.role. */
+  /** publisher, subscriber, server, client, action server, action client: Endpoint.role. */
   role: string;
   /** Whether it publishes or serves. */
   offers: boolean;
@@ -110,8 +124,10 @@ export interface Connection {
   remaps: [source: string, target: string, place: Place | null][];
   type: string;
   certain: boolean;
-  /** start, on_subscriber, on_message, condition …; empty: start. */
+  /** Empty: from the start; on_subscriber: while somebody listens; on_message: after a first message or call. */
   when: string;
+  /** Name of the action of which this topic is a part; else empty. */
+  action: string;
   /** "by: where", untrusted text. */
   evidence: string[];
   only: number[];
@@ -157,6 +173,8 @@ export interface Program {
   package: string;
   name: string;
   kind: "executable" | "nodelet";
+  /** What is to be said of it as a whole; empty: nothing. */
+  status: string;
   /** Grouped as in the library: publishers, subscribers, services, clients, actions, params. */
   interface: { category: string; name: string; type: string; detail: string; evidence: string[] }[];
   open: [kind: string, why: string][];

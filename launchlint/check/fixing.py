@@ -1,0 +1,308 @@
+"""``check --fix``: the fixes of findings, made in memory until there are none left, each judged by what it leads to.
+
+A fix stays where the finding is gone afterwards, no other error or warning has come, and, where it is said to change nothing, the guard
+proves that. All others are taken back, and told of with the reason.
+"""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from launchlint.check.entry import EntryChecker, EntryResult
+from launchlint.check.ignores import PerFileIgnores
+from launchlint.check.merge import Outcome, merge
+from launchlint.check.options import Options
+from launchlint.finding import Edit, Finding, Severity
+from launchlint.fix import manifest
+from launchlint.fix.edits import CannotEdit, Claims, Shift, apply
+from launchlint.fix.guard import Caller, Guard
+from launchlint.rules.registry import RULES
+from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE
+
+MOST_ATTEMPTS = 200
+"""Sets of fixes that are tried. Every one that stays leaves fewer findings, so that there is an end in any case; this bounds the time."""
+
+
+class Refused(NamedTuple):
+    """A fix that was not made, and why."""
+
+    finding: Finding
+    reason: str
+
+
+class Fixed(NamedTuple):
+    """What came of it: for each changed file (absolute) what it held and what it is to hold, the findings that are gone, what was not
+    done, and what is found now. ``given_up``: there may be more that could be done.
+    """
+
+    files: Mapping[str, tuple[bytes, bytes]]
+    made: tuple[Finding, ...]
+    refused: tuple[Refused, ...]
+    outcome: Outcome
+    given_up: bool
+
+
+class Fixing:
+    """The fixes of one run.
+
+    ``may_change`` says of an absolute file name whether it is one that people asked to have changed; ``told`` leaves out the findings
+    nobody wants to hear of, such as those of a baseline; with ``unsafe`` likely fixes are made too.
+    """
+
+    def __init__(
+        self,
+        checker: EntryChecker,
+        results: Sequence[EntryResult],
+        per_file: PerFileIgnores,
+        *,
+        asked: tuple[str, ...],
+        may_change: Callable[[str], bool],
+        told: Callable[[Outcome], Outcome],
+        unsafe: bool,
+    ) -> None:
+        self._per_file = per_file
+        self._asked = asked
+        self._may_change = may_change
+        self._told = told
+        self._unsafe = unsafe
+        self._selected = checker.options.rules
+        self._state = _state(checker, results)
+        self._outcome = self._merged(self._state)
+        self._before: dict[str, bytes] = {}
+        self._manifests: dict[str, bytes] = {}
+        self._made: list[Finding] = []
+        self._refused: list[Refused] = []
+        self._attempts = MOST_ATTEMPTS
+
+    @property
+    def _options(self) -> Options:
+        return self._state.checker.options
+
+    def run(self) -> Fixed:
+        """Make all fixes that can be made."""
+        while self._attempts:
+            made = len(self._made)
+            self._refused = []
+            self._make()
+            if not self._refused or len(self._made) == made:
+                break  # else what could not be made at first may be possible now
+        self._fix_manifests()
+        files = {file: (before, self._state.text(file)) for file, before in self._before.items()}
+        for file, after in self._manifests.items():
+            files[file] = (self._state.text(file), after)
+        return Fixed(
+            {file: files[file] for file in sorted(files) if files[file][0] != files[file][1]},
+            tuple(self._made), tuple(self._refused), self._outcome, not self._attempts,
+        )  # fmt: skip
+
+    # -- launch files ----------------------------------------------------------------------------------------------
+
+    def _make(self) -> None:
+        """Make fixes until none is left that has not been refused."""
+        while self._attempts:
+            # First what changes nothing, then what changes as little as the mistake did: the guard proves nothing of a mixture.
+            chosen = list(self._chosen(changing=False)) or list(self._chosen(changing=True))
+            if not chosen:
+                return
+            self._make_some(chosen)
+
+    def _make_some(self, chosen: Sequence[Finding]) -> None:
+        """Make the fixes of ``chosen`` or else of the first part of it that can stay; refuse a single one that cannot."""
+        while chosen and self._attempts:
+            self._attempts -= 1
+            reason = self._try(chosen)
+            if not reason:
+                return
+            if len(chosen) == 1:
+                self._refused.append(Refused(chosen[0], reason))
+            chosen = chosen[: len(chosen) // 2]
+
+    def _chosen(self, *, changing: bool) -> Iterator[Finding]:
+        """The findings whose fixes can be made together, in report order."""
+        claims = Claims()
+        refused = {_key(each.finding) for each in self._refused}
+        for finding in self._wanted():
+            fix = finding.fix
+            if fix is None or bool(fix.changes) is not changing or _key(finding) in refused or any(map(_is_manifest, _paths(finding))):
+                continue
+            if claims.take(fix.edits):
+                yield finding
+
+    def _wanted(self) -> Iterator[Finding]:
+        return (finding for finding in self._told(self._outcome).findings if self._is_wanted(finding))
+
+    def _is_wanted(self, finding: Finding) -> bool:
+        fix = finding.fix
+        if fix is None or finding.rule not in self._selected or not (fix.safe or self._unsafe):
+            return False
+        return all(self._may_change(self._file(path)) for path in _paths(finding))
+
+    def _try(self, chosen: Sequence[Finding]) -> str:
+        """Make the fixes of ``chosen``; why not, where they cannot all stay (then nothing has happened)."""
+        edits = _by_path(chosen)
+        texts: dict[str, bytes] = {}
+        try:
+            for path, listed in edits.items():
+                file = self._file(path)
+                texts[file] = apply(self._state.text(file), listed)
+        except CannotEdit as error:
+            return str(error)
+        if not all(finding.fix is not None and finding.fix.changes for finding in chosen):
+            guard = Guard(self._state.checker.session, self._state.callers)
+            for file, text in texts.items():
+                reason = guard.refusal(file, self._state.text(file), text)
+                if reason:
+                    return reason
+        state = self._state.after(texts)
+        outcome = self._merged(state)
+        shifts = {path: Shift(listed) for path, listed in edits.items()}
+        # A dependency that package.xml lacks now is added in the end.
+        expected = [each for each in outcome.findings if not (self._is_wanted(each) and all(map(_is_manifest, _paths(each))))]
+        reason = _reason(self._outcome.findings, expected, chosen, shifts)
+        if reason:
+            return reason
+        for file in texts:
+            self._before.setdefault(file, self._state.text(file))
+        self._state, self._outcome = state, outcome
+        self._made += chosen
+        self._refused = [Refused(_moved(each.finding, shifts), each.reason) for each in self._refused]
+        return ""
+
+    def _merged(self, state: _State) -> Outcome:
+        checker = state.checker
+        return merge(state.results, checker.options, checker.packages, self._per_file, asked=self._asked)
+
+    def _file(self, path: str) -> str:
+        return os.path.join(self._options.root, path)
+
+    # -- package.xml -----------------------------------------------------------------------------------------------
+
+    def _fix_manifests(self) -> None:
+        """Make the fixes in ``package.xml`` files, one after the other: they add dependencies, of which no launch file takes notice."""
+        by_path: dict[str, list[Finding]] = {}
+        for finding in self._wanted():
+            paths = _paths(finding)
+            if all(map(_is_manifest, paths)) and len(paths) == 1:
+                by_path.setdefault(paths[0], []).append(finding)
+        for path, findings in by_path.items():
+            file = self._file(path)
+            before = self._state.text(file)
+            kept: list[Edit] = []
+            for finding in findings:
+                edits = finding.fix.edits if finding.fix is not None else ()
+                try:
+                    after = apply(before, [*kept, *edits])
+                    reason = manifest.refusal(file, before, after)
+                except CannotEdit as error:
+                    reason = str(error)
+                if reason:
+                    self._refused.append(Refused(finding, reason))
+                    continue
+                kept += edits
+                self._manifests[file] = after
+                self._made.append(finding)
+
+
+def _state(checker: EntryChecker, results: Sequence[EntryResult]) -> _State:
+    """As things are. All rules that are on by default judge the fixes, also where fewer are asked for."""
+    judging = checker.options.rules.union(rule.id for rule in RULES if rule.default)
+    fixable = any(finding.fix is not None for result in results for finding in _all(result))
+    if judging == checker.options.rules or not fixable:
+        return _State(checker, list(results))
+    checker = EntryChecker(checker.options._replace(rules=judging), checker.session.overlay)
+    return _State(checker, [checker.check(result.request) for result in results])
+
+
+def _all(result: EntryResult) -> Iterator[Finding]:
+    yield from result.findings
+    for file in result.files:
+        yield from (guarded.finding for guarded in file.findings)
+
+
+class _State:
+    """The files as they are at one point, and what was found in them."""
+
+    def __init__(self, checker: EntryChecker, results: list[EntryResult]) -> None:
+        self.checker = checker
+        self.results = results
+
+    def text(self, file: str) -> bytes:
+        """What ``file`` holds; raises CannotEdit."""
+        read = self.checker.session.read(file)
+        if read.data is None:
+            raise CannotEdit(read.reason)
+        return read.data
+
+    def after(self, texts: Mapping[str, bytes]) -> _State:
+        """With ``texts`` in place of what these files hold: all entries that reach one of them are checked again."""
+        checker = self.checker.holding(texts)
+        changed = {checker.session.shown(file) for file in texts}
+        again = [changed.intersection(file.path for file in each.files) or each.path in changed for each in self.results]
+        results = [checker.check(each.request) if anew else each for each, anew in zip(self.results, again, strict=True)]
+        return _State(checker, results)
+
+    def callers(self, file: str) -> Iterator[Caller]:
+        """The entry files that lead to ``file``, with the args they are given."""
+        path = self.checker.session.shown(file)
+        for result in self.results:
+            if any(each.path == path for each in result.files):
+                yield Caller(result.request.at, result.request.arguments)
+
+
+def _key(finding: Finding) -> tuple[str, str, int, str]:
+    return (finding.rule, finding.location.path, finding.location.start, finding.topic)
+
+
+def _paths(finding: Finding) -> list[str]:
+    return [] if finding.fix is None else list(dict.fromkeys(edit.path for edit in finding.fix.edits))
+
+
+def _is_manifest(path: str) -> bool:
+    return os.path.basename(path) in (PACKAGE_FILE, MANIFEST_FILE)
+
+
+def _by_path(findings: Iterable[Finding]) -> dict[str, list[Edit]]:
+    found: dict[str, list[Edit]] = {}
+    for finding in findings:
+        for edit in finding.fix.edits if finding.fix is not None else ():
+            found.setdefault(edit.path, []).append(edit)
+    return found
+
+
+def _moved(finding: Finding, shifts: Mapping[str, Shift]) -> Finding:
+    """``finding`` with the start and end that it has after the edits."""
+    at = finding.location
+    shift = shifts.get(at.path)
+    return finding if shift is None else finding._replace(location=at._replace(start=shift(at.start), end=shift(at.end)))
+
+
+def _reason(before: Sequence[Finding], after: Sequence[Finding], fixed: Sequence[Finding], shifts: Mapping[str, Shift]) -> str:
+    """Why the fixes of ``fixed`` must be taken back: one of them leaves its finding, or brings another one."""
+    gone = {_key(_moved(finding, shifts)) for finding in fixed}
+    known: dict[tuple[str, str, int, str], int] = {}
+    said: Counter[tuple[str, str, str]] = Counter()
+    for finding in before:
+        key = _key(_moved(finding, shifts))
+        known[key] = max(known.get(key, 0), int(finding.severity))
+        said[_words(finding)] += 1
+    for finding in after:
+        key = _key(finding)
+        if key in gone:
+            return f"{_name(finding)} would still be found"
+        said[_words(finding)] -= 1
+    for finding in after:
+        # What says the same as often as before has only moved; of infos there may be more, as of what is now seen for the first time.
+        if finding.severity > Severity.INFO and int(finding.severity) > known.get(_key(finding), 0) and said[_words(finding)] < 0:
+            return f"{_name(finding)} would be found in line {finding.location.line} of {finding.location.path}: {finding.message}"
+    return ""
+
+
+def _words(finding: Finding) -> tuple[str, str, str]:
+    return (finding.rule, finding.location.path, f"{finding.severity.word} {finding.message}")
+
+
+def _name(finding: Finding) -> str:
+    return f"{finding.rule} {finding.name}"

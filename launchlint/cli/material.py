@@ -1,0 +1,184 @@
+"""What the page of ``launchlint report`` is made from, beside findings and graphs: texts, addresses, programs, another revision."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+from launchlint.check.entry import EntryChecker, EntryResult
+from launchlint.check.graphs import Revision, graphs_of
+from launchlint.check.losses import with_losses_since
+from launchlint.check.options import EntryRequest, Options
+from launchlint.check.survey import Surveyed, Surveyor
+from launchlint.cli.entries import EntryOptions
+from launchlint.finding import Severity
+from launchlint.graph.topology import Topology, topology
+from launchlint.library.catalogue import Entry as KnownProgram
+from launchlint.library.catalogue import known
+from launchlint.library.lookup import Library, open_libraries
+from launchlint.report.escape import shell_word
+from launchlint.report.html.links import checked_prefix
+from launchlint.report.html.material import EntryMaterial
+from launchlint.rules.registry import rule_of
+from launchlint.source import Source
+from launchlint.workspace.packages import Packages
+
+MOST_PROGRAMS = 1_000
+"""Programs of the given libraries that are shown although nothing on the page runs them."""
+
+
+def source_prefix(given: str | None, variables: Mapping[str, str] = os.environ) -> str:
+    """What the address of a file begins with, for paths relative to the current directory; empty where nothing says it.
+
+    ``given`` is the address of the repository's root. Where it is None, GitHub's runners say it, if what is checked out here is the commit
+    they speak of. Raises UsageError for what is no http(s) address.
+    """
+    from launchlint.workspace.repository import repository_root
+
+    here = os.path.realpath(os.curdir)
+    repository = repository_root(here)
+    if given is None:
+        server, name, commit = (variables.get(f"GITHUB_{each}", "") for each in ("SERVER_URL", "REPOSITORY", "SHA"))
+        if not (server and name and commit) or _head(repository) != commit:
+            return ""
+        prefix = checked_prefix(f"{server.rstrip('/')}/{name}/blob/{commit}", "GITHUB_SERVER_URL")
+    else:
+        prefix = checked_prefix(given)
+    inner = os.path.relpath(here, repository).replace(os.sep, "/")
+    if inner == ".":
+        return prefix
+    from urllib.parse import quote
+
+    return f"{prefix}{quote(inner)}/"
+
+
+def _head(repository: str) -> str:
+    from launchlint.errors import UsageError
+    from launchlint.workspace.revision import resolve
+
+    try:
+        return resolve(repository, "HEAD")
+    except UsageError:
+        return ""
+
+
+def usual_title(entry: EntryOptions) -> str:
+    """The only path that is given, or the directory of the repository."""
+    from launchlint.workspace.repository import repository_root
+
+    if entry.standard_input is not None:
+        return entry.standard_input
+    if entry.entries is not None:
+        return os.path.basename(entry.entries)
+    path = os.path.realpath(entry.paths[0])
+    return os.path.basename(path if len(entry.paths) == 1 else repository_root(path)) or "launch files"
+
+
+def roots(options: Options, old: Revision | None) -> list[tuple[str, str]]:
+    """The directories of this machine that must not show, and what is shown instead."""
+    named = [options.root, *options.workspaces]
+    found = {each: os.path.relpath(each, options.root) for root in named for each in (root, os.path.realpath(root))}
+    if old is not None:
+        found.update((old.place(root), shown) for root, shown in list(found.items()))
+    return list(found.items())
+
+
+def reader(checker: EntryChecker) -> Callable[[str], Source | None]:
+    """A function that gives the text of a file by its shown path."""
+    from launchlint.syntax.decode import decode
+
+    def read(path: str) -> Source | None:
+        content = checker.session.read(os.path.join(checker.options.root, path))
+        return None if content.data is None else Source(path, decode(content.data).text)
+
+    return read
+
+
+def refusal(result: EntryResult) -> str:
+    """Why roslaunch refuses an entry file; empty where it does not, or where it would only do so on this machine.
+
+    A package that is not here need not be missing on the robot: that is told only where a rule says that there is no such package.
+    """
+    if result.error is None:
+        return ""
+    rule, reason = result.error
+    told = any(finding.rule == rule and finding.severity is Severity.ERROR for finding in result.findings)
+    return "" if rule == rule_of("package-not-found") and not told else reason
+
+
+def known_programs(entries: Iterable[EntryMaterial], library: Library, options: Options) -> tuple[list[KnownProgram], int]:
+    """What is known of every program that runs, and of those that the given libraries have; then how many of the latter are left out."""
+    running = {node.program for entry in entries for side in (entry.topology, entry.before) if side is not None for node in side.nodes}
+    programs = known(library, running)
+    if not options.library:
+        return programs, 0
+    given = open_libraries(options.library, options.library_cache, bundled=False)
+    listed = known(given, given.packages())
+    shown = {(each.package, each.table, each.name) for each in programs}
+    others = [each for each in listed if (each.package, each.table, each.name) not in shown]
+    return sorted([*programs, *others[:MOST_PROGRAMS]], key=lambda each: each[:3]), max(0, len(others) - MOST_PROGRAMS)
+
+
+def learnable(entries: Iterable[EntryMaterial], packages: Packages) -> dict[str, str]:
+    """Program that is not known → what to type so that it becomes known."""
+    unknown = {
+        node.program for entry in entries for node in (entry.topology.nodes if entry.topology else ()) if node.knowledge == "unknown"
+    }
+    found = {}
+    for program in sorted(unknown):
+        package = program.partition("/")[0]
+        if not package.replace("_", "a").replace("-", "a").isalnum() or not package.isascii():
+            continue  # no package is called that
+        directory = packages.find(package, os.curdir)
+        shown = None if directory is None else os.path.relpath(directory)
+        if shown is not None and not shown.startswith(os.pardir):
+            found[program] = f"launchlint extract {shell_word(shown)} -o library.json"
+        else:
+            found[program] = (
+                f"launchlint probe probe.yaml -o library.json, where probe.yaml has packages: [{package}] and the repository of it"
+            )
+    return found
+
+
+def beside_base(surveyed: Sequence[Surveyed], surveyor: Surveyor, old: Revision, base: str) -> tuple[list[Surveyed], list[Topology | None]]:
+    """Each entry file with what it has lost since the revision, and what it connected there; None where it was not there."""
+    rules = [rule for rule in surveyor.rules if rule.view == "base"]
+    found: list[Surveyed] = []
+    befores: list[Topology | None] = []
+    for each in surveyed:
+        result = with_losses_since(each.result, surveyor, old, base, rules) if rules else each.result
+        found.append(each._replace(result=result))
+        request = old.request(result.request)
+        if request is None:
+            befores.append(None)
+        elif each.topology is None or not old.differs(surveyor.options.root, (path for path, _ in result.visited)):
+            befores.append(each.topology)
+        else:
+            befores.append(_at_home(topology(graphs_of(old.checker, request, every_configuration=True)), old))
+    return found, befores
+
+
+def _at_home(before: Topology, old: Revision) -> Topology:
+    """The topology with values and labels as they would be in the working tree: that the revision lies elsewhere is no change."""
+    params = tuple(each._replace(value=old.at_home(each.value)) for each in before.params)
+    return before._replace(params=params, containers=tuple(each._replace(label=old.at_home(each.label)) for each in before.containers))
+
+
+def base_only(entry: EntryOptions, requests: Sequence[EntryRequest], old: Revision) -> list[EntryMaterial]:
+    """The entry files that were there at the revision and are no more."""
+    if entry.standard_input is not None or entry.entries is not None:
+        return []
+    from launchlint.check.dialects import without_ros2
+
+    now = {os.path.abspath(request.at) for request in requests}
+    gone = {path: request for path, request in entry.requests_below(old.place, old.back).items() if os.path.abspath(path) not in now}
+    kept, _ = without_ros2(list(gone.values()), frozenset(), old.checker.session)
+    wanted = {request.at for request in kept}
+    found: dict[str, Topology] = {}
+    included: set[str] = set()
+    for path, request in gone.items():
+        if request.at in wanted and not os.path.exists(path):
+            graphs = graphs_of(old.checker, request, every_configuration=True)
+            found[path] = _at_home(topology(graphs), old)
+            included.update(each.source.path for graph in graphs for each in graph.launch.includes if each.source is not None)
+    return [EntryMaterial(each.entry, "", None, each, {}, ()) for each in found.values() if each.entry not in included]

@@ -1,0 +1,165 @@
+"""What ``launchlint report`` does: survey the entry files, compare them with a revision, make the page, write it."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from contextlib import nullcontext
+from typing import NamedTuple
+
+from launchlint import __version__
+from launchlint.check.file import INTERNAL_ERROR
+from launchlint.check.graphs import Revision, revision
+from launchlint.check.merge import Outcome, merge, without_parts
+from launchlint.check.options import EntryRequest, Options
+from launchlint.check.run import default_directory
+from launchlint.check.survey import Surveyed, Surveyor, reached, survey_entries
+from launchlint.cli.entries import EntryOptions, leave_ros2_out, parse_severity, tell
+from launchlint.cli.material import base_only, beside_base, known_programs, learnable, reader, refusal, roots, source_prefix, usual_title
+from launchlint.errors import UsageError
+from launchlint.finding import Severity
+from launchlint.fingerprint import fingerprints
+from launchlint.report.html.material import EntryMaterial, Material
+from launchlint.report.text import summary
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class ReportOptions(NamedTuple):
+    """The options of ``report`` that are not about entries, as written."""
+
+    output: str = "report.html"
+    separate_assets: bool = False
+    source_url: str | None = None
+    base: str | None = None
+    title: str | None = None
+    select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    severity: tuple[str, ...] = ()
+    fail_on: str | None = None
+    jobs: int = 0
+    quiet: bool = False
+
+
+def run_report(entry: EntryOptions, given: ReportOptions) -> int:
+    """Write the page. Returns the exit status; raises LaunchlintError."""
+    from launchlint.atomic import check_target
+    from launchlint.cli.selection import per_file_ignores
+
+    threshold = None if given.fail_on is None else parse_severity(given.fail_on, "--fail-on")
+    if given.separate_assets and given.output == "-":
+        raise UsageError("--separate-assets writes files beside the page; name the page with -o")
+    if given.output != "-":
+        check_target(given.output, what="the page")
+    prefix = source_prefix(given.source_url)
+    options = entry.options(select=given.select, ignore=given.ignore, severity=given.severity, cache=default_directory())
+    per_file = per_file_ignores(entry.configuration, options.root)
+    requests, overlay = entry.requests()
+    surveyor = Surveyor(options, overlay)
+    if options.library:
+        _ = surveyor.library  # an unusable one is told before any work is done
+    requests, notices = leave_ros2_out(entry, requests, surveyor.session)
+    surveyed = _survey(requests, surveyor, given)
+    with nullcontext() if given.base is None else revision(options, given.base) as old:
+        befores: list[Any] = [None] * len(surveyed)
+        if old is not None and given.base is not None:
+            surveyed, befores = beside_base(surveyed, surveyor, old, given.base)
+        results = [each.result for each in surveyed]
+        outcome = merge(results, options, surveyor.packages, per_file, asked=entry.paths)
+        kept = {id(result) for result in without_parts(results)}
+        pairs = [(each, before) for each, before in zip(surveyed, befores, strict=True) if id(each.result) in kept]
+        entries = _entries(outcome, pairs)
+        if old is not None:
+            entries += base_only(entry, requests, old)
+        material = _material(entry, given, options, surveyor, outcome, entries, old)._replace(source_url=prefix, notices=notices)
+        _write(material, given)
+    if not given.quiet:
+        for notice in notices:
+            tell(notice)
+        if given.output != "-":
+            tell(f"wrote {given.output}: {summary(outcome.findings, _run(outcome))}")
+    return _status(outcome, threshold)
+
+
+def _survey(requests: Sequence[EntryRequest], surveyor: Surveyor, given: ReportOptions) -> list[Surveyed]:
+    bar = None
+    if not given.quiet and len(requests) > 1 and sys.stderr.isatty():
+        from launchlint.cli.progress import ProgressBar
+
+        bar = ProgressBar(len(requests))
+    try:
+        return survey_entries(requests, surveyor, jobs=given.jobs, progress=None if bar is None else bar.show)
+    finally:
+        if bar is not None:
+            bar.clear()
+
+
+def _entries(outcome: Outcome, pairs: Sequence[tuple[Surveyed, Any]]) -> list[EntryMaterial]:
+    concerned = reached(outcome.findings, [each for each, _ in pairs])
+    return [
+        EntryMaterial(
+            each.result.path,
+            refusal(each.result),
+            each.topology,
+            before,
+            each.extents,
+            findings,
+            each.result.summary.included,
+        )
+        for (each, before), findings in zip(pairs, concerned, strict=True)
+    ]
+
+
+def _material(
+    entry: EntryOptions, given: ReportOptions, options: Options, surveyor: Surveyor, outcome: Outcome, entries: list[EntryMaterial],
+    old: Revision | None,
+) -> Material:  # fmt: skip
+    programs, left_out = known_programs(entries, surveyor.library, options)
+    return Material(
+        title=given.title or usual_title(entry),
+        version=__version__,
+        roots=roots(options, old),
+        source_url="",
+        base=given.base or "",
+        findings=fingerprints(outcome.findings),
+        entries=entries,
+        source=reader(surveyor),
+        base_source=reader(surveyor if old is None else old.checker),
+        programs=programs,
+        learn=learnable(entries, surveyor.packages),
+        left_out=left_out,
+    )
+
+
+def _write(material: Material, given: ReportOptions) -> None:
+    from launchlint.atomic import check_target, write_text
+    from launchlint.report.formats import emit
+    from launchlint.report.html.data import report_data
+    from launchlint.report.html.page import render
+
+    name = os.path.splitext(os.path.basename(given.output))[0] if given.separate_assets else ""
+    page = render(report_data(material), separate=name)
+    if given.output == "-":
+        emit(page.html, sys.stdout)
+        return
+    beside = {os.path.join(os.path.dirname(given.output), asset): text for asset, text in page.assets.items()}
+    for file in beside:
+        check_target(file, what="a part of the page")
+    for file, text in beside.items():
+        write_text(file, text, what="a part of the page")
+    write_text(given.output, page.html, what="the page")
+
+
+def _run(outcome: Outcome) -> Any:
+    from launchlint.report.run import Run
+
+    return Run(__version__, files_checked=outcome.files, verbose=True)
+
+
+def _status(outcome: Outcome, threshold: Severity | None) -> int:
+    if any(finding.rule == INTERNAL_ERROR for finding in outcome.findings):
+        return 2
+    return int(threshold is not None and any(finding.severity >= threshold for finding in outcome.findings))

@@ -1,0 +1,4854 @@
+(() => {
+  // launchlint/report/html/js/drawing/drawing.css
+  var drawing_default = '/* The drawing brings its own rules, so that an exported picture looks as it does in the page. */\n:is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #fbfcfe;\n  --ll-node: #ffffff;\n  --ll-edge: #8b99a8;\n  --ll-text: #17212b;\n  --ll-muted: #566474;\n  --ll-box: #5f7ea1;\n  --ll-box-line: #bfcad6;\n  --ll-folded: #eef3f8;\n  --ll-topic: #4b78a8;\n  --ll-service: #1e857a;\n  --ll-action: #7b55b5;\n  --ll-param: #97702a;\n  --ll-error: #c5283d;\n  --ll-warning: #a65f00;\n  --ll-info: #2f6fae;\n  --ll-added: #1a7f37;\n  --ll-removed: #cf222e;\n  --ll-changed: #9a6700;\n  --ll-chosen: #0b63ce;\n  --ll-on-badge: #ffffff;\n  --ll-hatch: #dbe2e9;\n}\n@media (prefers-color-scheme: dark) {\n  :root:not([data-theme="light"]) :is(.ll-drawing, .ll-drawing-host) {\n    --ll-ground: #13181e;\n    --ll-node: #1d252e;\n    --ll-edge: #5f6f7f;\n    --ll-text: #e4ebf2;\n    --ll-muted: #9fadbb;\n    --ll-box: #8fb2d8;\n    --ll-box-line: #3a4755;\n    --ll-folded: #232e39;\n    --ll-topic: #79a8da;\n    --ll-service: #56c2b4;\n    --ll-action: #b795ea;\n    --ll-param: #d4aa5c;\n    --ll-error: #ff6b7a;\n    --ll-warning: #e9a23b;\n    --ll-info: #6cb0f0;\n    --ll-added: #4ac26b;\n    --ll-removed: #ff7b72;\n    --ll-changed: #d4a72c;\n    --ll-chosen: #6cb2ff;\n    --ll-on-badge: #13181e;\n    --ll-hatch: #303b47;\n  }\n}\n:root[data-theme="dark"] :is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #13181e;\n  --ll-node: #1d252e;\n  --ll-edge: #5f6f7f;\n  --ll-text: #e4ebf2;\n  --ll-muted: #9fadbb;\n  --ll-box: #8fb2d8;\n  --ll-box-line: #3a4755;\n  --ll-folded: #232e39;\n  --ll-topic: #79a8da;\n  --ll-service: #56c2b4;\n  --ll-action: #b795ea;\n  --ll-param: #d4aa5c;\n  --ll-error: #ff6b7a;\n  --ll-warning: #e9a23b;\n  --ll-info: #6cb0f0;\n  --ll-added: #4ac26b;\n  --ll-removed: #ff7b72;\n  --ll-changed: #d4a72c;\n  --ll-chosen: #6cb2ff;\n  --ll-on-badge: #13181e;\n  --ll-hatch: #303b47;\n}\n@media print {\n  .ll-drawing-host .ll-legend { display: none; }\n}\n\n.ll-drawing-host { position: relative; overflow: hidden; }\nsvg.ll-drawing { display: block; width: 100%; height: 100%; background: var(--ll-ground); touch-action: none; cursor: grab; user-select: none; outline: none; }\nsvg.ll-drawing:focus-visible { box-shadow: inset 0 0 0 2px var(--ll-chosen); }\nsvg.ll-drawing.dragging { cursor: grabbing; }\n/* While it is dragged, the drawing is a layer of its own: moved, not painted again. */\nsvg.ll-drawing.dragging > g { will-change: transform; }\n.ll-drawing text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; font-size: 11px; fill: var(--ll-text); }\n.ll-drawing .hatching path { stroke: var(--ll-hatch); stroke-width: 1.4; fill: none; }\n\n.ll-drawing .box { cursor: pointer; outline: none; }\n.ll-drawing .box .shape { fill: var(--ll-node); stroke: var(--ll-edge); stroke-width: 1; }\n.ll-drawing .box .behind { fill: var(--ll-folded); stroke: var(--ll-box-line); stroke-width: 1; }\n.ll-drawing .box .title { font-size: 13px; font-weight: 600; }\n.ll-drawing .box .detail, .ll-drawing .box .host, .ll-drawing .box .count, .ll-drawing .box .tag { fill: var(--ll-muted); }\n.ll-drawing .box .condition { fill: var(--ll-muted); font-style: italic; }\n.ll-drawing .box.folded .shape { fill: var(--ll-folded); stroke: var(--ll-edge); }\n.ll-drawing .box.open .shape { fill: var(--ll-box); fill-opacity: 0.055; stroke: var(--ll-box-line); stroke-width: 1.2; }\n.ll-drawing .box.open .title { fill: var(--ll-muted); }\n.ll-drawing .box.open { cursor: grab; }\n.ll-drawing .box.open .head { cursor: pointer; }\n.ll-drawing .box.open .tag { font-size: 10px; }\n.ll-drawing .box.conditional .shape { stroke-dasharray: 6 4; }\n.ll-drawing .box.unknown .title { fill: var(--ll-muted); }\n.ll-drawing .box.stub .shape { stroke-dasharray: 1 3; stroke-linecap: round; fill: var(--ll-ground); }\n.ll-drawing .box.stub .title { font-weight: 400; fill: var(--ll-muted); }\n.ll-drawing .box.pill .shape { stroke: var(--ll-topic); fill: var(--ll-ground); }\n.ll-drawing .box.pill .title { font-size: 11px; font-weight: 400; }\n.ll-drawing .box.pill.service .shape { stroke: var(--ll-service); }\n.ll-drawing .box.pill.action .shape { stroke: var(--ll-action); }\n.ll-drawing .box.pill.param .shape { stroke: var(--ll-param); }\n.ll-drawing .box.pill.dangling .shape { stroke-dasharray: 3 3; }\n.ll-drawing .box.added > .shape { stroke: var(--ll-added); stroke-width: 2.5; }\n.ll-drawing .box.removed > .shape { stroke: var(--ll-removed); stroke-width: 2.5; stroke-dasharray: 3 4; }\n.ll-drawing .box.changed > .shape { stroke: var(--ll-changed); stroke-width: 2; stroke-dasharray: 12 3; }\n.ll-drawing .box.removed .title { text-decoration: line-through; }\n.ll-drawing .box:hover > .shape { stroke: var(--ll-chosen); }\n.ll-drawing .box:focus-visible > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .box.chosen > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n\n.ll-drawing .fold { cursor: pointer; }\n.ll-drawing .fold rect { fill: transparent; }\n.ll-drawing .fold path { stroke: var(--ll-muted); stroke-width: 1.5; fill: none; }\n.ll-drawing .fold:hover path { stroke: var(--ll-chosen); }\n.ll-drawing .badge circle { fill: var(--ll-node); stroke: var(--ll-info); stroke-width: 1.3; }\n.ll-drawing .badge.warning circle { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.error circle { fill: var(--ll-error); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.warning text, .ll-drawing .badge.error text { fill: var(--ll-on-badge); }\n.ll-drawing .badge text { fill: var(--ll-info); font-size: 10.5px; font-weight: 700; text-anchor: middle; }\n\n.ll-drawing .line { --ll-own: var(--ll-topic); cursor: pointer; }\n.ll-drawing .line.service { --ll-own: var(--ll-service); }\n.ll-drawing .line.action { --ll-own: var(--ll-action); }\n.ll-drawing .line.param { --ll-own: var(--ll-param); }\n.ll-drawing .line.added { --ll-own: var(--ll-added); }\n.ll-drawing .line.removed { --ll-own: var(--ll-removed); }\n.ll-drawing .line.changed { --ll-own: var(--ll-changed); }\n.ll-drawing .line path { fill: none; stroke: var(--ll-own); stroke-width: 1.3; stroke-linejoin: round; }\n.ll-drawing .line .hit { stroke: transparent; stroke-width: 11; pointer-events: stroke; }\n.ll-drawing .line .head { fill: var(--ll-own); stroke: none; }\n.ll-drawing .line .joint { fill: var(--ll-own); }\n.ll-drawing .line.bundle .course { stroke-width: 2.6; }\n.ll-drawing .line.service .head { fill: var(--ll-ground); stroke: var(--ll-own); stroke-width: 1.3; }\n.ll-drawing .line.action .course { stroke-width: 2; }\n.ll-drawing .line.param .course { stroke-width: 1; }\n.ll-drawing .line.conditional .course { stroke-dasharray: 7 4; }\n.ll-drawing .line.uncertain .course { stroke-dasharray: 1.5 4; stroke-linecap: round; }\n.ll-drawing .line.added .course, .ll-drawing .line.removed .course, .ll-drawing .line.changed .course { stroke-width: 2.4; }\n.ll-drawing .line.removed .course { stroke-dasharray: 3 4; }\n.ll-drawing .line.changed .course { stroke-dasharray: 12 3; }\n.ll-drawing .line:hover .course, .ll-drawing .line.chosen .course { stroke: var(--ll-chosen); stroke-width: 3; }\n.ll-drawing .name { cursor: pointer; }\n.ll-drawing .name text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 3px; stroke-linejoin: round; fill: var(--ll-muted); }\n.ll-drawing .name.info text { fill: var(--ll-info); }\n.ll-drawing .name.warning text { fill: var(--ll-warning); font-weight: 600; }\n.ll-drawing .name.error text { fill: var(--ll-error); font-weight: 600; }\n.ll-drawing .box.unknown text { paint-order: stroke; stroke: var(--ll-node); stroke-width: 3.5px; stroke-linejoin: round; }\n.ll-drawing .box.unknown .badge text { stroke: none; }\n.ll-drawing .port { fill: var(--ll-topic); stroke: var(--ll-ground); stroke-width: 1; }\n.ll-drawing .port.service { fill: var(--ll-service); }\n.ll-drawing .port.action { fill: var(--ll-action); }\n.ll-drawing .port.param { fill: var(--ll-param); }\n.ll-drawing .loose { cursor: pointer; }\n.ll-drawing .loose > circle { fill: var(--ll-node); stroke: var(--ll-topic); stroke-width: 1.4; }\n.ll-drawing .loose.service > circle { stroke: var(--ll-service); }\n.ll-drawing .loose.action > circle { stroke: var(--ll-action); }\n.ll-drawing .loose.added > circle { stroke: var(--ll-added); stroke-width: 2.4; }\n.ll-drawing .loose.removed > circle { stroke: var(--ll-removed); stroke-width: 2.4; stroke-dasharray: 2 2; }\n.ll-drawing .loose.changed > circle { stroke: var(--ll-changed); stroke-width: 2.4; }\n.ll-drawing .loose.added .name text { fill: var(--ll-added); }\n.ll-drawing .loose.removed .name text { fill: var(--ll-removed); text-decoration: line-through; }\n.ll-drawing .loose.uncertain > circle { stroke-dasharray: 1.5 2; }\n.ll-drawing .loose .name text { font-style: italic; }\n\n.ll-drawing.selecting .box:not(.lit):not(.open), .ll-drawing.searching .box:not(.match):not(.open) { opacity: 0.34; }\n.ll-drawing.selecting .line:not(.lit) { opacity: 0.18; }\n.ll-drawing.selecting .names > :not(.lit) { opacity: 0.22; }\n.ll-drawing.selecting .port:not(.lit) { opacity: 0.25; }\n.ll-drawing.searching .box.match > .shape { stroke: var(--ll-chosen); stroke-width: 2; }\n.ll-drawing.searching .line, .ll-drawing.searching .names > :not(.match) { opacity: 0.35; }\n.ll-drawing .line.lit .course { stroke-width: 2.4; }\n.ll-drawing .name.lit text { fill: var(--ll-text); }\n\n/* From far away, what could not be read anyway is not drawn. */\n.ll-drawing[data-distance="far"] .name, .ll-drawing[data-distance="far"] .loose,\n.ll-drawing[data-distance="far"] .box:not(.open) .detail, .ll-drawing[data-distance="far"] .box .condition,\n.ll-drawing[data-distance="far"] .box .host, .ll-drawing[data-distance="far"] .box .count, .ll-drawing[data-distance="far"] .port { display: none; }\n.ll-drawing[data-distance="far"] .line path.course { stroke-width: 2; }\n\n.ll-legend { position: absolute; left: 10px; bottom: 10px; max-width: min(92%, 640px); font: 12px/1.35 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; color: var(--ll-text); background: var(--ll-node); border: 1px solid var(--ll-box-line); border-radius: 8px; }\n.ll-legend summary { padding: 4px 10px; cursor: pointer; color: var(--ll-muted); }\n.ll-legend ul { margin: 0; padding: 2px 12px 8px; list-style: none; display: grid; grid-template-columns: repeat(auto-fill, minmax(180px, 1fr)); gap: 2px 14px; max-height: 40vh; overflow: auto; }\n.ll-legend li { display: flex; align-items: center; gap: 8px; }\n.ll-legend svg.ll-drawing { flex: none; width: 44px; height: 20px; background: none; cursor: default; }\n';
+
+  // launchlint/report/html/js/drawing/export.js
+  var MARGIN = 16;
+  function exported(svg, size, styles) {
+    var _a;
+    const copy = (
+      /** @type {SVGSVGElement} */
+      svg.cloneNode(true)
+    );
+    const [width, height] = [Math.ceil(size.width + 2 * MARGIN), Math.ceil(size.height + 2 * MARGIN)];
+    for (const name of ["tabindex", "data-distance"]) copy.removeAttribute(name);
+    copy.setAttribute("class", "ll-drawing");
+    copy.setAttribute("viewBox", `${-MARGIN} ${-MARGIN} ${width} ${height}`);
+    copy.setAttribute("width", String(width));
+    copy.setAttribute("height", String(height));
+    (_a = copy.querySelector("g")) == null ? void 0 : _a.removeAttribute("transform");
+    for (const each of copy.querySelectorAll("[tabindex], [role]")) {
+      each.removeAttribute("tabindex");
+      each.removeAttribute("role");
+    }
+    for (const each of copy.querySelectorAll(".hit, .fold")) each.remove();
+    const colours = getComputedStyle(svg);
+    const rules = styles.slice(styles.indexOf("svg.ll-drawing")).replace(/--ll-own: var\((--ll-\w+)\)/g, (_, name) => `--ll-own: ${colours.getPropertyValue(name).trim()}`).replace(/var\((--ll-(?!own)[\w-]+)\)/g, (_, name) => colours.getPropertyValue(name).trim());
+    const style = document.createElementNS("http://www.w3.org/2000/svg", "style");
+    style.textContent = rules;
+    const ground = document.createElementNS("http://www.w3.org/2000/svg", "rect");
+    for (const [name, value] of Object.entries({ x: -MARGIN, y: -MARGIN, width, height, fill: colours.getPropertyValue("--ll-ground").trim() })) ground.setAttribute(name, String(value));
+    copy.prepend(style, ground);
+    return new XMLSerializer().serializeToString(copy);
+  }
+
+  // launchlint/report/html/js/drawing/shapes.js
+  var SVG = "http://www.w3.org/2000/svg";
+  var CORNER = 7;
+  function element(tag, attributes2 = {}, children = []) {
+    const made2 = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes2)) made2.setAttribute(name, String(value));
+    for (const each of children) if (each) made2.append(each);
+    return made2;
+  }
+  function text(content, attributes2) {
+    const made2 = element("text", attributes2);
+    made2.textContent = content;
+    return made2;
+  }
+  function title(content) {
+    const made2 = element("title");
+    made2.textContent = content;
+    return made2;
+  }
+  function course(points) {
+    const [first] = points;
+    if (!first) return "";
+    let path = `M${round(first.x)} ${round(first.y)}`;
+    for (let at = 1; at < points.length; at++) {
+      const [before, corner, after] = [points[at - 1], points[at], points[at + 1]];
+      if (!before || !corner) continue;
+      if (!after) {
+        path += `L${round(corner.x)} ${round(corner.y)}`;
+        continue;
+      }
+      const [enter, leave] = [towards(corner, before), towards(corner, after)];
+      path += `L${round(enter.x)} ${round(enter.y)}Q${round(corner.x)} ${round(corner.y)} ${round(leave.x)} ${round(leave.y)}`;
+    }
+    return path;
+  }
+  function towards(from, to) {
+    const length = Math.hypot(to.x - from.x, to.y - from.y);
+    const part2 = length ? Math.min(CORNER, length / 2) / length : 0;
+    return { x: from.x + (to.x - from.x) * part2, y: from.y + (to.y - from.y) * part2 };
+  }
+  function round(value) {
+    return Math.round(value * 10) / 10;
+  }
+
+  // launchlint/report/html/js/drawing/legend.js
+  var SIGNS = [
+    [hasLine("topic"), "topic", () => line("topic", "M36 6L44 10L36 14Z")],
+    [hasLine("service"), "service, from client to server", () => line("service", "M32 10L37 6L42 10L37 14Z")],
+    [hasLine("action"), "action, from client to server", () => line("action", "M36 6L44 10L36 14ZM30 6L38 10L30 14Z")],
+    [hasLine("param"), "param, to its readers", () => line("param", "M36 7H42V13H36Z")],
+    [(sheet) => sheet.edges.some(({ edge }) => edge.wires.length > 2), "several between the same two", () => line("topic bundle", "M36 6L44 10L36 14Z")],
+    [hasLine("conditional"), "in some configurations only", () => line("topic conditional", "M36 6L44 10L36 14Z")],
+    [hasLine("uncertain"), "not certain", () => line("topic uncertain", "M36 6L44 10L36 14Z")],
+    [hasBox("folded"), "container, folded", () => box("folded")],
+    [hasBox("conditional"), "conditional node", () => box("node conditional")],
+    [hasBox("unknown"), "unknown: what it connects to is not known", () => [...box("node unknown"), element("rect", { x: 3, y: 3, width: 38, height: 14, fill: "url(#ll-hatching)" })]],
+    [hasBox("pill"), "many to many, or shared", () => [group("box pill topic", element("rect", { class: "shape", x: 2, y: 3, width: 40, height: 14, rx: 7 }))]],
+    [hasBox("stub"), "around what is in focus", () => box("node stub")],
+    [(sheet) => sheet.loose.length > 0, "nobody else uses or offers it", () => [group("loose topic", element("circle", { cx: 22, cy: 10, r: 4 }))]],
+    [hasAny("added"), "added", () => box("node added")],
+    [hasAny("removed"), "removed", () => box("node removed")],
+    [hasAny("changed"), "changed", () => box("node changed")],
+    [(sheet) => sheet.boxes.some((each) => each.box.badge) || sheet.loose.some((each) => each.port.badge), "findings", () => [group("badge error", element("circle", { cx: 22, cy: 10, r: 8 }), text("!", { x: 22, y: 14 }))]]
+  ];
+  function showLegend(sheet, host2) {
+    var _a;
+    const list3 = document.createElement("ul");
+    for (const [isShown2, words2, sample] of SIGNS) {
+      if (!isShown2(sheet)) continue;
+      const item2 = list3.appendChild(document.createElement("li"));
+      item2.append(element("svg", { class: "ll-drawing", viewBox: "0 0 44 20", "aria-hidden": "true" }, sample()), words2);
+    }
+    (_a = host2.querySelector("ul")) == null ? void 0 : _a.remove();
+    host2.hidden = !list3.childElementCount;
+    host2.append(list3);
+  }
+  function hasLine(name) {
+    return (sheet) => sheet.edges.some(({ edge }) => edge.classes.includes(name));
+  }
+  function hasBox(name) {
+    return (sheet) => sheet.boxes.some(({ box: { classes } }) => classes.includes(name));
+  }
+  function hasAny(name) {
+    return (sheet) => hasLine(name)(sheet) || hasBox(name)(sheet);
+  }
+  function group(classes, ...children) {
+    return element("g", { class: classes }, children);
+  }
+  function line(classes, head2) {
+    return [group(`line ${classes}`, element("path", { class: "course", d: "M2 10H36" }), element("path", { class: "head", d: head2 }))];
+  }
+  function box(classes) {
+    return [group(`box ${classes}`, element("rect", { class: "shape", x: 2, y: 2, width: 40, height: 16, rx: 4 }))];
+  }
+
+  // launchlint/report/html/js/drawing/measure.js
+  var FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif';
+  var SIZES = { title: 13, detail: 11, condition: 11, host: 11, count: 11, label: 11 };
+  var GUESS = 0.58;
+  function measurer() {
+    const canvas = typeof document === "undefined" ? null : document.createElement("canvas").getContext("2d");
+    const known3 = /* @__PURE__ */ new Map();
+    return (text2, kind) => {
+      const size = SIZES[kind];
+      if (!canvas) return text2.length * size * GUESS;
+      const font = `${kind === "title" ? 600 : 400} ${size}px ${FONT}`;
+      const key = `${kind === "title" ? "b" : ""}${size} ${text2}`;
+      let width = known3.get(key);
+      if (width === void 0) {
+        canvas.font = font;
+        width = canvas.measureText(text2).width;
+        known3.set(key, width);
+      }
+      return width;
+    };
+  }
+
+  // launchlint/report/html/js/drawing/names.js
+  function compareNames(one2, other) {
+    const left = parts(one2);
+    const right = parts(other);
+    for (let at = 0; at < left.length && at < right.length; at++) {
+      const [a, b] = [left[at], right[at]];
+      if (a === b) continue;
+      if (typeof a === "number" && typeof b === "number") return a - b;
+      return String(a) < String(b) ? -1 : 1;
+    }
+    return left.length - right.length || (one2 < other ? -1 : one2 > other ? 1 : 0);
+  }
+  var known = /* @__PURE__ */ new Map();
+  function parts(name) {
+    let found2 = known.get(name);
+    if (found2 === void 0) {
+      found2 = name.split(/(\d{1,15})/).map((part2, at) => at % 2 ? Number(part2) : part2);
+      known.set(name, found2);
+    }
+    return found2;
+  }
+  function lastPart(name) {
+    return name.slice(name.lastIndexOf("/") + 1) || name;
+  }
+  var SPARE = 9;
+  function shortName(name, namespace, most) {
+    const inner = namespace.length > 1 && name.startsWith(`${namespace}/`) ? name.slice(namespace.length + 1) : name;
+    if (inner.length <= most) return inner;
+    const pieces = inner.split("/");
+    let tail = pieces.pop() ?? "";
+    while (pieces.length > 1 && tail.length + 1 + (pieces[pieces.length - 1] ?? "").length < most - 2) tail = `${pieces.pop()}/${tail}`;
+    return pieces.length && tail.length + 2 > most - SPARE ? cut(`…/${tail}`, most) : cut(inner, most);
+  }
+  function cut(text2, most) {
+    const characters = Array.from(text2);
+    if (characters.length <= most) return text2;
+    const head2 = Math.max(2, Math.floor(most / 4));
+    return `${characters.slice(0, head2).join("")}…${characters.slice(head2 + 1 - most).join("")}`;
+  }
+  function counted(count3, noun) {
+    return `${count3} ${noun}${count3 === 1 ? "" : "s"}`;
+  }
+
+  // launchlint/report/html/js/drawing/tree.js
+  var DEEPEST = 32;
+  var MOST = 40;
+  var RANGE = 12;
+  var RANGES = 24;
+  var SHORT = 20;
+  var made = /* @__PURE__ */ new WeakMap();
+  function containersOf(entry, grouping) {
+    let trees = made.get(entry);
+    if (!trees) made.set(entry, trees = /* @__PURE__ */ new Map());
+    let root = trees.get(grouping);
+    if (!root) {
+      root = grouping === "namespace" ? byNamespace(entry) : grouping === "file" ? byElement(entry) : byPackage(entry);
+      finish(root, entry);
+      trees.set(grouping, root);
+    }
+    return root;
+  }
+  function* walk(root) {
+    yield root;
+    for (const each of root.groups) yield* walk(each);
+  }
+  function group2(kind, id, label2, namespace = "", container = -1) {
+    return { id, kind, label: label2, title: label2, namespace, container, groups: [], nodes: [], count: 0, parent: "" };
+  }
+  function byNamespace(entry) {
+    const root = group2("root", "g:namespace:/", "/", "/");
+    const known3 = /* @__PURE__ */ new Map();
+    entry.nodes.forEach((node, index) => {
+      let around3 = root;
+      let from = 1;
+      for (let depth = 1; node.namespace.length > from && from > 0; depth++) {
+        const end = depth < DEEPEST ? node.namespace.indexOf("/", from) : -1;
+        const namespace = end < 0 ? node.namespace : node.namespace.slice(0, end);
+        let inner = known3.get(namespace);
+        if (!inner) {
+          const label2 = around3 === root ? namespace : namespace.slice(around3.namespace.length + 1);
+          inner = group2("namespace", `g:namespace:${namespace}`, label2, namespace);
+          known3.set(namespace, inner);
+          around3.groups.push(inner);
+        }
+        around3 = inner;
+        from = end + 1;
+      }
+      around3.nodes.push(index);
+    });
+    return root;
+  }
+  function byElement(entry) {
+    const root = group2("root", "g:file:", "/", "/");
+    const all = [];
+    const outermost = { group: root, depth: 0 };
+    const find = (index) => all[index] ?? outermost;
+    entry.containers.forEach((container, index) => {
+      const around3 = container.parent < index ? find(container.parent) : outermost;
+      const label2 = container.kind === "include" ? lastPart(container.label) : container.label || "group";
+      const own = group2(container.kind, `g:file:${index}`, label2, container.namespace, index);
+      own.title = container.label || "group";
+      all.push(around3.depth < DEEPEST ? { group: own, depth: around3.depth + 1 } : around3);
+      if (around3.depth < DEEPEST) around3.group.groups.push(own);
+    });
+    entry.nodes.forEach((node, index) => find(node.container).group.nodes.push(index));
+    return root;
+  }
+  function byPackage(entry) {
+    const root = group2("root", "g:package:", "/", "/");
+    const known3 = /* @__PURE__ */ new Map();
+    entry.nodes.forEach((node, index) => {
+      let around3 = known3.get(node.package);
+      if (!around3) {
+        around3 = group2("package", `g:package:${node.package}`, node.package || "no package");
+        known3.set(node.package, around3);
+        root.groups.push(around3);
+      }
+      around3.nodes.push(index);
+    });
+    return root;
+  }
+  function finish(own, entry) {
+    own.groups.forEach((each) => finish(each, entry));
+    own.groups = own.groups.filter((each) => each.count > 0);
+    const inner = own.groups[0];
+    if (own.kind !== "root" && inner && own.groups.length === 1 && !own.nodes.length) {
+      const joint = own.kind === "namespace" ? "/" : " › ";
+      Object.assign(own, inner, { label: `${own.label}${joint}${inner.label}`, title: inner.title });
+    }
+    own.nodes.sort((a, b) => {
+      var _a, _b;
+      return compareNames(((_a = entry.nodes[a]) == null ? void 0 : _a.name) ?? "", ((_b = entry.nodes[b]) == null ? void 0 : _b.name) ?? "") || a - b;
+    });
+    if (own.kind === "namespace" || own.kind === "root" || own.kind === "package") own.groups.sort((a, b) => compareNames(a.label, b.label));
+    if (own.nodes.length > MOST) byFile(own, entry);
+    if (own.nodes.length > MOST) {
+      const ranges = split(own.nodes).map((nodes) => {
+        const label2 = between(nodes.map((each) => {
+          var _a;
+          return lastPart(((_a = entry.nodes[each]) == null ? void 0 : _a.name) ?? "");
+        }));
+        const range = group2("range", `${own.id}#n${nodes[0]}`, label2, own.namespace);
+        range.title = `${counted(nodes.length, "node")}: ${label2}`;
+        range.nodes = nodes;
+        return range;
+      });
+      own.nodes = [];
+      own.groups.push(...ranges);
+      ranges.forEach((each) => finish(each, entry));
+    }
+    const whole = own.groups.filter((each) => each.kind !== "range");
+    if (whole.length > MOST) {
+      const ranges = split(whole).map((groups) => {
+        var _a;
+        const label2 = between(groups.map((each) => each.label));
+        const range = group2("range", `${own.id}#${(_a = groups[0]) == null ? void 0 : _a.id}`, label2, own.namespace);
+        range.title = `${counted(groups.length, "container")}: ${label2}`;
+        range.groups = groups;
+        return range;
+      });
+      own.groups = [...ranges, ...own.groups.filter((each) => each.kind === "range")];
+      ranges.forEach((each) => finish(each, entry));
+    }
+    own.count = own.nodes.length;
+    for (const each of own.groups) {
+      each.parent = own.id;
+      own.count += each.count;
+    }
+  }
+  function byFile(own, entry) {
+    var _a, _b, _c, _d;
+    if (own.kind === "range" || own.container >= 0) return;
+    const files = /* @__PURE__ */ new Map();
+    for (const node of own.nodes) {
+      let at = ((_a = entry.nodes[node]) == null ? void 0 : _a.container) ?? -1;
+      for (let seen = 0; at >= 0 && ((_b = entry.containers[at]) == null ? void 0 : _b.kind) !== "include" && seen < DEEPEST; seen++) at = ((_c = entry.containers[at]) == null ? void 0 : _c.parent) ?? -1;
+      const known3 = files.get(at);
+      if (known3) known3.push(node);
+      else files.set(at, [node]);
+    }
+    const large = Array.from(files).filter(([file, nodes]) => file >= 0 && nodes.length > 1);
+    const left = own.nodes.length - large.reduce((sum, [, nodes]) => sum + nodes.length, 0);
+    if (left + large.length > MOST || large.length < 2) return;
+    own.nodes = own.nodes.filter((node) => !large.some(([, nodes]) => nodes.includes(node)));
+    for (const [file, nodes] of large) {
+      const path = ((_d = entry.containers[file]) == null ? void 0 : _d.label) ?? "";
+      const inner = group2("include", `${own.id}#f${file}`, lastPart(path), own.namespace, file);
+      Object.assign(inner, { title: path, nodes });
+      finish(inner, entry);
+      own.groups.push(inner);
+    }
+  }
+  function split(members) {
+    const ranges = Math.min(RANGES, Math.ceil(members.length / RANGE));
+    return Array.from(
+      { length: ranges },
+      (_, at) => members.slice(Math.floor(at * members.length / ranges), Math.floor((at + 1) * members.length / ranges))
+    );
+  }
+  function between(labels) {
+    const [first, last] = [labels[0] ?? "", labels[labels.length - 1] ?? ""];
+    if (first === last) return cut(first, 2 * SHORT);
+    let same = 0;
+    while (same < first.length && first[same] === last[same]) same++;
+    const shared = first.slice(0, same).search(/[^_\-./ ]*$/);
+    return `${cut(first, SHORT)} – ${cut(last.slice(shared), SHORT)}`;
+  }
+
+  // launchlint/report/html/js/drawing/boxes.js
+  var LINE_HEIGHTS = { title: 17, detail: 14, condition: 14, host: 14, count: 14 };
+  var PADDING = { x: 12, y: 8 };
+  var FOLD = 18;
+  var LONGEST = { title: 36, detail: 34, condition: 34, label: 26, open: 48 };
+  var BUNDLE = 3;
+  var SEVERITIES = (
+    /** @type {const} */
+    ["error", "warning", "info"]
+  );
+  function badgeOf(view, findings) {
+    var _a;
+    const distinct = new Set(findings);
+    for (const severity of SEVERITIES) {
+      for (const each of distinct) if (((_a = view.findings[each]) == null ? void 0 : _a.severity) === severity) return { severity, count: distinct.size };
+    }
+    return null;
+  }
+  function nodeBox(view, index, group3, measure) {
+    const node = view.entry.nodes[index];
+    if (!node) throw new RangeError(`there is no node ${index}`);
+    const inNamespace = group3.namespace === node.namespace || view.state.grouping === "namespace";
+    const lines = [{ kind: "title", text: inNamespace ? cut(lastPart(node.name), LONGEST.title) : shortName(node.name, "", LONGEST.title) }];
+    if (node.program) lines.push({ kind: "detail", text: cut(node.program, LONGEST.detail) });
+    const classes = ["node"];
+    const when2 = view.presence.of(node.only, node.mark);
+    const conditional = node.conditions.length > 0 || view.presence.conditional(when2, view.now);
+    if (conditional) classes.push("conditional");
+    if (node.conditions.length) lines.push({ kind: "condition", text: cut(node.conditions.join(" and "), LONGEST.condition) });
+    const guest = node.host !== "" && node.host !== node.name;
+    if (guest) lines.push({ kind: "host", text: `in ${shortName(node.host, node.namespace, LONGEST.detail)}` });
+    const params = view.params.get(index);
+    if (params) lines.push({ kind: "count", text: counted(params, "param") });
+    if (node.knowledge === "unknown") classes.push("unknown");
+    if (node.isTest) classes.push("test");
+    if (node.mark) classes.push(node.mark);
+    if (view.stubs.has(`n:${index}`)) classes.push("stub");
+    const said = [node.name, node.program];
+    if (node.knowledge === "unknown") said.push(`unknown: ${node.reason || "nothing is known of what it connects to"}`);
+    if (node.conditions.length) said.push(`only where ${node.conditions.join(" and ")}`);
+    if (guest) said.push(`in the process of ${node.host}`);
+    const loose = loosePorts(view, `n:${index}`, view.loose.get(index) ?? [], group3);
+    const badge3 = badgeOf(view, node.findings);
+    return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said.join("\n"), badge: badge3, loose, level: null, wires: [] }, measure);
+  }
+  function foldedBox(view, group3, measure) {
+    var _a;
+    const about = contents(view, group3);
+    const lines = [{ kind: "title", text: cut(group3.label, LONGEST.title) }];
+    const unknown = about.unknown && about.unknown < about.nodes ? ` · ${about.unknown} unknown` : "";
+    const only = about.nodes === 1 ? `: ${cut(lastPart(((_a = view.entry.nodes[about.first]) == null ? void 0 : _a.name) ?? ""), LONGEST.label)}` : unknown;
+    lines.push({ kind: "detail", text: `${counted(about.nodes, "node")}${only}` });
+    const classes = ["folded", group3.kind];
+    if (about.nodes && about.unknown === about.nodes) classes.push("unknown");
+    if (about.mark) classes.push(about.mark);
+    if (view.stubs.has(group3.id)) classes.push("stub");
+    const title2 = `${group3.title}
+${counted(about.nodes, "node")}${about.unknown ? `, ${about.unknown} unknown` : ""}`;
+    const badge3 = badgeOf(view, about.findings);
+    return sized({ id: group3.id, kind: "folded", classes, lines, title: title2, badge: badge3, loose: [], level: null, wires: [] }, measure);
+  }
+  function openBox(view, level) {
+    const { group: group3 } = level;
+    const about = contents(view, group3);
+    const classes = ["open", group3.kind];
+    if (about.mark) classes.push(about.mark);
+    const lines = [{ kind: "title", text: cut(group3.label, LONGEST.open) }];
+    const title2 = `${group3.title}
+${counted(about.nodes, "node")}`;
+    return { id: group3.id, kind: "open", classes, lines, title: title2, badge: null, width: 0, height: 0, loose: [], level, wires: [] };
+  }
+  function pillBox(view, wires, group3, measure) {
+    const [first] = wires;
+    if (!first) throw new RangeError("a pill stands for something");
+    const single2 = wires.length === 1;
+    const text2 = single2 ? shortName(first.name, group3.namespace, LONGEST.title) : counted(wires.length, first.kind);
+    const classes = ["pill", first.kind];
+    if (single2 && first.kind !== "param" && !(first.givers.length && first.takers.length)) classes.push("dangling");
+    const mark = commonMark(wires);
+    if (mark) classes.push(mark);
+    const title2 = single2 ? [first.name, ...first.types].join("\n") : wires.map((wire) => wire.name).join("\n");
+    const badge3 = badgeOf(view, wires.flatMap((wire) => wire.findings));
+    const id = single2 ? `w:${first.id}` : `w:${first.id}+${wires.length}`;
+    const width = Math.ceil(measure(text2, "label")) + 22;
+    return { id, kind: "pill", classes, lines: [{ kind: "title", text: text2 }], title: title2, badge: badge3, width, height: 22, loose: [], level: null, wires };
+  }
+  function commonMark(wires) {
+    var _a;
+    const marks = new Set(wires.map((wire) => wire.mark));
+    return marks.size === 1 ? ((_a = wires[0]) == null ? void 0 : _a.mark) ?? "" : "";
+  }
+  function contents(view, group3) {
+    let [nodes, unknown, first] = [0, 0, -1];
+    const findings = [];
+    const marks = /* @__PURE__ */ new Set();
+    for (const each of walk(group3)) {
+      for (const index of each.nodes) {
+        const node = view.entry.nodes[index];
+        if (!node || !view.shown[index]) continue;
+        nodes += 1;
+        if (first < 0) first = index;
+        unknown += Number(node.knowledge === "unknown");
+        findings.push(...node.findings);
+        marks.add(node.mark ?? "");
+      }
+    }
+    const mark = marks.size === 1 ? String([...marks][0]) : marks.size ? "changed" : "";
+    return { nodes, unknown, first, findings, mark };
+  }
+  function loosePorts(view, box2, all, group3) {
+    const found2 = [];
+    for (const out of [false, true]) {
+      const side = all.filter((each) => each.gives === out);
+      const alone = view.state.danglingOnly ? side : side.filter((each) => each.wire.findings.length || each.mark && !isNew(view, box2));
+      const rest = side.filter((each) => !alone.includes(each));
+      const groups = [...alone.map((each) => [each]), ...rest.length < BUNDLE ? rest.map((each) => [each]) : [rest]];
+      for (const each of groups) {
+        const [first] = each;
+        if (!first) continue;
+        const wires = each.map((loose) => loose.wire);
+        const label2 = each.length === 1 ? shortName(first.wire.name, group3.namespace, LONGEST.label) : `${each.length} unconnected`;
+        const classes = [each.length === 1 ? first.wire.kind : "several"];
+        if (!each.some((loose) => loose.certain)) classes.push("uncertain");
+        if (first.mark && each.every((loose) => loose.mark === first.mark)) classes.push(first.mark);
+        const badge3 = badgeOf(view, wires.flatMap((wire) => wire.findings));
+        found2.push({ id: `${box2}|loose|${out ? "out" : "in"}|${first.wire.id}`, out, wires, label: label2, classes, badge: badge3 });
+      }
+    }
+    return found2;
+  }
+  function isNew(view, box2) {
+    var _a;
+    const mark = (_a = view.entry.nodes[Number(box2.slice(2))]) == null ? void 0 : _a.mark;
+    return mark === "added" || mark === "removed";
+  }
+  function sized(box2, measure) {
+    const indent = box2.kind === "folded" ? FOLD : 0;
+    const width = Math.max(...box2.lines.map((line4) => measure(line4.text, line4.kind)), 56) + 2 * PADDING.x + indent;
+    const height = box2.lines.reduce((sum, line4) => sum + LINE_HEIGHTS[line4.kind], 0) + 2 * PADDING.y;
+    return { ...box2, width: Math.ceil(width), height };
+  }
+
+  // launchlint/report/html/js/drawing/engine.js
+  var LABEL_HEIGHT = 13;
+  var BADGE = 17;
+  var MARGIN2 = 16;
+  var LONG = 1500;
+  var WIDER = 1.6;
+  var GAIN = 0.75;
+  var KEPT = 600;
+  var OPTIONS = {
+    "elk.algorithm": "layered",
+    "elk.direction": "RIGHT",
+    "elk.edgeRouting": "ORTHOGONAL",
+    "elk.randomSeed": "1",
+    "elk.spacing.nodeNode": "22",
+    "elk.spacing.edgeEdge": "12",
+    "elk.spacing.edgeNode": "14",
+    "elk.spacing.portPort": "16",
+    "elk.spacing.componentComponent": "26",
+    "elk.layered.spacing.nodeNodeBetweenLayers": "26",
+    "elk.layered.spacing.edgeNodeBetweenLayers": "12",
+    "elk.layered.spacing.edgeEdgeBetweenLayers": "10",
+    "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
+    "elk.layered.crossingMinimization.strategy": "LAYER_SWEEP",
+    "elk.layered.thoroughness": "12",
+    "elk.layered.considerModelOrder.strategy": "NODES_AND_EDGES",
+    "elk.layered.considerModelOrder.crossingCounterNodeInfluence": "0.001"
+  };
+  async function layOutPart(engine, part2, inner, measure, cache, aspect) {
+    const names = new Names();
+    const graph = asGraph(part2, inner, measure, names);
+    const key = JSON.stringify([graph, names.all, aspect]);
+    let placed = cache.get(key);
+    if (!placed) {
+      placed = run(engine, part2, graph, names, aspect);
+      cache.set(key, placed);
+      for (const oldest of cache.keys()) {
+        if (cache.size <= KEPT) break;
+        cache.delete(oldest);
+      }
+    }
+    return placed;
+  }
+  async function run(engine, part2, graph, names, aspect) {
+    const root = (options = {}) => ({
+      id: "root",
+      layoutOptions: { "elk.algorithm": "layered", "elk.padding": "[left=0,top=0,right=0,bottom=0]" },
+      children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...options } }]
+    });
+    const placed = asPlaced(await engine.layout(root()), names);
+    if (part2.ports.length || placed.width < LONG || placed.width < WIDER * aspect * placed.height) return placed;
+    const folded = asPlaced(await engine.layout(root({ "elk.layered.wrapping.strategy": "MULTI_EDGE" })), names);
+    const cost = (each) => Math.max(each.width / aspect, each.height);
+    return cost(folded) < GAIN * cost(placed) ? folded : placed;
+  }
+  var Names = class {
+    constructor() {
+      this.all = [];
+      this.short = /* @__PURE__ */ new Map();
+    }
+    /** @param {string} id @returns {string} */
+    of(id) {
+      let found2 = this.short.get(id);
+      if (found2 === void 0) {
+        found2 = `i${this.all.length}`;
+        this.all.push(id);
+        this.short.set(id, found2);
+      }
+      return found2;
+    }
+    /** @param {string} short */
+    long(short) {
+      return this.all[Number(short.slice(1))] ?? short;
+    }
+  };
+  function asGraph(level, inner, measure, names) {
+    const leaving = /* @__PURE__ */ new Map();
+    const entering = /* @__PURE__ */ new Map();
+    for (const edge of level.edges) {
+      add(leaving, edge.fromBox, edge);
+      add(entering, edge.toBox, edge);
+    }
+    const children = level.boxes.map((box2) => asNode(box2, leaving.get(box2.id) ?? [], entering.get(box2.id) ?? [], inner.get(box2.id), measure, names));
+    const ports = level.ports.map((port) => asPort(names.of(port.id), port.out, port.out ? [] : labelAt(leaving.get("") ?? [], port.id), measure));
+    const edges = level.edges.map((edge) => ({ id: names.of(edge.id), sources: [names.of(edge.fromPort)], targets: [names.of(edge.toPort)] }));
+    const side = ports.length ? MARGIN2 : 0;
+    return {
+      id: "level",
+      children,
+      ports,
+      edges,
+      layoutOptions: {
+        ...OPTIONS,
+        "elk.padding": `[left=${side},top=0,right=${side},bottom=0]`,
+        "elk.portConstraints": "FIXED_SIDE",
+        "elk.portLabels.placement": "INSIDE",
+        "elk.nodeSize.constraints": "PORTS PORT_LABELS MINIMUM_SIZE"
+      }
+    };
+  }
+  function asNode(box2, leaving, entering, inner, measure, names) {
+    const ports = /* @__PURE__ */ new Map();
+    const ends = new Map([...leaving.map((edge) => (
+      /** @type {const} */
+      [edge.fromPort, edge.from]
+    )), ...entering.map((edge) => (
+      /** @type {const} */
+      [edge.toPort, edge.to]
+    ))]);
+    for (const edge of leaving) if (!ports.has(edge.fromPort)) ports.set(edge.fromPort, asPort(names.of(edge.fromPort), true, edge.label, measure));
+    for (const edge of entering) if (!ports.has(edge.toPort)) ports.set(edge.toPort, asPort(names.of(edge.toPort), false, [], measure));
+    for (const loose of box2.loose) ports.set(loose.id, asPort(names.of(loose.id), loose.out, [loose.label], measure, loose.badge ? BADGE : 0));
+    const size = inner ?? box2;
+    const node = { id: names.of(box2.id), width: size.width, height: size.height };
+    if (inner || box2.kind === "pill") {
+      for (const [id, port] of ports) {
+        const at = (inner == null ? void 0 : inner.ports.get(ends.get(id) ?? id)) ?? { x: port.layoutOptions["elk.port.side"] === "WEST" ? 0 : box2.width, y: box2.height / 2 };
+        Object.assign(port, { x: at.x, y: at.y });
+      }
+    }
+    return {
+      ...node,
+      ports: Array.from(ports.values()),
+      layoutOptions: {
+        "elk.portConstraints": inner || box2.kind === "pill" ? "FIXED_POS" : "FIXED_SIDE",
+        "elk.portLabels.placement": "OUTSIDE NEXT_TO_PORT_IF_POSSIBLE",
+        "elk.nodeSize.constraints": inner || box2.kind === "pill" ? "" : "PORTS PORT_LABELS MINIMUM_SIZE",
+        "elk.nodeSize.minimum": `(${node.width}, ${node.height})`,
+        "elk.portAlignment.default": "CENTER"
+      }
+    };
+  }
+  function asPort(id, out, label2, measure, more = 0) {
+    const width = Math.ceil(Math.max(0, ...label2.map((line4) => measure(line4, "label")))) + more;
+    const labels = label2.length ? [{ text: "x", width: width + PADDING.x, height: label2.length * LABEL_HEIGHT + 2 }] : [];
+    return { id, width: 0, height: 0, labels, layoutOptions: { "elk.port.side": out ? "EAST" : "WEST" } };
+  }
+  function labelAt(edges, port) {
+    var _a;
+    return ((_a = edges.find((edge) => edge.from === port)) == null ? void 0 : _a.label) ?? [];
+  }
+  function add(map, key, edge) {
+    const known3 = map.get(key);
+    if (known3) known3.push(edge);
+    else map.set(key, [edge]);
+  }
+  function asPlaced(root, names) {
+    var _a;
+    const graph = (
+      /** @type {ElkNode} */
+      (_a = root.children) == null ? void 0 : _a[0]
+    );
+    const placed = { width: graph.width ?? 0, height: graph.height ?? 0, boxes: /* @__PURE__ */ new Map(), ports: /* @__PURE__ */ new Map(), labels: /* @__PURE__ */ new Map(), edges: /* @__PURE__ */ new Map() };
+    const keep = (port, x, y) => {
+      var _a2;
+      const at = { x: x + (port.x ?? 0), y: y + (port.y ?? 0) };
+      const label2 = (_a2 = port.labels) == null ? void 0 : _a2[0];
+      placed.ports.set(names.long(port.id), at);
+      if (label2) placed.labels.set(names.long(port.id), { x: at.x + (label2.x ?? 0), y: at.y + (label2.y ?? 0), width: label2.width, height: label2.height });
+    };
+    for (const port of graph.ports ?? []) keep(port, 0, 0);
+    for (const { id, x = 0, y = 0, width = 0, height = 0, ports = [] } of graph.children ?? []) {
+      placed.boxes.set(names.long(id), { x, y, width, height });
+      for (const port of ports) keep(port, x, y);
+    }
+    for (const edge of graph.edges ?? []) {
+      const points = (edge.sections ?? []).flatMap((section) => [section.startPoint, ...section.bendPoints ?? [], section.endPoint]);
+      placed.edges.set(names.long(edge.id), { points, junctions: edge.junctionPoints ?? [] });
+    }
+    return placed;
+  }
+
+  // launchlint/report/html/js/drawing/paint.js
+  var HIGH = 24;
+  function paint(sheet) {
+    var _a, _b;
+    const content = element("g", { class: "content" });
+    const [open, lines, boxes, names] = ["containers", "lines", "boxes", "names"].map((each) => content.appendChild(element("g", { class: each })));
+    const painted = { content, boxes: /* @__PURE__ */ new Map(), lines: /* @__PURE__ */ new Map(), ports: [], loose: [] };
+    for (const each of sheet.boxes) {
+      const drawn = each.box.kind === "open" ? openElement(each) : boxElement(each);
+      painted.boxes.set(each.box.id, drawn);
+      (_a = each.box.kind === "open" ? open : boxes) == null ? void 0 : _a.append(drawn);
+    }
+    for (const each of sheet.edges) {
+      const drawn = lineElement(each);
+      painted.lines.set(each.edge.id, [drawn]);
+      lines == null ? void 0 : lines.append(drawn);
+    }
+    for (const { x, y, port } of sheet.ports) {
+      const drawn = element("rect", { class: `port ${port.kind}`, x: x - 3, y: y - 3, width: 6, height: 6, rx: 1.5 });
+      painted.ports.push({ element: drawn, id: port.id });
+      boxes == null ? void 0 : boxes.append(drawn);
+    }
+    for (const { x, y, height, lines: written2, classes, edge } of sheet.labels) {
+      const drawn = element("g", { class: `name ${classes.join(" ")}`, "data-id": edge.id });
+      written2.forEach((line4, at) => drawn.append(text(line4, { x: x + 5, y: y + height - 4 - (written2.length - 1 - at) * LABEL_HEIGHT })));
+      (_b = painted.lines.get(edge.id)) == null ? void 0 : _b.push(drawn);
+      names == null ? void 0 : names.append(drawn);
+    }
+    for (const each of sheet.loose) {
+      const drawn = looseElement(each);
+      painted.loose.push({ element: drawn, box: each.box.id, wires: each.port.wires.map((wire) => wire.id) });
+      names == null ? void 0 : names.append(drawn);
+    }
+    return painted;
+  }
+  function boxElement({ x, y, width, height, box: box2 }) {
+    var _a;
+    const drawn = frame(box2, x, y);
+    const corner = box2.kind === "pill" ? height / 2 : box2.kind === "folded" ? 8 : 5;
+    if (box2.kind === "folded") drawn.append(element("rect", { class: "behind", x: 4, y: 4, width, height, rx: corner }));
+    drawn.append(element("rect", { class: "shape", width, height, rx: corner }));
+    if (box2.classes.includes("unknown")) drawn.append(element("rect", { class: "hatched", x: 1, y: 1, width: width - 2, height: height - 2, rx: corner - 1, fill: "url(#ll-hatching)" }));
+    if (box2.kind === "pill") drawn.append(text(((_a = box2.lines[0]) == null ? void 0 : _a.text) ?? "", { class: "title", x: width / 2, y: height / 2 + 4, "text-anchor": "middle" }));
+    else {
+      const block2 = box2.lines.reduce((sum, line4) => sum + LINE_HEIGHTS[line4.kind], 0);
+      const above = Math.min((height - block2) / 2, HIGH);
+      let baseline = above - 4;
+      const indent = box2.kind === "folded" ? FOLD : 0;
+      for (const line4 of box2.lines) {
+        baseline += LINE_HEIGHTS[line4.kind];
+        drawn.append(text(line4.text, { class: line4.kind, x: PADDING.x + indent, y: baseline }));
+      }
+      if (box2.kind === "folded") drawn.append(fold(box2.id, 8, above + 1, true));
+    }
+    if (box2.badge) drawn.append(badge(box2.badge, width - 9, 0));
+    return drawn;
+  }
+  function openElement({ x, y, width, height, box: box2 }) {
+    var _a, _b;
+    const drawn = frame(box2, x, y);
+    drawn.append(element("rect", { class: "shape", width, height, rx: box2.classes.includes("include") || box2.classes.includes("group") ? 3 : 10 }));
+    const head2 = drawn.appendChild(element("g", { class: "head" }, [element("rect", { width, height: 26, fill: "transparent" })]));
+    head2.append(fold(box2.id, 8, 6, false), text(((_a = box2.lines[0]) == null ? void 0 : _a.text) ?? "", { class: "title", x: FOLD + 9, y: 19 }));
+    const tag = [(_b = box2.lines[1]) == null ? void 0 : _b.text, tagOf(box2)].filter(Boolean).join(" · ");
+    if (tag && width > 220) head2.append(text(tag, { class: "tag", x: width - 10, y: 18, "text-anchor": "end" }));
+    return drawn;
+  }
+  function tagOf(box2) {
+    return ["include", "group", "package"].find((each) => box2.classes.includes(each)) ?? "";
+  }
+  function frame(box2, x, y) {
+    const attributes2 = { class: `box ${box2.classes.join(" ")}`, transform: `translate(${x} ${y})`, "data-id": box2.id, role: "button", tabindex: -1 };
+    return element("g", attributes2, [title(box2.title)]);
+  }
+  function fold(container, x, y, folded) {
+    const sign = folded ? "M6 3.5L10 7.5L6 11.5" : "M3.5 6L7.5 10L11.5 6";
+    return element("g", { class: "fold", "data-fold": container, transform: `translate(${x} ${y})` }, [
+      element("rect", { x: -6, y: -4, width: 24, height: 24 }),
+      element("path", { d: sign })
+    ]);
+  }
+  function badge(about, x, y) {
+    const sign = about.count > 99 ? "99" : about.count > 1 ? String(about.count) : about.severity === "info" ? "i" : "!";
+    const words2 = about.count > 1 ? `${about.count} findings` : `1 ${about.severity}`;
+    return element("g", { class: `badge ${about.severity}`, transform: `translate(${x} ${y})` }, [title(words2), element("circle", { r: 8.5 }), text(sign, { y: 3.8 })]);
+  }
+  function lineElement({ edge, points, junctions, arrives }) {
+    const bundle = edge.wires.length > 2 ? " bundle" : "";
+    const drawn = element("g", { class: `line ${edge.classes.join(" ")}${bundle}`, "data-id": edge.id }, [
+      title(edge.wires.slice(0, 40).map((wire) => [wire.name, ...wire.types].join("  ")).join("\n"))
+    ]);
+    const d = course(points);
+    drawn.append(element("path", { class: "hit", d }), element("path", { class: "course", d }));
+    const last = points[points.length - 1];
+    for (const { x, y } of junctions) {
+      const hidden = arrives && last && Math.abs(last.y - y) < 1 && last.x - x < 16;
+      if (!hidden) drawn.append(element("circle", { class: "joint", cx: x, cy: y, r: 2.4 }));
+    }
+    if (arrives && last) drawn.append(head(edge.kind, last.x, last.y));
+    return drawn;
+  }
+  function head(kind, x, y) {
+    const shapes = { topic: "M-8 -4L0 0L-8 4Z", service: "M-10 0L-5 -4L0 0L-5 4Z", action: "M-8 -4L0 0L-8 4ZM-14 -4L-6 0L-14 4Z", param: "M-6 -3H0V3H-6Z" };
+    return element("path", { class: "head", d: shapes[
+      /** @type {keyof typeof shapes} */
+      kind
+    ] ?? shapes.topic, transform: `translate(${x} ${y})` });
+  }
+  function looseElement({ x, y, port, label: label2 }) {
+    var _a;
+    const drawn = element("g", { class: `loose ${port.classes.join(" ")}`, "data-loose": port.wires.map((wire) => wire.id).join(" ") }, [
+      title(port.wires.map((wire) => `${wire.name}: nobody else ${port.out ? "uses" : "offers"} it`).join("\n")),
+      element("circle", { cx: x, cy: y, r: 4 })
+    ]);
+    if (label2) {
+      const away = port.badge ? 26 : 9;
+      const at = { x: port.out ? x + away : x - away, y: y + 4, "text-anchor": port.out ? "start" : "end" };
+      drawn.append(element("g", { class: `name ${((_a = port.badge) == null ? void 0 : _a.severity) ?? ""}` }, [text(port.label, at)]));
+    }
+    if (port.badge) drawn.append(badge(port.badge, port.out ? x + 15 : x - 15, y));
+    return drawn;
+  }
+
+  // launchlint/report/html/js/drawing/arrange.js
+  var HEAD = 32;
+  var GAP = 24;
+  var PITCH = 17;
+  var TRIALS = 16;
+  async function layOut(engine, level, measure, cache, aspect) {
+    const inside2 = await Promise.all(level.boxes.map((box2) => box2.level ? layOut(engine, box2.level, measure, cache, aspect) : null));
+    const all = /* @__PURE__ */ new Map();
+    for (const each of inside2) each == null ? void 0 : each.forEach((placed, id) => all.set(id, placed));
+    const parts3 = connectedParts(level);
+    const singles = parts3.filter((part2) => part2.boxes.length === 1 && !part2.edges.length && !part2.ports.length).map((part2) => (
+      /** @type {Box} */
+      part2.boxes[0]
+    ));
+    const widths = evenWidths(singles);
+    const blocks = await Promise.all(
+      parts3.map((part2) => {
+        const [box2] = part2.boxes;
+        return box2 && singles.includes(box2) ? single(box2, all.get(box2.id), widths.get(box2.kind) ?? 0, measure) : layOutPart(engine, part2, all, measure, cache, aspect);
+      })
+    );
+    const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 70;
+    const head2 = level.group.kind === "root" ? MARGIN2 : HEAD;
+    all.set(level.group.id, pack(parts3, blocks, head2, least, aspect));
+    return all;
+  }
+  function connectedParts(level) {
+    var _a;
+    const leaders = /* @__PURE__ */ new Map();
+    const leader = (id) => {
+      let at = id;
+      for (let next = leaders.get(at); next !== void 0; next = leaders.get(at)) at = next;
+      return at;
+    };
+    for (const edge of level.edges) {
+      const [one2, other] = [leader(edge.fromBox), leader(edge.toBox)];
+      if (one2 !== other) leaders.set(one2 === "" ? other : one2, one2 === "" ? one2 : other);
+    }
+    const parts3 = /* @__PURE__ */ new Map();
+    if (level.ports.length) parts3.set("", { group: level.group, boxes: [], ports: level.ports, edges: [] });
+    for (const box2 of level.boxes) {
+      const key = leader(box2.id);
+      const part2 = parts3.get(key);
+      if (part2) part2.boxes.push(box2);
+      else parts3.set(key, { group: level.group, boxes: [box2], ports: [], edges: [] });
+    }
+    for (const edge of level.edges) (_a = parts3.get(leader(edge.fromBox))) == null ? void 0 : _a.edges.push(edge);
+    return Array.from(parts3.values()).sort((a, b) => Number(!a.ports.length) - Number(!b.ports.length) || b.boxes.length - a.boxes.length);
+  }
+  function evenWidths(boxes) {
+    const widths = /* @__PURE__ */ new Map();
+    for (const { kind, level, width } of boxes) if (!level) widths.set(kind, Math.max(widths.get(kind) ?? 0, width));
+    return widths;
+  }
+  function single(box2, inner, width, measure) {
+    const sides2 = [false, true].map((out) => box2.loose.filter((port) => port.out === out));
+    const [left, right] = sides2.map((ports) => Math.max(0, ...ports.map((port) => Math.ceil(measure(port.label, "label")) + PADDING.x + (port.badge ? BADGE : 0))));
+    const size = { width: (inner == null ? void 0 : inner.width) ?? (box2.kind === "pill" ? box2.width : width), height: Math.max((inner == null ? void 0 : inner.height) ?? box2.height, ...sides2.map((ports) => ports.length * PITCH + 6)) };
+    const placed = { width: size.width + (left ?? 0) + (right ?? 0), height: size.height, boxes: /* @__PURE__ */ new Map(), ports: /* @__PURE__ */ new Map(), labels: /* @__PURE__ */ new Map(), edges: /* @__PURE__ */ new Map() };
+    placed.boxes.set(box2.id, { x: left ?? 0, y: 0, ...size });
+    sides2.forEach(
+      (ports, out) => ports.forEach((port, at) => {
+        const point = { x: (left ?? 0) + (out ? size.width : 0), y: size.height / 2 + (at - (ports.length - 1) / 2) * PITCH };
+        placed.ports.set(port.id, point);
+        const extent = (out ? right : left) ?? 0;
+        placed.labels.set(port.id, { x: out ? point.x : 0, y: point.y - 7, width: extent, height: 14 });
+      })
+    );
+    return placed;
+  }
+  function pack(parts3, blocks, head2, least, aspect) {
+    var _a, _b;
+    const spanning = ((_a = parts3[0]) == null ? void 0 : _a.ports.length) ? blocks[0] : void 0;
+    const rest = spanning ? blocks.slice(1) : blocks;
+    const from = spanning ? head2 + spanning.height + (rest.length ? GAP : 0) : head2;
+    const rows2 = inRows(rest, spanning ? spanning.width - 2 * MARGIN2 : 0, from, aspect);
+    const all = { width: Math.max(least, (spanning == null ? void 0 : spanning.width) ?? 0, rows2.width + 2 * MARGIN2), height: from + rows2.height + MARGIN2, boxes: /* @__PURE__ */ new Map(), ports: /* @__PURE__ */ new Map(), labels: /* @__PURE__ */ new Map(), edges: /* @__PURE__ */ new Map() };
+    if (spanning) {
+      add2(all, spanning, 0, head2);
+      widen(all, ((_b = parts3[0]) == null ? void 0 : _b.ports.filter((port) => port.out).map((port) => port.id)) ?? [], spanning.width);
+    }
+    rest.forEach((block2, at) => {
+      var _a2, _b2;
+      return add2(all, block2, MARGIN2 + (((_a2 = rows2.places[at]) == null ? void 0 : _a2.x) ?? 0), from + (((_b2 = rows2.places[at]) == null ? void 0 : _b2.y) ?? 0));
+    });
+    return all;
+  }
+  function inRows(blocks, width, above, aspect) {
+    const widest = Math.max(width, ...blocks.map((block2) => block2.width));
+    const longest = blocks.reduce((sum, block2) => sum + block2.width + GAP, 0);
+    let best = shelves(blocks, widest);
+    const cost = (rows2) => Math.max(rows2.width / aspect, rows2.height + above);
+    for (let trial = 1; trial <= TRIALS && widest < longest; trial++) {
+      const rows2 = shelves(blocks, widest + (longest - widest) * trial * trial / TRIALS ** 2);
+      if (cost(rows2) < cost(best)) best = rows2;
+    }
+    return best;
+  }
+  function shelves(blocks, most) {
+    const places = [];
+    const row = { y: 0, height: 0 };
+    const column = { x: 0, width: 0, bottom: 0 };
+    let width = 0;
+    for (const block2 of blocks) {
+      const first = column.width === 0;
+      if (!first && column.bottom + GAP + block2.height <= row.height && block2.width <= Math.max(column.width, 60) * 1.25 && column.x + block2.width <= most) {
+        places.push({ x: column.x, y: row.y + column.bottom + GAP });
+        column.bottom += GAP + block2.height;
+        column.width = Math.max(column.width, block2.width);
+      } else {
+        if (!first) column.x += column.width + GAP;
+        if (!first && column.x + block2.width > most) {
+          row.y += row.height + GAP;
+          row.height = 0;
+          column.x = 0;
+        }
+        places.push({ x: column.x, y: row.y });
+        column.width = block2.width;
+        column.bottom = block2.height;
+        row.height = Math.max(row.height, block2.height);
+      }
+      width = Math.max(width, column.x + column.width);
+    }
+    return { width, height: row.y + row.height, places };
+  }
+  function add2(all, block2, dx, dy) {
+    const move = (point) => ({ ...point, x: point.x + dx, y: point.y + dy });
+    for (
+      const name of
+      /** @type {const} */
+      ["boxes", "labels"]
+    ) block2[name].forEach((area, id) => all[name].set(id, move(area)));
+    block2.ports.forEach((point, id) => all.ports.set(id, move(point)));
+    block2.edges.forEach(({ points, junctions }, id) => all.edges.set(id, { points: points.map(move), junctions: junctions.map(move) }));
+  }
+  function widen(all, leaving, border) {
+    if (all.width <= border) return;
+    for (const id of leaving) {
+      const port = all.ports.get(id);
+      if (port) port.x = all.width;
+    }
+    for (const { points } of all.edges.values()) for (const point of points) if (point.x >= border - 0.5) point.x = all.width;
+  }
+
+  // launchlint/report/html/js/drawing/expansion.js
+  var SPACE = 230 * 120 * 0.65 ** 2;
+  var FEWEST = 12;
+  var MOST2 = 90;
+  function boxesIn(width, height) {
+    return Math.max(FEWEST, Math.min(MOST2, Math.floor(width * height / SPACE)));
+  }
+  function opening(root, most, isShown2 = () => true) {
+    const cost = (group3) => group3.nodes.length + group3.groups.length;
+    const opened = [];
+    let left = most - cost(root);
+    let level = root.groups;
+    while (level.length) {
+      const next = [];
+      for (const each of level.filter(isShown2).sort((a, b) => cost(a) - cost(b))) {
+        if (cost(each) - 1 > left) continue;
+        left -= cost(each) - 1;
+        opened.push(each.id);
+        next.push(...each.groups);
+      }
+      level = next;
+    }
+    return opened;
+  }
+
+  // launchlint/report/html/js/drawing/bundles.js
+  var LABEL = 26;
+  var Lines = class {
+    /** @param {View} view @param {Level} level */
+    constructor(view, level) {
+      this.view = view;
+      this.level = level;
+      this.found = /* @__PURE__ */ new Map();
+    }
+    /** @param {Wire} wire @param {Tip} from @param {Tip} to */
+    add(wire, from, to) {
+      const when2 = this.view.presence.both(from.when, to.when);
+      const [certain, changed] = [from.certain && to.certain, from.changed || to.changed];
+      const key = `e:${from.id}>${to.id}:${wire.kind}:${when2}${certain ? "" : "?"}${changed ? "!" : ""}`;
+      const known3 = this.found.get(key);
+      if (known3) known3.wires.push(wire);
+      else this.found.set(key, { from, to, when: when2, certain, changed, wires: [wire] });
+    }
+    /**
+     * Whether an open container at an end of a line says what it carries: one that it leaves with nothing else, or one that it enters from the border.
+     * @param {Tip} from
+     * @param {Tip} to
+     * @param {Wire[]} wires
+     */
+    isNamedInside(from, to, wires) {
+      const [left, entered] = [from, to].map((tip) => {
+        var _a;
+        return (_a = this.level.boxes.find((box2) => box2.id === tip.box)) == null ? void 0 : _a.level;
+      });
+      const port = left == null ? void 0 : left.ports.find((each) => each.id === from.id);
+      return port ? port.wires.length === wires.length : from.box === "" && Boolean(entered);
+    }
+    /** @returns {Edge[]} */
+    edges() {
+      const { presence, now } = this.view;
+      return Array.from(this.found, ([id, { from, to, when: when2, certain, changed, wires }]) => {
+        var _a;
+        const kind = ((_a = wires[0]) == null ? void 0 : _a.kind) ?? "topic";
+        const mark = presence.mark(when2) || (changed ? "changed" : "");
+        const classes = [
+          /** @type {string} */
+          kind
+        ];
+        if (mark) classes.push(mark);
+        if (!certain) classes.push("uncertain");
+        if (presence.conditional(when2, now)) classes.push("conditional");
+        const badge3 = badgeOf(this.view, wires.flatMap((wire) => wire.findings));
+        if (badge3) classes.push(badge3.severity);
+        const fromPill = from.id.startsWith("w:");
+        const isNamed = !fromPill && !(to.id.startsWith("w:") && wires.length === 1) && !this.isNamedInside(from, to, wires);
+        return {
+          id,
+          from: from.id,
+          to: to.id,
+          fromBox: from.box,
+          toBox: to.box,
+          kind,
+          wires,
+          label: isNamed ? labelOf(wires, this.level.group.namespace) : [],
+          classes,
+          fromPort: "",
+          toPort: ""
+        };
+      });
+    }
+  };
+  function labelOf(wires, namespace) {
+    var _a;
+    const kind = ((_a = wires[0]) == null ? void 0 : _a.kind) ?? "topic";
+    return wires.length < BUNDLE ? wires.map((wire) => shortName(wire.name, namespace, LABEL)) : [counted(wires.length, kind)];
+  }
+  var Ports = class {
+    /** @param {Level} level */
+    constructor(level) {
+      this.level = level;
+      this.found = /* @__PURE__ */ new Map();
+    }
+    /** @param {Wire} wire @param {boolean} out @param {Tip[]} all */
+    add(wire, out, all) {
+      const alike = /* @__PURE__ */ new Map();
+      for (const tip of all) {
+        const look = `${tip.when}${tip.certain ? "" : "?"}${tip.changed ? "!" : ""}`;
+        const known3 = alike.get(look);
+        if (known3) known3.push(tip);
+        else alike.set(look, [tip]);
+      }
+      for (const [look, own] of alike) {
+        const [first] = own;
+        if (!first) continue;
+        const key = `${out ? "out" : "in"} ${wire.kind} ${look} ${Array.from(new Set(own.map((tip) => tip.id)), String).sort().join(" ")}`;
+        const known3 = this.found.get(key);
+        if (known3) known3.port.wires.push(wire);
+        else {
+          const id = `${this.level.group.id}|${out ? "out" : "in"}|${look}|${wire.id}`;
+          const { when: when2, certain, changed } = first;
+          this.found.set(key, { port: { id, out, kind: wire.kind, wires: [wire], when: when2, certain, changed }, tips: own });
+        }
+      }
+    }
+    /** @param {Lines} lines */
+    connect(lines) {
+      for (const { port, tips: own } of this.found.values()) {
+        this.level.ports.push(port);
+        const border = { ...port, box: "" };
+        for (const tip of own) for (const wire of port.wires) port.out ? lines.add(wire, tip, border) : lines.add(wire, border, tip);
+      }
+    }
+  };
+  var Pills = class {
+    /** @param {View} view @param {Level} level @param {Measure} measure @param {Lines} lines */
+    constructor(view, level, measure, lines) {
+      this.view = view;
+      this.level = level;
+      this.measure = measure;
+      this.lines = lines;
+      this.found = /* @__PURE__ */ new Map();
+    }
+    /** @param {Wire} wire @param {Tip[]} givers @param {Tip[]} takers */
+    add(wire, givers, takers) {
+      const look = (tip) => `${tip.id} ${tip.when}${tip.certain ? "" : "?"}${tip.changed ? "!" : ""}`;
+      const key = `${wire.kind}|${givers.map(look).join()}|${takers.map(look).join()}`;
+      const known3 = this.found.get(key);
+      if (known3) known3.wires.push(wire);
+      else this.found.set(key, { wires: [wire], givers, takers });
+    }
+    connect() {
+      for (const { wires, givers, takers } of this.found.values()) {
+        const bundles = wires.length < BUNDLE ? wires.map((wire) => [wire]) : [wires];
+        for (const each of bundles) {
+          const box2 = pillBox(this.view, each, this.level.group, this.measure);
+          this.level.boxes.push(box2);
+          const beside = (tip) => ({ ...tip, id: box2.id, box: box2.id });
+          for (const wire of each) {
+            for (const tip of givers) this.lines.add(wire, tip, beside(tip));
+            for (const tip of takers) this.lines.add(wire, beside(tip), tip);
+          }
+        }
+      }
+    }
+  };
+
+  // launchlint/report/html/js/drawing/joints.js
+  function joinLines(edges) {
+    const nets = /* @__PURE__ */ new Map();
+    const borders = /* @__PURE__ */ new Map();
+    for (const edge of edges) {
+      const net = netOf(edge);
+      const known3 = nets.get(net);
+      if (known3) known3.push(edge);
+      else nets.set(net, [edge]);
+      for (const border of bordersOf(edge)) borders.set(border, (borders.get(border) ?? /* @__PURE__ */ new Set()).add(net));
+    }
+    for (const [net, own] of nets) {
+      const everybody = new Set(own.map((edge) => edge.from)).size * new Set(own.map((edge) => edge.to)).size === own.length;
+      const alone = own.every((edge) => bordersOf(edge).every((border) => {
+        var _a;
+        return ((_a = borders.get(border)) == null ? void 0 : _a.size) === 1;
+      }));
+      for (const edge of own) {
+        const leavesAlone = edge.toBox === "" && !(everybody && alone);
+        edge.fromPort = edge.fromBox === "" ? edge.from : `${edge.from}|o|${leavesAlone ? edge.id : net}`;
+        edge.toPort = edge.toBox === "" ? edge.to : `${edge.to}|i|${everybody && alone ? net : edge.id}`;
+      }
+    }
+  }
+  function netOf({ classes, wires }) {
+    return `${classes.join(".")} ${wires.map((wire) => wire.id).join()}`;
+  }
+  function bordersOf({ from, fromBox, to, toBox }) {
+    return [...fromBox === "" ? [from] : [], ...toBox === "" ? [to] : []];
+  }
+
+  // launchlint/report/html/js/drawing/levels.js
+  function levelsOf(view, open, measure) {
+    const chain = chains(view);
+    const paths = (node) => chain(view.home.get(node));
+    const parts3 = /* @__PURE__ */ new Map();
+    for (const wire of view.wires) {
+      for (
+        const side of
+        /** @type {const} */
+        ["givers", "takers"]
+      ) {
+        for (const end of wire[side]) place(wire, side, end, paths(end.node), open, parts3);
+      }
+    }
+    return new Builder(view, open, measure, parts3, chain).level(view.root);
+  }
+  function chains(view) {
+    const known3 = /* @__PURE__ */ new Map([[view.root.id, [view.root]]]);
+    const fill2 = (group3, around3) => {
+      const own = [...around3, group3];
+      known3.set(group3.id, own);
+      group3.groups.forEach((each) => fill2(each, own));
+    };
+    view.root.groups.forEach((each) => fill2(each, [view.root]));
+    return (group3) => known3.get((group3 == null ? void 0 : group3.id) ?? "") ?? [];
+  }
+  function place(wire, side, end, path, open, parts3) {
+    var _a;
+    for (let depth = 0; depth < path.length; depth++) {
+      const own = (
+        /** @type {Group} */
+        path[depth]
+      );
+      if (depth && !open.has(own.id)) return;
+      const box2 = ((_a = path[depth + 1]) == null ? void 0 : _a.id) ?? `n:${end.node}`;
+      let wires = parts3.get(own.id);
+      if (!wires) parts3.set(own.id, wires = /* @__PURE__ */ new Map());
+      let part2 = wires.get(wire);
+      if (!part2) wires.set(wire, part2 = { wire, givers: /* @__PURE__ */ new Map(), takers: /* @__PURE__ */ new Map() });
+      const ends = part2[side].get(box2);
+      if (ends) ends.push(end);
+      else part2[side].set(box2, [end]);
+    }
+  }
+  var Builder = class {
+    /**
+     * @param {View} view
+     * @param {Set<string>} open
+     * @param {Measure} measure
+     * @param {Map<string, Map<Wire, Part>>} parts
+     * @param {(group: Group | undefined) => Group[]} chain
+     */
+    constructor(view, open, measure, parts3, chain) {
+      this.view = view;
+      this.open = open;
+      this.measure = measure;
+      this.parts = parts3;
+      this.chain = chain;
+      this.homes = /* @__PURE__ */ new Map();
+    }
+    /** The innermost container around all ends of a wire. @param {Wire} wire */
+    home(wire) {
+      if (!this.homes.has(wire)) {
+        let common;
+        for (const end of [...wire.givers, ...wire.takers]) {
+          const path = this.chain(this.view.home.get(end.node));
+          if (!common) common = path;
+          let same = 0;
+          while (same < common.length && common[same] === path[same]) same++;
+          common = common.slice(0, same);
+        }
+        this.homes.set(wire, common == null ? void 0 : common[common.length - 1]);
+      }
+      return this.homes.get(wire);
+    }
+    /** @param {Group} group @returns {Level} */
+    level(group3) {
+      var _a;
+      const { view, measure } = this;
+      const own = { group: group3, boxes: [], ports: [], edges: [] };
+      for (const each of group3.groups) {
+        if (!view.counts.get(each.id)) continue;
+        const isOpen = this.open.has(each.id) && !view.stubs.has(each.id);
+        own.boxes.push(isOpen ? openBox(view, this.level(each)) : foldedBox(view, each, measure));
+      }
+      for (const node of group3.nodes) if (view.shown[node]) own.boxes.push(nodeBox(view, node, group3, measure));
+      const lines = new Lines(view, own);
+      const ports = new Ports(own);
+      const pills = new Pills(view, own, measure, lines);
+      const boxes = new Map(own.boxes.map((box2) => [box2.id, box2]));
+      for (const part2 of ((_a = this.parts.get(group3.id)) == null ? void 0 : _a.values()) ?? []) {
+        const { wire } = part2;
+        const home = this.home(wire);
+        if (home !== group3 && this.chain(home).includes(group3)) continue;
+        const givers = tips(part2.givers, boxes, wire, true);
+        const takers = tips(part2.takers, boxes, wire, false);
+        if (group3 !== view.root) {
+          for (const out of [true, false]) {
+            const outside = this.outside(wire, out ? "takers" : "givers", out ? part2.takers : part2.givers);
+            const passing = wire.pilled && home !== group3 ? () => true : (tip) => outside.some((when2) => view.presence.meet(when2, tip.when));
+            ports.add(wire, out, (out ? givers : takers).filter(passing));
+          }
+        }
+        if (!wire.pilled) pairs(view, wire, givers, takers, boxes, lines);
+        else if (home === group3) {
+          const boxOf = (each) => new Set(each.map((tip) => tip.box));
+          const [from, to] = [boxOf(givers), boxOf(takers)];
+          const plain = !wire.always && (from.size < 2 || to.size < 2) && ![...from].some((box2) => to.has(box2));
+          if (plain) pairs(view, wire, givers, takers, boxes, lines);
+          else pills.add(wire, givers, takers);
+        }
+      }
+      ports.connect(lines);
+      pills.connect();
+      own.edges = lines.edges();
+      joinLines(own.edges);
+      return own;
+    }
+    /**
+     * When the ends of a wire exist that are not among these.
+     * @param {Wire} wire
+     * @param {"givers" | "takers"} side
+     * @param {Map<string, End[]>} inside
+     */
+    outside(wire, side, inside2) {
+      const counts = /* @__PURE__ */ new Map();
+      for (const end of wire[side]) counts.set(end.when, (counts.get(end.when) ?? 0) + 1);
+      for (const ends of inside2.values()) for (const end of ends) counts.set(end.when, (counts.get(end.when) ?? 0) - 1);
+      return Array.from(counts).flatMap(([when2, count3]) => count3 > 0 ? [when2] : []);
+    }
+  };
+  function tips(ends, boxes, wire, out) {
+    const found2 = [];
+    for (const [id, own] of ends) {
+      const box2 = boxes.get(id);
+      if (box2 == null ? void 0 : box2.level) {
+        for (const port of box2.level.ports) if (port.out === out && port.wires.includes(wire)) found2.push({ ...port, box: id });
+        continue;
+      }
+      const byTime = /* @__PURE__ */ new Map();
+      for (const end of own) {
+        const known3 = byTime.get(end.when);
+        if (known3) {
+          known3.certain ||= end.certain;
+          known3.changed ||= end.changed;
+        } else byTime.set(end.when, { id, box: id, when: end.when, certain: end.certain, changed: end.changed });
+      }
+      found2.push(...byTime.values());
+    }
+    return found2;
+  }
+  function pairs(view, wire, givers, takers, boxes, lines) {
+    var _a;
+    for (const from of givers) {
+      for (const to of takers) {
+        if (from.box === to.box && ((_a = boxes.get(from.box)) == null ? void 0 : _a.kind) !== "node") continue;
+        if (view.presence.meet(from.when, to.when)) lines.add(wire, from, to);
+      }
+    }
+  }
+
+  // launchlint/report/html/js/drawing/sheet.js
+  function sheetOf(root, placed) {
+    const outermost = placed.get(root.group.id);
+    const sheet = { width: (outermost == null ? void 0 : outermost.width) ?? 0, height: (outermost == null ? void 0 : outermost.height) ?? 0, boxes: [], edges: [], labels: [], ports: [], loose: [] };
+    add3(root, 0, 0, 0);
+    return sheet;
+    function add3(level, dx, dy, depth) {
+      const own = placed.get(level.group.id);
+      if (!own) return;
+      const move = (point) => ({ ...point, x: point.x + dx, y: point.y + dy });
+      const named = /* @__PURE__ */ new Set();
+      for (const port of level.ports) {
+        const at = own.ports.get(port.id);
+        if (at) sheet.ports.push({ ...move(at), port });
+      }
+      for (const edge of level.edges) {
+        const line4 = own.edges.get(edge.id);
+        if (!line4) continue;
+        const arrives = edge.to === edge.toBox;
+        sheet.edges.push({ edge, points: line4.points.map(move), junctions: line4.junctions.map(move), arrives });
+        const label2 = own.labels.get(edge.fromPort);
+        if (label2 && edge.label.length && !named.has(edge.fromPort)) sheet.labels.push({ ...move(label2), lines: edge.label, classes: edge.classes, edge });
+        named.add(edge.fromPort);
+      }
+      for (const box2 of level.boxes) {
+        const area = own.boxes.get(box2.id);
+        if (!area) continue;
+        sheet.boxes.push({ ...move(area), box: box2, depth });
+        for (const port of box2.loose) {
+          const at = own.ports.get(port.id);
+          const label2 = own.labels.get(port.id);
+          if (at) sheet.loose.push({ ...move(at), port, box: box2, label: label2 ? move(label2) : null });
+        }
+        if (box2.level) add3(box2.level, dx + area.x, dy + area.y, depth + 1);
+      }
+    }
+  }
+
+  // launchlint/report/html/js/drawing/presence.js
+  var Presence = class {
+    /** @param {number} configurations how many there are @param {boolean} compared whether two states are */
+    constructor(configurations, compared) {
+      this.count = BigInt(Math.max(1, configurations));
+      this.compared = compared;
+      this.sets = [];
+      this.numbers = /* @__PURE__ */ new Map();
+      this.read = /* @__PURE__ */ new Map();
+      this.half = (1n << this.count) - 1n;
+      this.whole = this.number(compared ? this.half << this.count | this.half : this.half);
+    }
+    /**
+     * @param {bigint} set
+     * @returns {number}
+     */
+    number(set) {
+      let found2 = this.numbers.get(set);
+      if (found2 === void 0) {
+        found2 = this.sets.length;
+        this.sets.push(set);
+        this.numbers.set(set, found2);
+      }
+      return found2;
+    }
+    /**
+     * Of what exists in these configurations (none named: in all) and has this mark.
+     * @param {number[]} only
+     * @param {Mark | undefined} mark
+     * @returns {number}
+     */
+    of(only, mark) {
+      if (!only.length && !mark) return this.whole;
+      const key = `${only.join()} ${mark ?? ""}`;
+      let found2 = this.read.get(key);
+      if (found2 === void 0) {
+        let half = only.length ? 0n : this.half;
+        for (const each of only) if (each >= 0 && BigInt(each) < this.count) half |= 1n << BigInt(each);
+        const before = mark === "added" ? 0n : half;
+        const after = mark === "removed" ? 0n : half;
+        found2 = this.number(this.compared ? before << this.count | after : half);
+        this.read.set(key, found2);
+      }
+      return found2;
+    }
+    /**
+     * The moments of one configuration; of all, where it is negative.
+     * @param {number} configuration
+     */
+    at(configuration) {
+      if (configuration < 0 || BigInt(configuration) >= this.count) return this.whole;
+      return this.of([configuration], void 0);
+    }
+    /** @param {number} one @param {number} other @returns {number} */
+    both(one2, other) {
+      if (one2 === other || other === this.whole) return one2;
+      return this.number(this.set(one2) & this.set(other));
+    }
+    /** @param {number} one @param {number} other @returns {boolean} */
+    meet(one2, other) {
+      return (one2 === other ? this.set(one2) : this.set(one2) & this.set(other)) !== 0n;
+    }
+    /** @param {number} one @param {number} other @returns {number} */
+    either(one2, other) {
+      return one2 === other ? one2 : this.number(this.set(one2) | this.set(other));
+    }
+    /** @param {number} number */
+    set(number2) {
+      return this.sets[number2] ?? 0n;
+    }
+    /**
+     * Whether it is there in some configurations only, of those in `within`.
+     * @param {number} number
+     * @param {number} within
+     */
+    conditional(number2, within2) {
+      const set = this.set(number2);
+      const all = this.set(within2);
+      const missing = all & ~set;
+      if (!this.compared) return missing !== 0n;
+      const [before, after] = [set >> this.count, set & this.half];
+      return before !== 0n && missing >> this.count !== 0n || after !== 0n && (missing & this.half) !== 0n;
+    }
+    /**
+     * What became of it between the two states.
+     * @param {number} number
+     * @returns {Mark | ""}
+     */
+    mark(number2) {
+      if (!this.compared) return "";
+      const set = this.set(number2);
+      if (set >> this.count === 0n) return "added";
+      return (set & this.half) === 0n ? "removed" : "";
+    }
+  };
+
+  // launchlint/report/html/js/drawing/view.js
+  var MANY_READERS = 12;
+  function viewOf(data, state) {
+    const entry = data.entries[state.entry];
+    if (!entry) throw new RangeError(`there is no entry ${state.entry}`);
+    const presence = new Presence(entry.configurations.length, data.base !== null);
+    const now = presence.at(state.configuration);
+    const tree = containersOf(entry, state.grouping);
+    const groups = new Map(Array.from(walk(tree), (each) => [each.id, each]));
+    const home = /* @__PURE__ */ new Map();
+    for (const group3 of groups.values()) for (const node of group3.nodes) home.set(node, group3);
+    const exists = Uint8Array.from(entry.nodes, (node) => Number(presence.meet(presence.of(node.only, node.mark), now)));
+    const all = wiresOf(entry, state, presence, now, exists);
+    const shown = Uint8Array.from(exists);
+    for (const node of hiddenNodes(state, groups)) shown[node] = 0;
+    const loose = looseEnds(all, presence);
+    if (state.danglingOnly) shown.forEach((_, node) => loose.has(node) || (shown[node] = 0));
+    if (state.findingsOnly) keepFindings(entry, all, shown);
+    let root = tree;
+    const stubs = /* @__PURE__ */ new Set();
+    const focus = state.focus === null ? void 0 : groups.get(state.focus);
+    if (focus && focus !== tree) {
+      keepAround(focus, all, shown);
+      root = surroundings(focus, groups, stubs);
+      for (const node of root.nodes) home.set(node, root);
+      groups.set(root.id, root);
+    }
+    const params = state.layers.params ? ownParams(entry, presence, now, shown) : /* @__PURE__ */ new Map();
+    const counts = /* @__PURE__ */ new Map();
+    count(root, shown, counts);
+    const wires = state.danglingOnly ? [] : all.map((wire) => within(wire, shown)).filter((wire) => wire.givers.length + wire.takers.length > 1);
+    if (state.topicsAsNodes) {
+      wires.length = 0;
+      for (const wire of all) {
+        const kept2 = within(wire, shown);
+        if (kept2.givers.length + kept2.takers.length > 0) wires.push({ ...kept2, pilled: true, always: true });
+      }
+      loose.clear();
+    }
+    return { entry, state, findings: data.findings, presence, now, root, groups, shown, counts, home, wires, loose, params, stubs };
+  }
+  function* hiddenNodes(state, groups) {
+    for (const id of state.hidden) {
+      if (id.startsWith("n:")) yield Number(id.slice(2));
+      const group3 = groups.get(id);
+      if (group3) for (const each of walk(group3)) yield* each.nodes;
+    }
+  }
+  function wiresOf(entry, state, presence, now, exists) {
+    const layers = { topic: state.layers.topics, service: state.layers.services, action: state.layers.actions };
+    const wires = entry.channels.map((channel, index) => {
+      if (!layers[channel.kind] || channel.plumbing || channel.hub && !state.hubs) return null;
+      const { kind, name, types, findings } = channel;
+      const mark = channel.mark ?? "";
+      return { id: `c:${index}`, kind, name, types, findings, mark, givers: [], takers: [], pilled: false, always: false };
+    });
+    for (const each of entry.connections) {
+      const wire = wires[each.channel];
+      const node = entry.nodes[each.node];
+      if (!wire || !node || !exists[each.node]) continue;
+      const when2 = presence.both(presence.both(presence.of(each.only, each.mark), presence.of(node.only, node.mark)), now);
+      if (!presence.meet(when2, now)) continue;
+      const ends = each.offers === (wire.kind === "topic") ? wire.givers : wire.takers;
+      const known3 = ends.find((end) => end.node === each.node);
+      if (known3) {
+        known3.when = presence.either(known3.when, when2);
+        known3.certain ||= each.certain;
+      } else ends.push({ node: each.node, when: when2, certain: each.certain, changed: each.mark === "changed" });
+    }
+    const found2 = [];
+    for (const wire of wires) {
+      if (!wire || !(wire.givers.length + wire.takers.length)) continue;
+      const together = moments(wire.givers).every((one2) => moments(wire.takers).every((other) => presence.meet(one2, other)));
+      wire.pilled = wire.givers.length > 1 && wire.takers.length > 1 && together;
+      found2.push(wire);
+    }
+    if (state.layers.params) found2.push(...sharedParams(entry, state, presence, now, exists));
+    return found2;
+  }
+  function sharedParams(entry, state, presence, now, exists) {
+    const found2 = [];
+    entry.params.forEach((param, index) => {
+      const when2 = presence.both(presence.of(param.only, param.mark), now);
+      const readers = Array.from(new Set(param.readers)).filter((each) => exists[each]);
+      if (readers.length < 2 || !presence.meet(when2, now) || readers.length > MANY_READERS && !state.hubs) return;
+      const takers = readers.map((node) => ({ node, when: when2, certain: true, changed: param.mark === "changed" }));
+      const { name, findings, mark = "" } = param;
+      found2.push({ id: `p:${index}`, kind: "param", name, types: [], givers: [], takers, pilled: true, always: true, findings, mark });
+    });
+    return found2;
+  }
+  function ownParams(entry, presence, now, shown) {
+    const counts = /* @__PURE__ */ new Map();
+    for (const param of entry.params) {
+      const reader = param.readers[0];
+      if (reader === void 0 || !shown[reader] || param.readers.some((each) => each !== reader)) continue;
+      if (presence.meet(presence.of(param.only, param.mark), now)) counts.set(reader, (counts.get(reader) ?? 0) + 1);
+    }
+    return counts;
+  }
+  function looseEnds(wires, presence) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const wire of wires) {
+      if (wire.kind === "param") continue;
+      for (const gives of [true, false]) {
+        const others = moments(gives ? wire.takers : wire.givers);
+        for (const end of gives ? wire.givers : wire.takers) {
+          if (others.some((when2) => presence.meet(when2, end.when))) continue;
+          const own = found2.get(end.node);
+          const loose = { wire, gives, certain: end.certain, mark: presence.mark(end.when) || (end.changed ? "changed" : "") };
+          if (own) own.push(loose);
+          else found2.set(end.node, [loose]);
+        }
+      }
+    }
+    return found2;
+  }
+  function moments(ends) {
+    return Array.from(new Set(ends.map((end) => end.when)));
+  }
+  function keepFindings(entry, wires, shown) {
+    const kept2 = /* @__PURE__ */ new Set();
+    entry.nodes.forEach((node, index) => node.findings.length && kept2.add(index));
+    for (const wire of wires) if (wire.findings.length) for (const end of [...wire.givers, ...wire.takers]) kept2.add(end.node);
+    shown.forEach((_, node) => kept2.has(node) || (shown[node] = 0));
+  }
+  function keepAround(focus, wires, shown) {
+    const inside2 = new Set(Array.from(walk(focus), (each) => each.nodes).flat());
+    const kept2 = new Set(inside2);
+    for (const { givers, takers } of wires) {
+      if (givers.some((end) => inside2.has(end.node))) for (const end of takers) kept2.add(end.node);
+      if (takers.some((end) => inside2.has(end.node))) for (const end of givers) kept2.add(end.node);
+    }
+    shown.forEach((_, node) => kept2.has(node) || (shown[node] = 0));
+  }
+  function surroundings(focus, groups, stubs) {
+    const root = { ...focus, id: `${focus.id}~`, kind: "root", namespace: "", groups: [focus], nodes: [], parent: "" };
+    let inner = focus;
+    for (let around3 = groups.get(inner.parent); around3; around3 = groups.get(inner.parent)) {
+      for (const each of around3.groups) {
+        if (each === inner) continue;
+        root.groups.push(each);
+        stubs.add(each.id);
+      }
+      for (const node of around3.nodes) {
+        root.nodes.push(node);
+        stubs.add(`n:${node}`);
+      }
+      inner = around3;
+    }
+    return root;
+  }
+  function count(group3, shown, counts) {
+    let total = 0;
+    for (const node of group3.nodes) total += shown[node] ? 1 : 0;
+    for (const each of group3.groups) total += count(each, shown, counts);
+    counts.set(group3.id, total);
+    return total;
+  }
+  function within(wire, shown) {
+    const isShown2 = (end) => shown[end.node] === 1;
+    if (wire.givers.every(isShown2) && wire.takers.every(isShown2)) return wire;
+    return { ...wire, givers: wire.givers.filter(isShown2), takers: wire.takers.filter(isShown2) };
+  }
+
+  // launchlint/report/html/js/drawing/walk.js
+  var Drawn = class {
+    /** @param {Level} root */
+    constructor(root) {
+      this.boxes = /* @__PURE__ */ new Map();
+      this.edges = /* @__PURE__ */ new Map();
+      this.leaving = /* @__PURE__ */ new Map();
+      this.entering = /* @__PURE__ */ new Map();
+      this.carrying = /* @__PURE__ */ new Map();
+      this.add(root);
+    }
+    /** @param {Level} level */
+    add(level) {
+      for (const box2 of level.boxes) {
+        this.boxes.set(box2.id, box2);
+        if (box2.level) this.add(box2.level);
+      }
+      for (const edge of level.edges) {
+        this.edges.set(edge.id, edge);
+        push(this.leaving, edge.from, edge);
+        push(this.entering, edge.to, edge);
+        for (const wire of edge.wires) push(this.carrying, wire.id, edge);
+      }
+    }
+    /** Whether lines end at it. @param {string} id */
+    isEnd(id) {
+      var _a;
+      const kind = (_a = this.boxes.get(id)) == null ? void 0 : _a.kind;
+      return kind === "node" || kind === "folded";
+    }
+    /**
+     * Follows a wire from something that is drawn to where it ends.
+     * @param {string} start id of a box or a port
+     * @param {string} wire
+     * @param {boolean} forward with the data, or against it
+     * @param {Set<string>} edges gets the ids of the lines on the way
+     * @returns {Set<string>} ids of the boxes reached
+     */
+    follow(start2, wire, forward, edges) {
+      var _a;
+      const reached = /* @__PURE__ */ new Set();
+      const known3 = /* @__PURE__ */ new Set([start2]);
+      const waiting = [start2];
+      for (let at = waiting.pop(); at !== void 0; at = waiting.pop()) {
+        for (const edge of (forward ? this.leaving : this.entering).get(at) ?? []) {
+          if (!edge.wires.some((each) => each.id === wire)) continue;
+          edges.add(edge.id);
+          const next = forward ? edge.to : edge.from;
+          if (((_a = this.boxes.get(next)) == null ? void 0 : _a.kind) === "pill") reached.add(next);
+          if (this.isEnd(next)) reached.add(next);
+          else if (!known3.has(next)) {
+            known3.add(next);
+            waiting.push(next);
+          }
+        }
+      }
+      return reached;
+    }
+  };
+  function litBy(drawn, view, selection, standsFor) {
+    var _a;
+    const { kind, id } = selection;
+    const chosen = /* @__PURE__ */ new Set();
+    const boxes = /* @__PURE__ */ new Set();
+    const edges = /* @__PURE__ */ new Set();
+    const both2 = (start2, wire) => {
+      for (const forward of [true, false]) drawn.follow(start2, wire, forward, edges).forEach((box2) => boxes.add(box2));
+    };
+    const around3 = (box2, passes = () => true) => {
+      boxes.add(box2);
+      for (const edge of [...drawn.leaving.get(box2) ?? [], ...drawn.entering.get(box2) ?? []]) {
+        for (const wire of edge.wires) if (passes(wire.id)) both2(box2, wire.id);
+      }
+    };
+    if (kind === "edge") {
+      const edge = drawn.edges.get(id);
+      if (edge) {
+        chosen.add(id);
+        edges.add(id);
+        for (const wire of edge.wires) {
+          for (
+            const [at, forward] of
+            /** @type {const} */
+            [[edge.to, true], [edge.from, false]]
+          ) {
+            if (drawn.boxes.has(at)) boxes.add(at);
+            if (!drawn.isEnd(at)) drawn.follow(at, wire.id, forward, edges).forEach((box2) => boxes.add(box2));
+          }
+        }
+      }
+    } else if (kind === "channel" || kind === "param") {
+      for (const edge of drawn.carrying.get(id) ?? []) {
+        edges.add(edge.id);
+        for (const end of [edge.from, edge.to]) if (drawn.boxes.has(end)) boxes.add(end);
+      }
+      for (const [box2, { kind: shape2, wires, loose }] of drawn.boxes) {
+        if (shape2 === "pill" && wires.some((wire) => wire.id === id)) chosen.add(box2);
+        if (loose.some((port) => port.wires.some((wire) => wire.id === id))) boxes.add(box2);
+      }
+    } else if (kind === "node") {
+      const node = Number(id.slice(2));
+      const box2 = standsFor(node);
+      if (box2) {
+        chosen.add(box2);
+        const own = new Set(view.wires.filter((wire) => wire.givers.concat(wire.takers).some((end) => end.node === node)).map((wire) => wire.id));
+        around3(box2, box2 === id ? void 0 : (wire) => own.has(wire));
+      }
+    } else {
+      const group3 = view.groups.get(id);
+      chosen.add(id);
+      if (((_a = drawn.boxes.get(id)) == null ? void 0 : _a.kind) === "folded") around3(id);
+      else if (group3) {
+        for (const each of walk(group3)) for (const inner of [each.id, ...each.nodes.map((node) => `n:${node}`)]) if (drawn.boxes.has(inner)) around3(inner);
+      }
+    }
+    for (const box2 of chosen) if (drawn.boxes.has(box2)) boxes.add(box2);
+    return { chosen, boxes, edges };
+  }
+  function push(map, key, value) {
+    const known3 = map.get(key);
+    if (known3) known3.push(value);
+    else map.set(key, [value]);
+  }
+
+  // launchlint/report/html/js/drawing/scene.js
+  var LEGIBLE = 0.66;
+  var TRIALS2 = 4;
+  var WIDEST = 2.4;
+  var Director = class {
+    /** @param {ReportData} data @param {Engine} engine @param {Measure} measure */
+    constructor(data, engine, measure) {
+      this.data = data;
+      this.engine = engine;
+      this.measure = measure;
+      this.cache = /* @__PURE__ */ new Map();
+      this.aspect = 1;
+      this.seen = { key: "", view: (
+        /** @type {View | null} */
+        null
+      ) };
+    }
+    /**
+     * The view of a state, made anew only where more than the expansion changed.
+     * @param {ViewState} state
+     * @param {{ width: number, height: number }} extent
+     * @returns {View}
+     */
+    view(state, extent) {
+      const key = viewKey(state);
+      const known3 = this.seen.key === key ? this.seen.view : null;
+      const view = known3 ? { ...known3, state } : viewOf(this.data, state);
+      this.aspect = 1;
+      if (!known3) this.aspect = Math.min(WIDEST, Math.max(1 / WIDEST, extent.width / extent.height));
+      this.seen = { key, view };
+      return view;
+    }
+    /**
+     * @param {ViewState} state
+     * @param {{ width: number, height: number }} extent of the viewport, in pixels
+     * @returns {Promise<Scene>}
+     */
+    async scene(state, extent) {
+      const view = this.view(state, extent);
+      if (state.expanded !== "auto") return this.stage(view, withFocus(view, state.expanded));
+      const changed = this.data.base === null ? null : changedGroups(view);
+      const mayOpen = (group3) => Boolean(view.counts.get(group3.id)) && !view.stubs.has(group3.id) && (!(changed == null ? void 0 : changed.size) || changed.has(group3.id));
+      const order = opening(view.root, boxesIn(extent.width, extent.height), mayOpen);
+      if (view.state.focus !== null && !order.includes(view.state.focus)) order.unshift(view.state.focus);
+      let scene = await this.stage(view, withFocus(view, order));
+      if (isLegible(scene.sheet, extent)) return scene;
+      let [fits, tooMany] = [0, order.length];
+      scene = await this.stage(view, withFocus(view, []));
+      for (let trial = 0; trial < TRIALS2 && tooMany - fits > 1; trial++) {
+        const middle2 = Math.floor((fits + tooMany) / 2);
+        const tried = await this.stage(view, withFocus(view, order.slice(0, middle2)));
+        if (isLegible(tried.sheet, extent)) [fits, scene] = [middle2, tried];
+        else tooMany = middle2;
+      }
+      const open = new Set(scene.open);
+      const rest = order.slice(tooMany).filter((id) => {
+        var _a;
+        return open.has(((_a = view.groups.get(id)) == null ? void 0 : _a.parent) ?? "") || view.root.groups.some((each) => each.id === id);
+      });
+      for (const id of rest.slice(0, TRIALS2)) {
+        const tried = await this.stage(view, withFocus(view, [...open, id]));
+        if (!isLegible(tried.sheet, extent)) continue;
+        open.add(id);
+        scene = tried;
+      }
+      return scene;
+    }
+    /** @param {View} view @param {Set<string>} open @returns {Promise<Scene>} */
+    async stage(view, open) {
+      const root = levelsOf(view, open, this.measure);
+      const sheet = sheetOf(root, await layOut(this.engine, root, this.measure, this.cache, this.aspect));
+      return { view, open, root, sheet, drawn: new Drawn(root) };
+    }
+  };
+  function viewKey({ entry, configuration, grouping, focus, layers, topicsAsNodes, hubs, danglingOnly, findingsOnly, hidden }) {
+    const { topics, services, actions, params } = layers;
+    return JSON.stringify([entry, configuration, grouping, focus, topics, services, actions, params, topicsAsNodes, hubs, danglingOnly, findingsOnly, [...hidden].sort()]);
+  }
+  function changedGroups({ entry, groups, home }) {
+    const nodes = new Set(entry.connections.filter((each) => each.mark).map((each) => each.node));
+    entry.nodes.forEach((node, index) => node.mark && nodes.add(index));
+    const found2 = /* @__PURE__ */ new Set();
+    for (const node of nodes) {
+      for (let group3 = home.get(node); group3 && !found2.has(group3.id); group3 = groups.get(group3.parent)) found2.add(group3.id);
+    }
+    return found2;
+  }
+  function withFocus(view, ids) {
+    const open = new Set(Array.from(ids).filter((id) => view.groups.has(id)));
+    if (view.state.focus !== null && view.groups.has(view.state.focus)) open.add(view.state.focus);
+    return open;
+  }
+  function isLegible(sheet, extent) {
+    return Math.min(extent.width / sheet.width, extent.height / sheet.height) >= LEGIBLE;
+  }
+
+  // launchlint/report/html/js/drawing/viewport.js
+  var LARGEST = 3;
+  var SMALLEST = 0.04;
+  var FIT_LARGEST = 1.15;
+  var MARGIN3 = 18;
+  var FOOT = 34;
+  var STILL = 4;
+  var STEP = 60;
+  var Viewport = class {
+    /**
+     * @param {SVGSVGElement} svg
+     * @param {SVGGElement} content
+     */
+    constructor(svg, content) {
+      this.svg = svg;
+      this.content = content;
+      this.place = { x: 0, y: 0, scale: 1 };
+      this.size = { width: 1, height: 1 };
+      this.touched = false;
+      this.frame = 0;
+      this.pointers = /* @__PURE__ */ new Map();
+      this.moved = 0;
+      svg.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+      svg.addEventListener("pointerdown", (event) => this.down(event));
+      svg.addEventListener("pointermove", (event) => this.move(event));
+      for (
+        const end of
+        /** @type {const} */
+        ["pointerup", "pointercancel"]
+      ) svg.addEventListener(end, (event) => this.up(event));
+      svg.addEventListener("keydown", (event) => this.key(event));
+    }
+    /** Whether the pointer was dragged, so that its release is no click. */
+    get dragged() {
+      return this.moved > STILL;
+    }
+    get extent() {
+      const { clientWidth, clientHeight } = this.svg;
+      return { width: clientWidth || 800, height: clientHeight || 600 };
+    }
+    /** @param {Place} place */
+    set(place2) {
+      this.place = { ...place2, scale: Math.min(LARGEST, Math.max(SMALLEST, place2.scale)) };
+      this.frame ||= requestAnimationFrame(() => this.apply());
+    }
+    apply() {
+      cancelAnimationFrame(this.frame);
+      this.frame = 0;
+      const { x, y, scale } = this.place;
+      this.content.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) scale(${scale.toFixed(4)})`);
+      const distance = scale < 0.3 ? "far" : scale < 0.55 ? "middle" : "near";
+      if (this.svg.dataset.distance !== distance) this.svg.dataset.distance = distance;
+    }
+    /** Shows all of the drawing. */
+    fit() {
+      const { width, height } = this.extent;
+      const scale = Math.min(FIT_LARGEST, this.fitting());
+      this.touched = false;
+      this.set({ scale, x: (width - this.size.width * scale) / 2, y: (height - FOOT - this.size.height * scale) / 2 });
+      this.apply();
+    }
+    /** The scale at which all of the drawing is seen. */
+    fitting() {
+      const { width, height } = this.extent;
+      return Math.min((width - 2 * MARGIN3) / Math.max(1, this.size.width), (height - 2 * MARGIN3 - FOOT) / Math.max(1, this.size.height));
+    }
+    /**
+     * @param {number} factor
+     * @param {number} [x] where on the screen what is there stays
+     * @param {number} [y]
+     */
+    zoom(factor, x = this.extent.width / 2, y = this.extent.height / 2) {
+      const { place: place2 } = this;
+      const scale = Math.min(LARGEST, Math.max(SMALLEST, place2.scale * factor));
+      const ratio = scale / place2.scale;
+      this.touched = true;
+      this.set({ scale, x: x - (x - place2.x) * ratio, y: y - (y - place2.y) * ratio });
+    }
+    /** @param {number} dx @param {number} dy */
+    pan(dx, dy) {
+      this.touched = true;
+      this.set({ ...this.place, x: this.place.x + dx, y: this.place.y + dy });
+    }
+    /**
+     * Brings an area of the drawing into view, at a scale at which it can be read.
+     * @param {{ x: number, y: number, width: number, height: number }} area
+     */
+    show(area) {
+      const { width, height } = this.extent;
+      const most = Math.min((width - 2 * MARGIN3) / area.width, (height - 2 * MARGIN3) / area.height);
+      const scale = Math.min(Math.max(this.place.scale, 0.7), Math.max(most, SMALLEST));
+      this.touched = true;
+      this.set({ scale, x: width / 2 - (area.x + area.width / 2) * scale, y: height / 2 - (area.y + area.height / 2) * scale });
+      this.apply();
+    }
+    /** @param {WheelEvent} event */
+    wheel(event) {
+      event.preventDefault();
+      const unit = event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1;
+      const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
+      if (!event.ctrlKey && (event.shiftKey || dx !== 0)) {
+        this.pan(event.shiftKey && !dx ? -dy : -dx, event.shiftKey ? 0 : -dy);
+        return;
+      }
+      const at = this.svg.getBoundingClientRect();
+      this.zoom(Math.exp(-dy * (event.ctrlKey ? 8e-3 : 16e-4)), event.clientX - at.left, event.clientY - at.top);
+    }
+    /** @param {PointerEvent} event */
+    down(event) {
+      if (event.button !== 0 && event.button !== 1) return;
+      if (!this.pointers.size) this.moved = 0;
+      this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    }
+    /** @param {PointerEvent} event */
+    move(event) {
+      var _a;
+      const last = this.pointers.get(event.pointerId);
+      if (!last) return;
+      const now = { x: event.clientX, y: event.clientY };
+      const other = (_a = Array.from(this.pointers).find(([id]) => id !== event.pointerId)) == null ? void 0 : _a[1];
+      this.moved += Math.abs(now.x - last.x) + Math.abs(now.y - last.y);
+      if (!this.dragged) {
+        this.pointers.set(event.pointerId, now);
+        return;
+      }
+      if (!this.svg.hasPointerCapture(event.pointerId)) {
+        this.svg.setPointerCapture(event.pointerId);
+        this.svg.classList.add("dragging");
+      }
+      if (other) {
+        const at = this.svg.getBoundingClientRect();
+        const [before, after] = [Math.hypot(last.x - other.x, last.y - other.y), Math.hypot(now.x - other.x, now.y - other.y)];
+        this.zoom(after / Math.max(1, before), (now.x + other.x) / 2 - at.left, (now.y + other.y) / 2 - at.top);
+        this.pan((now.x - last.x) / 2, (now.y - last.y) / 2);
+      } else this.pan(now.x - last.x, now.y - last.y);
+      this.pointers.set(event.pointerId, now);
+    }
+    /** @param {PointerEvent} event */
+    up(event) {
+      this.pointers.delete(event.pointerId);
+      if (!this.pointers.size) this.svg.classList.remove("dragging");
+    }
+    /** @param {KeyboardEvent} event */
+    key(event) {
+      if (event.altKey || event.ctrlKey || event.metaKey || event.target !== this.svg) return;
+      const keys = {
+        ArrowLeft: () => this.pan(STEP, 0),
+        ArrowRight: () => this.pan(-STEP, 0),
+        ArrowUp: () => this.pan(0, STEP),
+        ArrowDown: () => this.pan(0, -STEP),
+        "+": () => this.zoom(1.25),
+        "=": () => this.zoom(1.25),
+        "-": () => this.zoom(0.8),
+        0: () => this.fit()
+      };
+      const act = Object.hasOwn(keys, event.key) ? keys[event.key] : void 0;
+      if (!act) return;
+      event.preventDefault();
+      act();
+    }
+  };
+
+  // launchlint/report/html/js/drawing/surface.js
+  var GLIDE = 220;
+  var Surface = class {
+    /** @param {ReportData} data @param {HTMLElement} host @param {DrawingEvents} events */
+    constructor(data, host2, events) {
+      var _a;
+      this.host = host2;
+      this.events = events;
+      const sheet = new CSSStyleSheet();
+      sheet.replaceSync(drawing_default);
+      document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
+      host2.classList.add("ll-drawing-host");
+      const ELK = (
+        /** @type {{ ELK?: new () => Engine }} */
+        globalThis.ELK
+      );
+      if (!ELK) throw new Error("elk.js is not loaded");
+      this.director = new Director(data, new ELK(), measurer());
+      this.svgElement = element("svg", { class: "ll-drawing", tabindex: 0, role: "group", "aria-label": "Connection graph" }, [hatching()]);
+      this.content = this.svgElement.appendChild(element("g"));
+      this.legend = document.createElement("details");
+      this.legend.className = "ll-legend";
+      this.legend.append(document.createElement("summary"));
+      (_a = this.legend.firstElementChild) == null ? void 0 : _a.append("Legend");
+      host2.replaceChildren(this.svgElement, this.legend);
+      this.viewport = new Viewport(this.svgElement, this.content);
+      this.scene = null;
+      this.painted = null;
+      this.open = /* @__PURE__ */ new Set();
+      this.selection = null;
+      this.turn = 0;
+      this.shownKey = "";
+      this.svgElement.addEventListener("click", (event) => this.click(event));
+      this.svgElement.addEventListener("dblclick", (event) => this.doubleClick(event));
+      new ResizeObserver(() => this.viewport.touched || this.viewport.fit()).observe(host2);
+    }
+    /** @param {ViewState} state */
+    async show(state) {
+      const turn = ++this.turn;
+      const key = keyOf(state);
+      this.events.busy(true);
+      try {
+        const same = key.all === this.shownKey;
+        const scene = same && this.scene ? this.scene : await this.director.scene(state, this.viewport.extent);
+        if (turn !== this.turn) return;
+        scene.view.state = state;
+        const before = this.scene;
+        const steady = before !== null && keyOf(before.view.state).view === key.view;
+        if (!same || !before) {
+          this.scene = scene;
+          this.put(scene, steady ? before : null);
+        }
+        this.shownKey = key.all;
+        this.match(state.matches);
+        this.select(this.selection);
+      } finally {
+        if (turn === this.turn) this.events.busy(false);
+      }
+    }
+    /** @param {Scene} scene @param {Scene | null} before the one whose place on the screen is kept */
+    put(scene, before) {
+      const painted = paint(scene.sheet);
+      this.content.replaceChildren(painted.content);
+      this.painted = painted;
+      const previous = this.open;
+      this.open = scene.open;
+      this.viewport.size = { width: scene.sheet.width, height: scene.sheet.height };
+      if (before) this.hold(before, scene, previous);
+      else this.viewport.fit();
+      showLegend(scene.sheet, this.legend);
+    }
+    /** Keeps what was opened or folded where it is on the screen, and lets the boxes glide. @param {Scene} before @param {Scene} after @param {Set<string>} previous */
+    hold(before, after, previous) {
+      var _a, _b, _c;
+      const [old, now] = [areas(before), areas(after)];
+      const toggled2 = [...after.open, ...previous].find((id) => after.open.has(id) !== previous.has(id) && old.has(id) && now.has(id));
+      const anchor = toggled2 ?? [...old.keys()].find((id) => now.has(id));
+      const [from, to] = [old.get(anchor ?? ""), now.get(anchor ?? "")];
+      if (!from || !to) {
+        this.viewport.fit();
+        return;
+      }
+      const { place: place2 } = this.viewport;
+      const shift = { x: from.x - to.x, y: from.y - to.y };
+      this.viewport.set({ ...place2, x: place2.x + shift.x * place2.scale, y: place2.y + shift.y * place2.scale });
+      this.viewport.apply();
+      if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+      for (const [id, drawn] of ((_a = this.painted) == null ? void 0 : _a.boxes) ?? []) {
+        const [start2, end] = [old.get(id), now.get(id)];
+        if (!end) continue;
+        const target2 = `translate(${end.x}px, ${end.y}px)`;
+        if (!start2) drawn.animate([{ opacity: 0 }, { opacity: 1 }], { duration: GLIDE });
+        else if (Math.abs(start2.x - end.x - shift.x) + Math.abs(start2.y - end.y - shift.y) > 1) {
+          drawn.animate([{ transform: `translate(${start2.x - shift.x}px, ${start2.y - shift.y}px)` }, { transform: target2 }], { duration: GLIDE, easing: "ease-out" });
+        }
+      }
+      for (const name of ["lines", "names"]) (_c = (_b = this.painted) == null ? void 0 : _b.content.querySelector(`.${name}`)) == null ? void 0 : _c.animate([{ opacity: 0 }, { opacity: 1 }], { duration: GLIDE });
+    }
+    /** @param {Set<string> | null} matches */
+    match(matches) {
+      var _a, _b, _c, _d;
+      this.svgElement.classList.toggle("searching", matches !== null);
+      const found2 = new Set(matches);
+      for (const id of matches ?? []) if (id.startsWith("n:")) found2.add(this.standsFor(Number(id.slice(2))) ?? "");
+      for (const [id, drawn] of ((_a = this.painted) == null ? void 0 : _a.boxes) ?? []) {
+        const wires = ((_c = (_b = this.scene) == null ? void 0 : _b.drawn.boxes.get(id)) == null ? void 0 : _c.wires) ?? [];
+        drawn.classList.toggle("match", found2.has(id) || wires.some((wire) => found2.has(wire.id)));
+      }
+      for (const each of ((_d = this.painted) == null ? void 0 : _d.loose) ?? []) each.element.classList.toggle("match", each.wires.some((wire) => found2.has(wire)));
+    }
+    /** @param {Selection | null} selection */
+    select(selection) {
+      this.selection = selection;
+      const { scene, painted } = this;
+      if (!scene || !painted) return;
+      const lit = selection && litBy(scene.drawn, scene.view, selection, (node) => this.standsFor(node));
+      const any = Boolean(lit && lit.boxes.size + lit.edges.size);
+      this.svgElement.classList.toggle("selecting", any);
+      const ports = /* @__PURE__ */ new Set();
+      for (const [id, drawn] of painted.boxes) {
+        drawn.classList.toggle("lit", any && (lit == null ? void 0 : lit.boxes.has(id)));
+        drawn.classList.toggle("chosen", any && (lit == null ? void 0 : lit.chosen.has(id)));
+      }
+      for (const [id, drawn] of painted.lines) {
+        const isLit = any && Boolean(lit == null ? void 0 : lit.edges.has(id));
+        for (const each of drawn) {
+          each.classList.toggle("lit", isLit);
+          each.classList.toggle("chosen", any && Boolean(lit == null ? void 0 : lit.chosen.has(id)));
+        }
+        const edge = isLit ? scene.drawn.edges.get(id) : void 0;
+        if (edge) ports.add(edge.from).add(edge.to);
+      }
+      for (const each of painted.ports) each.element.classList.toggle("lit", ports.has(each.id));
+      const wire = (selection == null ? void 0 : selection.kind) === "channel" ? selection.id : "";
+      for (const each of painted.loose) each.element.classList.toggle("lit", wire ? each.wires.includes(wire) : Boolean(lit == null ? void 0 : lit.chosen.has(each.box)));
+    }
+    /** @param {Selection} selection */
+    panTo(selection) {
+      const { scene } = this;
+      const lit = scene && litBy(scene.drawn, scene.view, selection, (node) => this.standsFor(node));
+      if (!scene || !lit) return;
+      const wanted = lit.chosen.size ? lit.chosen : lit.boxes;
+      const found2 = scene.sheet.boxes.filter((each) => wanted.has(each.box.id));
+      const edges = scene.sheet.edges.filter((each) => lit.chosen.has(each.edge.id)).flatMap((each) => each.points.map((point) => ({ ...point, width: 0, height: 0 })));
+      const area = around([...found2, ...edges]);
+      if (area) this.viewport.show(area);
+    }
+    /** @param {number} node @returns {string | null} */
+    standsFor(node) {
+      var _a;
+      const { scene } = this;
+      if (!scene || !scene.view.shown[node]) return null;
+      const own = `n:${node}`;
+      if (scene.drawn.boxes.has(own)) return own;
+      let found2 = null;
+      for (let group3 = scene.view.home.get(node); group3; group3 = scene.view.groups.get(group3.parent)) {
+        if (((_a = scene.drawn.boxes.get(group3.id)) == null ? void 0 : _a.kind) === "folded") found2 = group3.id;
+      }
+      return found2;
+    }
+    /** @param {Selection} selection */
+    isDrawn({ kind, id }) {
+      const { scene } = this;
+      if (!scene) return false;
+      if (kind === "edge") return scene.drawn.edges.has(id);
+      if (kind === "node" || kind === "container") return scene.drawn.boxes.has(id);
+      const boxes = Array.from(scene.drawn.boxes.values());
+      return scene.drawn.carrying.has(id) || boxes.some((box2) => [box2, ...box2.loose].some((each) => each.wires.some((wire) => wire.id === id)));
+    }
+    /** @param {Selection} selection */
+    wiresOf({ id }) {
+      var _a, _b, _c;
+      const edge = (_a = this.scene) == null ? void 0 : _a.drawn.edges.get(id);
+      return ((edge == null ? void 0 : edge.wires) ?? ((_c = (_b = this.scene) == null ? void 0 : _b.drawn.boxes.get(id)) == null ? void 0 : _c.wires) ?? []).map((wire) => wire.id);
+    }
+    focusables() {
+      const { scene, painted } = this;
+      if (!scene || !painted) return [];
+      return scene.sheet.boxes.flatMap(({ box: box2 }) => {
+        const drawn = painted.boxes.get(box2.id);
+        const selection = selectionOf(box2.id, box2.wires.map((wire) => wire.id));
+        return drawn && selection ? [{ selection, label: box2.title, element: drawn }] : [];
+      });
+    }
+    svg() {
+      return this.scene ? exported(this.svgElement, this.viewport.size, drawing_default) : "";
+    }
+    /** @param {MouseEvent} event */
+    click(event) {
+      var _a;
+      if (this.viewport.dragged || !(event.target instanceof Element)) return;
+      const container = (_a = event.target.closest("[data-fold]")) == null ? void 0 : _a.getAttribute("data-fold");
+      if (container) this.events.expand(container, !this.open.has(container));
+      else this.events.select(this.at(event.target));
+    }
+    /** @param {MouseEvent} event */
+    doubleClick(event) {
+      var _a, _b;
+      if (!(event.target instanceof Element) || event.target.closest("[data-fold]")) return;
+      const id = (_b = (_a = event.target.closest(".box.folded, .box.open .head")) == null ? void 0 : _a.closest("[data-id]")) == null ? void 0 : _b.getAttribute("data-id");
+      if (id) this.events.expand(id, !this.open.has(id));
+    }
+    /** @param {Element} target @returns {Selection | null} */
+    at(target2) {
+      var _a, _b, _c, _d, _e;
+      const loose = (_b = (_a = target2.closest("[data-loose]")) == null ? void 0 : _a.getAttribute("data-loose")) == null ? void 0 : _b.split(" ");
+      const id = ((_c = target2.closest("[data-id]")) == null ? void 0 : _c.getAttribute("data-id")) ?? "";
+      if ((loose == null ? void 0 : loose.length) === 1 && loose[0]) return { kind: "channel", id: loose[0] };
+      if (loose) return selectionOf(((_e = (_d = this.painted) == null ? void 0 : _d.loose.find((each) => each.element === target2.closest("[data-loose]"))) == null ? void 0 : _e.box) ?? "", []);
+      if (id.startsWith("g:") && this.open.has(id) && !target2.closest(".head")) return null;
+      return selectionOf(id, this.wiresOf({ kind: "edge", id }));
+    }
+  };
+  function selectionOf(id, wires) {
+    if (id.startsWith("n:")) return { kind: "node", id };
+    if (id.startsWith("g:")) return { kind: "container", id };
+    const [only, more] = wires;
+    if (only && more === void 0) return { kind: only.startsWith("p:") ? "param" : "channel", id: only };
+    return id ? { kind: "edge", id } : null;
+  }
+  function keyOf(state) {
+    const view = viewKey(state);
+    return { view, all: `${view} ${state.expanded === "auto" ? "auto" : JSON.stringify([...state.expanded].sort())}` };
+  }
+  function areas(scene) {
+    return new Map(scene.sheet.boxes.map((each) => [each.box.id, each]));
+  }
+  function around(all) {
+    if (!all.length) return null;
+    const [x, y] = [Math.min(...all.map((each) => each.x)), Math.min(...all.map((each) => each.y))];
+    return { x, y, width: Math.max(...all.map((each) => each.x + each.width)) - x, height: Math.max(...all.map((each) => each.y + each.height)) - y };
+  }
+  function hatching() {
+    const lines = element("pattern", { id: "ll-hatching", class: "hatching", width: 7, height: 7, patternUnits: "userSpaceOnUse" }, [element("path", { d: "M-1 8L8 -1M-1 1L1 -1M6 8L8 6" })]);
+    return element("defs", {}, [lines]);
+  }
+
+  // launchlint/report/html/js/drawing/index.js
+  function createDrawing(data, host2, events) {
+    const surface = new Surface(data, host2, events);
+    return {
+      show: (state) => surface.show(state),
+      select: (selection) => surface.select(selection),
+      fit: () => surface.viewport.fit(),
+      zoom: (factor) => surface.viewport.zoom(factor),
+      panTo: (selection) => surface.panTo(selection),
+      svg: () => surface.svg(),
+      focusables: () => surface.focusables(),
+      isDrawn: (selection) => surface.isDrawn(selection),
+      expanded: () => new Set(surface.open),
+      standsFor: (node) => surface.standsFor(node),
+      wiresOf: (selection) => surface.wiresOf(selection)
+    };
+  }
+
+  // launchlint/report/html/js/page/model.js
+  function createModel(data) {
+    const known3 = /* @__PURE__ */ new Map();
+    const lines = new Map(data.lines.map((each) => [each.file, new Map(each.lines)]));
+    const findings = new Map(data.findings.map((each, index) => [each.id, index]));
+    return {
+      data,
+      /**
+       * The relations of one entry file, worked out when first asked for.
+       *
+       * @param {number} index
+       */
+      entry(index) {
+        let found2 = known3.get(index);
+        if (!found2) {
+          const entry = data.entries[index];
+          if (!entry) throw new Error(`the page has no entry ${index}`);
+          found2 = related(entry, index);
+          known3.set(index, found2);
+        }
+        return found2;
+      },
+      /**
+       * Index of the finding with this id; -1: there is none.
+       *
+       * @param {string} id
+       */
+      finding: (id) => findings.get(id) ?? -1,
+      /**
+       * The line of a file; undefined where the page does not hold it.
+       *
+       * @param {number} file
+       * @param {number} line
+       */
+      line: (file, line4) => {
+        var _a;
+        return (_a = lines.get(file)) == null ? void 0 : _a.get(line4);
+      },
+      /**
+       * "path:line".
+       *
+       * @param {Place} place
+       */
+      place: (place2) => `${data.files[place2[0]] ?? "?"}:${place2[1]}`
+    };
+  }
+  function isIn(thing, configuration) {
+    return configuration < 0 || thing.only.length === 0 || thing.only.includes(configuration);
+  }
+  function peers(model, connection, configuration) {
+    const all = model.onChannel[connection.channel] ?? [];
+    return all.filter((each) => each.offers !== connection.offers && isIn(each, configuration));
+  }
+  function endsOf(model, channel, configuration) {
+    const ends = (model.onChannel[channel] ?? []).filter((each) => isIn(each, configuration) && each.mark !== "removed");
+    return { offered: ends.some((each) => each.offers), used: ends.some((each) => !each.offers), certain: ends.some((each) => each.certain) };
+  }
+  var channelKey = (kind, name) => `${kind} ${name}`;
+  function related(entry, index) {
+    var _a, _b, _c;
+    const model = {
+      entry,
+      index,
+      ofNode: entry.nodes.map(() => []),
+      onChannel: entry.channels.map(() => []),
+      paramsOf: entry.nodes.map(() => []),
+      nodesNamed: listed(entry.nodes.map((each) => each.name)),
+      channelNamed: new Map(entry.channels.map((each, at) => [channelKey(each.kind, each.name), at])),
+      paramsNamed: listed(entry.params.map((each) => each.name)),
+      nodesWithFinding: byFinding(entry.nodes),
+      channelsWithFinding: byFinding(entry.channels),
+      paramsWithFinding: byFinding(entry.params)
+    };
+    for (const connection of entry.connections) {
+      (_a = model.ofNode[connection.node]) == null ? void 0 : _a.push(connection);
+      (_b = model.onChannel[connection.channel]) == null ? void 0 : _b.push(connection);
+    }
+    for (const [at, param] of entry.params.entries()) {
+      const owners = new Set(param.readers);
+      for (let end = param.name.lastIndexOf("/"); end > 0; end = param.name.lastIndexOf("/", end - 1)) {
+        for (const node of model.nodesNamed.get(param.name.slice(0, end)) ?? []) owners.add(node);
+      }
+      for (const node of owners) (_c = model.paramsOf[node]) == null ? void 0 : _c.push(at);
+    }
+    return model;
+  }
+  function listed(names) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const [index, name] of names.entries()) {
+      const those = found2.get(name);
+      if (those) those.push(index);
+      else found2.set(name, [index]);
+    }
+    return found2;
+  }
+  function byFinding(things) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const [index, { findings }] of things.entries()) {
+      for (const finding of findings) {
+        const those = found2.get(finding);
+        if (those) those.push(index);
+        else found2.set(finding, [index]);
+      }
+    }
+    return found2;
+  }
+
+  // launchlint/report/html/js/page/state.js
+  var LAYERS = ["topics", "services", "actions", "params"];
+  function initialState() {
+    return {
+      entry: 0,
+      configuration: -1,
+      grouping: "namespace",
+      expanded: "auto",
+      focus: null,
+      layers: { topics: true, services: true, actions: true, params: false },
+      topicsAsNodes: false,
+      hubs: false,
+      danglingOnly: false,
+      findingsOnly: false,
+      hidden: /* @__PURE__ */ new Set(),
+      matches: null,
+      selection: null
+    };
+  }
+  function createStore(first, address) {
+    let state = first;
+    const listeners = [];
+    function become(next) {
+      const before = state;
+      state = next;
+      for (const listener of listeners) listener(state, before);
+    }
+    window.addEventListener("popstate", () => {
+      if (location.hash === "" || location.hash.includes("=")) become(address.read(location.hash));
+    });
+    return {
+      get: () => state,
+      /**
+       * Changes some of the state. What belongs to one entry file or grouping only does not outlive it.
+       *
+       * @param {Partial<PageState>} change
+       * @param {"push" | "replace"} [step] whether "back" undoes it by itself
+       */
+      set(change, step = "push") {
+        const next = { ...state, ...outlived(state, change), ...change };
+        const before = address.write(state);
+        const now = address.write(next);
+        if (now !== before) history[step === "push" ? "pushState" : "replaceState"](null, "", `#${now}`);
+        become(next);
+      },
+      /**
+       * Calls back after every change, and once now.
+       *
+       * @param {(state: PageState, before: PageState) => void} listener
+       */
+      listen(listener) {
+        listeners.push(listener);
+        listener(state, state);
+      }
+    };
+  }
+  function outlived(state, change) {
+    var _a, _b, _c;
+    if (change.entry !== void 0 && change.entry !== state.entry) {
+      const selection = ((_a = state.selection) == null ? void 0 : _a.kind) === "finding" ? state.selection : null;
+      return { configuration: -1, expanded: "auto", focus: null, hidden: /* @__PURE__ */ new Set(), matches: null, selection };
+    }
+    if (change.grouping !== void 0 && change.grouping !== state.grouping) {
+      const hidden = new Set([...state.hidden].filter((id) => id.startsWith("n:")));
+      const selection = ((_b = state.selection) == null ? void 0 : _b.kind) === "container" || ((_c = state.selection) == null ? void 0 : _c.kind) === "edge" ? null : state.selection;
+      return { expanded: "auto", focus: null, hidden, selection };
+    }
+    return {};
+  }
+
+  // launchlint/report/html/js/page/address.js
+  var FLAGS = (
+    /** @type {const} */
+    ["topicsAsNodes", "hubs", "danglingOnly", "findingsOnly"]
+  );
+  var CHANNELS = ["topic", "service", "action"];
+  var GROUPINGS = ["namespace", "file", "package"];
+  function addressOf(model, state) {
+    const first = initialState();
+    const entry = model.entry(state.entry);
+    const pairs2 = [];
+    if (state.selection) pairs2.push(target(entry, state.selection));
+    if (state.entry !== first.entry) pairs2.push(["entry", model.data.files[entry.entry.file] ?? ""]);
+    if (state.configuration >= 0) pairs2.push(["configuration", entry.entry.configurations[state.configuration] ?? ""]);
+    if (state.grouping !== first.grouping) pairs2.push(["group", state.grouping]);
+    if (state.focus !== null) pairs2.push(["focus", inside(state.focus)]);
+    if (state.expanded !== "auto") pairs2.push(["open", many([...state.expanded].map(inside))]);
+    if (state.hidden.size > 0) pairs2.push(["hide", many([...state.hidden].map((id) => stable(entry, id)))]);
+    if (LAYERS.some((layer2) => state.layers[layer2] !== first.layers[layer2])) {
+      pairs2.push(["layers", LAYERS.filter((layer2) => state.layers[layer2]).join()]);
+    }
+    for (const flag2 of FLAGS) if (state[flag2] !== first[flag2]) pairs2.push([flag2, state[flag2] ? "yes" : "no"]);
+    return pairs2.map(([key, value]) => `${key}=${key === "open" || key === "hide" ? value : escape(value)}`).join("&");
+  }
+  function stateOf(model, hash) {
+    var _a;
+    const said = pairsOf(hash);
+    const state = initialState();
+    const wanted = wantedOf(said);
+    state.entry = entryOf(model, said, wanted) ?? state.entry;
+    const entry = model.entry(state.entry);
+    const configuration = said.get("configuration");
+    if (configuration !== void 0) state.configuration = entry.entry.configurations.indexOf(configuration);
+    const grouping = said.get("group") ?? "";
+    if (GROUPINGS.includes(grouping)) state.grouping = /** @type {PageState["grouping"]} */
+    grouping;
+    const outside = (path) => `g:${state.grouping}:${path}`;
+    const focus = said.get("focus");
+    if (focus) state.focus = outside(focus);
+    const open = said.get("open");
+    if (open !== void 0) state.expanded = new Set(parts2(open).map(outside));
+    state.hidden = new Set(parts2(said.get("hide") ?? "").flatMap((each) => unstable(entry, each)));
+    const layers = (_a = said.get("layers")) == null ? void 0 : _a.split(",");
+    if (layers) for (const layer2 of LAYERS) state.layers[layer2] = layers.includes(layer2);
+    for (const flag2 of FLAGS) if (said.has(flag2)) state[flag2] = said.get(flag2) === "yes";
+    state.selection = wanted && found(model, entry, state.grouping, wanted);
+    return state;
+  }
+  function target(entry, selection) {
+    var _a, _b, _c, _d;
+    const { kind, id } = selection;
+    const index = Number(id.slice(2));
+    if (kind === "node") return ["node", numbered(entry.nodesNamed, ((_a = entry.entry.nodes[index]) == null ? void 0 : _a.name) ?? "", index)];
+    if (kind === "channel") return [((_b = entry.entry.channels[index]) == null ? void 0 : _b.kind) ?? "topic", ((_c = entry.entry.channels[index]) == null ? void 0 : _c.name) ?? ""];
+    if (kind === "param") return ["param", numbered(entry.paramsNamed, ((_d = entry.entry.params[index]) == null ? void 0 : _d.name) ?? "", index)];
+    if (kind === "container") return ["container", inside(id)];
+    return [kind, id];
+  }
+  function found(model, entry, grouping, [kind, name]) {
+    if (kind === "node") return indexed("node", "n:", one(entry.nodesNamed, name));
+    if (kind === "param") return indexed("param", "p:", one(entry.paramsNamed, name));
+    if (CHANNELS.includes(kind)) return indexed("channel", "c:", entry.channelNamed.get(channelKey(kind, name)));
+    if (kind === "container") return { kind, id: `g:${grouping}:${name}` };
+    if (kind === "finding") return model.finding(name) < 0 ? null : { kind, id: name };
+    if (kind === "edge") return { kind, id: name };
+    return null;
+  }
+  function indexed(kind, prefix, index) {
+    return index === void 0 ? null : { kind, id: `${prefix}${index}` };
+  }
+  function entryOf(model, said, wanted) {
+    const file = said.get("entry");
+    const { entries } = model.data;
+    if (file !== void 0) return positive(entries.findIndex((each) => model.data.files[each.file] === file));
+    if (!wanted) return void 0;
+    const [kind, name] = wanted;
+    if (kind === "finding") {
+      const finding = model.finding(name);
+      return finding < 0 ? void 0 : positive(entries.findIndex((each) => each.findings.includes(finding)));
+    }
+    const plain = withoutNumber(name)[0];
+    const has = (each) => kind === "node" && each.nodes.some((node) => node.name === plain) || kind === "param" && each.params.some((param) => param.name === plain) || CHANNELS.includes(kind) && each.channels.some((channel) => channel.kind === kind && channel.name === name);
+    return positive(entries.findIndex(has));
+  }
+  var positive = (index) => index < 0 ? void 0 : index;
+  function wantedOf(said) {
+    for (const kind of ["finding", "node", ...CHANNELS, "param", "container", "edge"]) {
+      const name = said.get(kind);
+      if (name) return [kind, name];
+    }
+    return null;
+  }
+  function pairsOf(hash) {
+    const said = /* @__PURE__ */ new Map();
+    for (const pair of hash.replace(/^#/, "").split("&")) {
+      const [key = "", ...rest] = pair.split("=");
+      const value = rest.join("=");
+      if (rest.length > 0 && !said.has(key)) said.set(key, key === "open" || key === "hide" ? value : unescape(value));
+    }
+    return said;
+  }
+  function numbered(named, name, index) {
+    var _a;
+    const at = ((_a = named.get(name)) == null ? void 0 : _a.indexOf(index)) ?? 0;
+    return at > 0 ? `${name}~~${at + 1}` : name;
+  }
+  function one(named, text2) {
+    const [name, at] = withoutNumber(text2);
+    const those = named.get(text2) ?? named.get(name) ?? [];
+    return those[named.has(text2) ? 0 : at - 1] ?? those[0];
+  }
+  function withoutNumber(text2) {
+    const match = /^(.*)~~(\d{1,6})$/s.exec(text2);
+    return match ? [match[1] ?? "", Number(match[2])] : [text2, 1];
+  }
+  function stable(entry, id) {
+    var _a;
+    return id.startsWith("n:") ? `n:${((_a = entry.entry.nodes[Number(id.slice(2))]) == null ? void 0 : _a.name) ?? ""}` : id;
+  }
+  function unstable(entry, text2) {
+    return text2.startsWith("n:") ? (entry.nodesNamed.get(text2.slice(2)) ?? []).map((index) => `n:${index}`) : [text2];
+  }
+  var inside = (id) => id.split(":").slice(2).join(":");
+  var many = (values) => values.map((each) => encodeURIComponent(each).replaceAll("%2F", "/")).join();
+  var parts2 = (text2) => text2.split(",").filter(Boolean).map(unescape);
+  function escape(text2) {
+    return encodeURIComponent(text2).replaceAll(/%(?:2F|3A|3D|2C)/g, decodeURIComponent);
+  }
+  function unescape(text2) {
+    try {
+      return decodeURIComponent(text2);
+    } catch {
+      return text2;
+    }
+  }
+
+  // launchlint/report/html/js/page/elements.js
+  function element2(tag, attributes2 = {}, ...children) {
+    const made2 = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes2)) {
+      if (typeof value === "function") made2.addEventListener(name, value);
+      else if (value === true) made2.setAttribute(name, "");
+      else if (value !== false && value !== null && value !== void 0) made2.setAttribute(name, String(value));
+    }
+    made2.append(...kept(children.flat()));
+    return made2;
+  }
+  function fill(host2, ...children) {
+    host2.replaceChildren(...kept(children.flat()));
+  }
+  function button(label2, action, attributes2 = {}) {
+    return element2("button", { type: "button", click: action, ...attributes2 }, label2);
+  }
+  function part(id) {
+    const found2 = document.getElementById(id);
+    if (!found2) throw new Error(`the page has no element "${id}"`);
+    return found2;
+  }
+  function kept(children) {
+    return children.filter((child) => child !== null && child !== void 0 && child !== false && child !== "").map((child) => child instanceof Node ? child : String(child));
+  }
+
+  // launchlint/report/html/js/page/dot.js
+  var COLOURS = /* @__PURE__ */ new Map([
+    ["added", "#1a7f37"],
+    ["removed", "#cf222e"],
+    ["changed", "#9a6700"]
+  ]);
+  var BUNDLE2 = 3;
+  function dot({ title: title2, boxes, arrows }) {
+    const names = new Map(boxes.map((box2, index) => [box2.id, `n${index + 1}`]));
+    const lines = ["digraph connections {", "  rankdir=LR;", `  label=${quoted(title2)};`, "  node [shape=box];"];
+    const write = (parent, depth) => {
+      const indent = "  ".repeat(Math.min(depth, 12));
+      for (const box2 of boxes) {
+        if (box2.parent !== parent) continue;
+        if (box2.kind === "container") {
+          lines.push(`${indent}subgraph cluster_${names.get(box2.id)} { label=${quoted(box2.label)};`);
+          write(box2.id, depth + 1);
+          lines.push(`${indent}}`);
+        } else lines.push(`${indent}${names.get(box2.id)} [${attributes(box2)}];`);
+      }
+    };
+    write("", 1);
+    for (const arrow of arrows) lines.push(`  ${names.get(arrow.from)} -> ${names.get(arrow.to)} [${arrowAttributes(arrow)}];`);
+    return `${[...lines, "}"].join("\n")}
+`;
+  }
+  function attributes({ kind, label: label2, detail, unknown, conditional, mark }) {
+    const found2 = [`label=${quoted(label2, detail)}`];
+    if (kind !== "node" && kind !== "folded") found2.push("shape=ellipse");
+    if (unknown || conditional || mark === "removed") found2.push(`style="${unknown ? "dotted" : "dashed"}"`);
+    if (mark) found2.push(`color="${COLOURS.get(mark)}", penwidth=3`);
+    return found2.join(", ");
+  }
+  function arrowAttributes({ kind, names, conditional, mark }) {
+    const found2 = [`label=${names.length < BUNDLE2 ? quoted(...names) : quoted(`${names.length} ${kind}s`)}`];
+    if (kind === "service" || conditional || mark === "removed") found2.push('style="dashed"');
+    else if (kind === "action") found2.push('style="bold"');
+    if (mark) found2.push(`color="${COLOURS.get(mark)}", penwidth=3`);
+    return found2.join(", ");
+  }
+  function quoted(...rows2) {
+    const text2 = rows2.filter(Boolean).map(
+      (row) => row.replaceAll(/[\\"]/g, "\\$&").replaceAll("&", "&amp;").replaceAll(new RegExp("\\p{Cc}", "gu"), "�")
+    );
+    return `"${text2.join("\\n")}"`;
+  }
+
+  // launchlint/report/html/js/page/menu.js
+  function menu(label2, choices) {
+    const host2 = element2("details", { class: "menu" }, element2("summary", {}, label2));
+    const close = () => host2.removeAttribute("open");
+    const items = choices.map(([name, action]) => button(name, () => (close(), action())));
+    host2.append(element2("div", { class: "menu-items" }, ...items));
+    host2.addEventListener("keydown", (event) => {
+      var _a;
+      if (event.key !== "Escape" || !host2.open) return;
+      event.stopPropagation();
+      close();
+      (_a = host2.querySelector("summary")) == null ? void 0 : _a.focus();
+    });
+    host2.addEventListener("focusout", (event) => {
+      if (!host2.contains(
+        /** @type {Node | null} */
+        event.relatedTarget
+      )) close();
+    });
+    return host2;
+  }
+
+  // launchlint/report/html/js/page/mermaid.js
+  var LONGEST2 = 80;
+  var BUNDLE3 = 3;
+  var STYLES = /* @__PURE__ */ new Map([
+    ["unknown", "stroke-dasharray: 2 2"],
+    ["conditional", "stroke-dasharray: 6 3"],
+    ["added", "stroke:#1a7f37,stroke-width:3px"],
+    ["removed", "stroke:#cf222e,stroke-width:3px,stroke-dasharray: 6 3"],
+    ["changed", "stroke:#9a6700,stroke-width:3px"]
+  ]);
+  function mermaid({ boxes, arrows }) {
+    const names = new Map(boxes.map((box2, index) => [box2.id, `n${index + 1}`]));
+    const lines = ["flowchart LR"];
+    const write = (parent, depth) => {
+      const indent = "  ".repeat(Math.min(depth, 12));
+      for (const box2 of boxes) {
+        if (box2.parent !== parent) continue;
+        if (box2.kind === "container") {
+          lines.push(`${indent}subgraph ${names.get(box2.id)} ["${label(box2.label)}"]`);
+          write(box2.id, depth + 1);
+          lines.push(`${indent}end`);
+        } else lines.push(`${indent}${names.get(box2.id)}${shape(box2)}`);
+      }
+    };
+    write("", 1);
+    for (const arrow of arrows) lines.push(`  ${names.get(arrow.from)} ${line2(arrow)} ${names.get(arrow.to)}`);
+    for (const [style, css] of STYLES) {
+      const those = boxes.filter((box2) => box2.mark === style || style === "unknown" && box2.unknown || style === "conditional" && box2.conditional);
+      if (those.length > 0) lines.push(`  classDef ${style} ${css}`, `  class ${those.map((box2) => names.get(box2.id)).join()} ${style}`);
+    }
+    return `${lines.join("\n")}
+`;
+  }
+  function shape({ kind, label: text2, detail }) {
+    const inside2 = `"${label(text2)}${detail ? `<br/>${label(detail)}` : ""}"`;
+    if (kind === "folded") return `[[${inside2}]]`;
+    return kind === "node" ? `[${inside2}]` : `([${inside2}])`;
+  }
+  function line2({ kind, names, conditional }) {
+    const shown = names.length < BUNDLE3 ? names.map(label).join("<br/>") : `${names.length} ${kind}s`;
+    const text2 = shown && `|"${shown}"|`;
+    if (kind === "action") return `==>${text2}`;
+    return conditional || kind === "service" ? `-.->${text2}` : `-->${text2}`;
+  }
+  function label(text2) {
+    const characters = Array.from(text2);
+    const shown = characters.length <= LONGEST2 ? characters : [...characters.slice(0, 26), "…", ...characters.slice(-(LONGEST2 - 27))];
+    return shown.map((each) => /^[\w\-/.,~ …→]$/.test(each) ? each : `#${each.codePointAt(0)};`).join("");
+  }
+
+  // launchlint/report/html/js/page/containers.js
+  var known2 = /* @__PURE__ */ new WeakMap();
+  function containerOf(entry, grouping, id) {
+    const root = containersOf(entry, grouping);
+    let all = known2.get(root);
+    if (!all) {
+      all = /* @__PURE__ */ new Map();
+      const waiting = [root];
+      for (let each = waiting.pop(); each; each = waiting.pop()) {
+        all.set(each.id, each);
+        waiting.push(...each.groups);
+      }
+      known2.set(root, all);
+    }
+    return all.get(id);
+  }
+  function fullName({ kind, title: title2, namespace }) {
+    return kind === "namespace" ? namespace : title2;
+  }
+  function nodesWithin(group3) {
+    const found2 = [];
+    const waiting = [group3];
+    for (let each = waiting.pop(); each; each = waiting.pop()) {
+      found2.push(...each.nodes);
+      waiting.push(...[...each.groups].reverse());
+    }
+    return found2;
+  }
+  function around2(entry, grouping, node) {
+    const path = [];
+    const search = (group3) => {
+      if (group3.nodes.includes(node)) return true;
+      const inner = group3.groups.find(search);
+      if (inner) path.unshift(inner);
+      return inner !== void 0;
+    };
+    search(containersOf(entry, grouping));
+    return path;
+  }
+
+  // launchlint/report/html/js/page/wording.js
+  var ROLES = /* @__PURE__ */ new Map([
+    ["publisher", ["publishes", "nobody subscribes", "Publishers"]],
+    ["subscriber", ["subscribes to", "nobody publishes", "Subscribers"]],
+    ["server", ["serves", "nobody calls it", "Servers"]],
+    ["client", ["calls", "nobody serves it", "Clients"]],
+    ["action server", ["serves action", "nobody calls it", "Action servers"]],
+    ["action client", ["calls action", "nobody serves it", "Action clients"]]
+  ]);
+  var ROLE_ORDER = [...ROLES.keys()];
+  var words = (role) => ROLES.get(role.replace("_", " ")) ?? [role, "nobody else uses it", role];
+  var does = (role) => words(role)[0];
+  var missed = (role) => words(role)[1];
+  var nounOf = (role) => words(role)[2];
+  function number(count3, one2, many2 = `${one2}s`) {
+    return `${count3.toLocaleString("en")} ${count3 === 1 ? one2 : many2}`;
+  }
+  function configurationName(args) {
+    return args || "default args";
+  }
+  function when(entry, only) {
+    if (only.length === 0) return "";
+    const names = (those) => those.map((each) => configurationName(entry.configurations[each] ?? "")).join(" or ");
+    const others = entry.configurations.map((_, index) => index).filter((index) => !only.includes(index));
+    if (others.length > 0 && others.length < only.length) return `not with ${names(others)}`;
+    return `only with ${names([...only])}`;
+  }
+  function lastPart2(name) {
+    return name.slice(name.lastIndexOf("/") + 1) || name;
+  }
+
+  // launchlint/report/html/js/page/picture.js
+  var LAYER_OF = /* @__PURE__ */ new Map([
+    ["topic", "topics"],
+    ["service", "services"],
+    ["action", "actions"]
+  ]);
+  function pictureOf(page) {
+    const state = page.store.get();
+    const model = page.model.entry(state.entry);
+    const boxes = boxesOf(page, model.entry, state);
+    const drawn = new Set(boxes.map((each) => each.id));
+    const arrows = /* @__PURE__ */ new Map();
+    for (const [at, channel] of model.entry.channels.entries()) {
+      if (!isShown(page, state, channel, at)) continue;
+      const ends = (model.onChannel[at] ?? []).filter((each) => isIn(each, state.configuration));
+      const givers = sides(
+        page,
+        ends.filter((each) => givesData(channel, each)),
+        drawn
+      );
+      const takers = sides(
+        page,
+        ends.filter((each) => !givesData(channel, each)),
+        drawn
+      );
+      if (givers.size === 0 && takers.size === 0) continue;
+      const alone = givers.size === 0 || takers.size === 0;
+      if (alone ? state.danglingOnly : state.topicsAsNodes || givers.size > 1 && takers.size > 1) {
+        const id = `c:${at}`;
+        boxes.push({
+          id,
+          parent: "",
+          kind: channel.kind,
+          label: channel.name,
+          detail: channel.types.join(", "),
+          unknown: false,
+          conditional: false,
+          mark: channel.mark ?? ""
+        });
+        for (const [from, end] of givers) draw(arrows, from, id, channel.kind, "", end);
+        for (const [to, end] of takers) draw(arrows, id, to, channel.kind, "", end);
+      } else {
+        for (const [from, giver] of givers)
+          for (const [to, taker] of takers) if (from !== to) draw(arrows, from, to, channel.kind, channel.name, both(giver, taker));
+      }
+    }
+    return { title: page.model.data.files[model.entry.file] ?? "", boxes, arrows: [...arrows.values()] };
+  }
+  var givesData = ({ kind }, end) => kind === "topic" === end.offers;
+  function isShown({ drawing }, state, channel, at) {
+    if (channel.plumbing || channel.hub && !state.hubs) return false;
+    if (state.danglingOnly || state.findingsOnly) return drawing.isDrawn({ kind: "channel", id: `c:${at}` });
+    return state.layers[LAYER_OF.get(channel.kind) ?? "topics"];
+  }
+  function boxesOf({ drawing }, entry, state) {
+    const boxes = [];
+    const open = drawing.expanded();
+    const walk2 = (group3, parent) => {
+      const isOpen = group3.kind === "root" || open.has(group3.id);
+      const box2 = { id: group3.id, parent, label: fullName(group3), unknown: false, conditional: false, mark: "" };
+      if (!drawing.isDrawn({ kind: "container", id: group3.id }) && group3.kind !== "root") {
+        for (const each of group3.groups) walk2(each, parent);
+        return;
+      }
+      if (!isOpen) boxes.push({ ...box2, kind: "folded", detail: number(group3.count, "node") });
+      if (!isOpen) return;
+      const inner = group3.kind === "root" ? "" : group3.id;
+      if (inner) boxes.push({ ...box2, kind: "container", detail: "" });
+      for (const each of group3.groups) walk2(each, inner);
+      for (const index of group3.nodes) {
+        const node = entry.nodes[index];
+        if (!node || !drawing.isDrawn({ kind: "node", id: `n:${index}` })) continue;
+        const conditional = node.only.length > 0 || node.conditions.length > 0;
+        boxes.push({
+          id: `n:${index}`,
+          parent: inner,
+          kind: "node",
+          label: node.name,
+          detail: node.program,
+          unknown: node.knowledge === "unknown",
+          conditional,
+          mark: node.mark ?? ""
+        });
+      }
+    };
+    walk2(containersOf(entry, state.grouping), "");
+    return boxes;
+  }
+  function sides({ drawing }, ends, drawn) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const end of ends) {
+      const box2 = drawing.standsFor(end.node);
+      if (box2 !== null && drawn.has(box2) && !found2.has(box2)) found2.set(box2, { conditional: !end.certain || end.only.length > 0, mark: end.mark ?? "" });
+    }
+    return found2;
+  }
+  var both = (one2, other) => ({ conditional: one2.conditional || other.conditional, mark: one2.mark || other.mark });
+  function draw(arrows, from, to, kind, name, end) {
+    const key = `${from}
+${to}
+${kind}
+${end.mark}`;
+    const known3 = arrows.get(key);
+    if (!known3) arrows.set(key, { from, to, kind, names: name ? [name] : [], ...end });
+    else {
+      if (name) known3.names.push(name);
+      known3.conditional &&= end.conditional;
+    }
+  }
+
+  // launchlint/report/html/js/page/export.js
+  function createExportMenu(page) {
+    return menu("Export", [
+      ["SVG picture", () => save("image/svg+xml", "svg", page.drawing.svg())],
+      ["Mermaid", () => save("text/plain", "mmd", mermaid(pictureOf(page)))],
+      ["Graphviz DOT", () => save("text/vnd.graphviz", "dot", dot(pictureOf(page)))],
+      ["JSON", () => save("application/json", "json", `${JSON.stringify(pictureOf(page), null, 2)}
+`)]
+    ]);
+  }
+  function save(type, ending, text2) {
+    const address = URL.createObjectURL(new Blob([text2], { type }));
+    const link = element2("a", { href: address, download: `launchlint-graph.${ending}` });
+    document.body.append(link);
+    link.click();
+    link.remove();
+    window.setTimeout(() => URL.revokeObjectURL(address), 1e4);
+  }
+
+  // launchlint/report/html/js/page/search_index.js
+  var MOST3 = 50;
+  function createIndex(model) {
+    const known3 = /* @__PURE__ */ new Map();
+    function all(entry) {
+      let found2 = known3.get(entry);
+      if (!found2) {
+        found2 = hitsOf(model, entry);
+        known3.set(entry, found2);
+      }
+      return found2;
+    }
+    return function search(query, entry) {
+      const words2 = query.toLowerCase().split(/\s+/).filter(Boolean);
+      if (words2.length === 0) return { hits: [], total: 0, ids: /* @__PURE__ */ new Set() };
+      const here = fitting(all(entry), words2);
+      const ids = new Set(here.flatMap((each) => {
+        var _a;
+        return ((_a = each.target) == null ? void 0 : _a.id) ?? [];
+      }));
+      const others = here.length >= MOST3 ? [] : model.data.entries.flatMap((_, at) => at === entry ? [] : fitting(all(at), words2));
+      const elsewhere = others.filter((each) => !here.some((known4) => known4.kind === each.kind && known4.label === each.label));
+      const hits = [...here, ...elsewhere];
+      return { hits: hits.slice(0, MOST3), total: hits.length, ids };
+    };
+  }
+  function fitting(hits, words2) {
+    const scored = hits.flatMap((hit) => words2.every((word) => hit.key.includes(word)) ? [{ hit, score: score(hit, words2) }] : []);
+    scored.sort((one2, other) => one2.score - other.score);
+    return scored.map((each) => each.hit);
+  }
+  function score({ label: label2, tail }, words2) {
+    const [word = ""] = words2;
+    const name = label2.toLowerCase();
+    if (name === word || tail === word) return 0;
+    if (tail.startsWith(word) || name.startsWith(word)) return 1;
+    if (tail.includes(word)) return 2;
+    return name.includes(word) ? 3 : 4;
+  }
+  function hitsOf(model, index) {
+    const { data } = model;
+    const { entry } = model.entry(index);
+    const file = data.files[entry.file] ?? "";
+    const hits = [];
+    const add3 = (kind, label2, detail, target2, byFile2 = false) => {
+      hits.push({
+        kind,
+        label: label2,
+        detail,
+        target: target2,
+        entry: index,
+        byFile: byFile2,
+        key: `${label2} ${detail} ${kind}`.toLowerCase(),
+        tail: lastPart2(label2).toLowerCase()
+      });
+    };
+    for (const [at, each] of entry.nodes.entries()) add3("node", each.name, each.program, { kind: "node", id: `n:${at}` });
+    for (const [at, each] of entry.channels.entries()) {
+      if (!each.plumbing) add3(each.kind, each.name, each.types.join(", "), { kind: "channel", id: `c:${at}` });
+    }
+    for (const [at, each] of entry.params.entries()) add3("param", each.name, each.value, { kind: "param", id: `p:${at}` });
+    for (const at of entry.findings) {
+      const finding = data.findings[at];
+      if (finding)
+        add3("finding", finding.message, `${finding.rule} ${finding.name} ${model.place(finding.place)}`, { kind: "finding", id: finding.id });
+    }
+    add3("file", file, "entry file", null);
+    const seen = /* @__PURE__ */ new Set();
+    for (const [at, each] of entry.containers.entries()) {
+      if (each.kind !== "include" || seen.has(each.label)) continue;
+      seen.add(each.label);
+      add3("file", each.label, `included by ${file}`, { kind: "container", id: `g:file:${at}` }, true);
+    }
+    return hits;
+  }
+
+  // launchlint/report/html/js/page/search.js
+  var PAUSE = 150;
+  function createSearch(page) {
+    const index = createIndex(page.model);
+    const options = element2("ul", { id: "search-results", role: "listbox", "aria-label": "Search results", hidden: true });
+    const told2 = element2("span", { class: "visually-hidden", role: "status" });
+    const field = element2("input", {
+      id: "search",
+      type: "search",
+      role: "combobox",
+      placeholder: "Search  /",
+      autocomplete: "off",
+      spellcheck: "false",
+      "aria-label": "Search names, types, params, files and findings",
+      "aria-controls": "search-results",
+      "aria-expanded": "false",
+      "aria-autocomplete": "list"
+    });
+    const host2 = element2("div", { class: "search", role: "search" }, field, options, told2);
+    let hits = [];
+    let active = -1;
+    let timer = 0;
+    function show2(open) {
+      options.hidden = !open;
+      field.setAttribute("aria-expanded", String(open));
+      if (!open) activate(-1);
+    }
+    function activate(next) {
+      var _a;
+      (_a = options.children[active]) == null ? void 0 : _a.setAttribute("aria-selected", "false");
+      active = hits.length === 0 || next < 0 ? -1 : next % hits.length;
+      const option = options.children[active];
+      if (option) {
+        option.setAttribute("aria-selected", "true");
+        option.scrollIntoView({ block: "nearest" });
+        field.setAttribute("aria-activedescendant", option.id);
+      } else field.removeAttribute("aria-activedescendant");
+    }
+    function update() {
+      const query = field.value.trim();
+      const result = index(query, page.store.get().entry);
+      hits = result.hits;
+      active = -1;
+      const more = result.total - hits.length;
+      fill(
+        options,
+        ...hits.map((hit, at) => optionOf(page, hit, at)),
+        query && hits.length === 0 && element2("li", { class: "empty", role: "option", "aria-disabled": "true", "aria-selected": "false" }, "Nothing on this page is called that."),
+        more > 0 && element2("li", { class: "empty", role: "option", "aria-disabled": "true", "aria-selected": "false" }, `${more} more: type on`)
+      );
+      told2.textContent = query ? number(result.total, "result") : "";
+      show2(query !== "");
+      window.clearTimeout(timer);
+      timer = window.setTimeout(() => page.store.set({ matches: query ? result.ids : null }), PAUSE);
+    }
+    function choose(hit) {
+      var _a;
+      if (!hit) return;
+      show2(false);
+      window.clearTimeout(timer);
+      if (hit.byFile) page.store.set({ entry: hit.entry, grouping: "file" });
+      page.store.set({ entry: hit.entry, selection: hit.target, matches: null });
+      (_a = part("panel").querySelector("h2")) == null ? void 0 : _a.focus();
+    }
+    function clear() {
+      field.value = "";
+      update();
+    }
+    field.addEventListener("input", update);
+    field.addEventListener("focus", () => field.value && show2(true));
+    host2.addEventListener("focusout", (event) => !host2.contains(
+      /** @type {Node | null} */
+      event.relatedTarget
+    ) && show2(false));
+    options.addEventListener("mousedown", (event) => event.preventDefault());
+    options.addEventListener("click", (event) => {
+      const option = (
+        /** @type {Element} */
+        event.target.closest("li")
+      );
+      if (option) choose(hits[[...options.children].indexOf(option)]);
+    });
+    field.addEventListener("keydown", (event) => {
+      const keys = /* @__PURE__ */ new Map([
+        ["ArrowDown", () => options.hidden ? update() : activate(active + 1)],
+        ["ArrowUp", () => activate(active <= 0 ? hits.length - 1 : active - 1)],
+        ["Enter", () => choose(hits[Math.max(active, 0)])],
+        ["Escape", () => field.value ? clear() : field.blur()]
+      ]);
+      const action = keys.get(event.key);
+      if (!action) return;
+      event.preventDefault();
+      event.stopPropagation();
+      action();
+    });
+    return { host: host2, focus: () => (field.focus(), field.select()) };
+  }
+  function optionOf({ model, store }, hit, at) {
+    const elsewhere = hit.entry !== store.get().entry && hit.target !== null;
+    return element2(
+      "li",
+      { id: `search-result-${at}`, role: "option", "aria-selected": "false" },
+      element2("span", { class: "result-kind" }, hit.kind),
+      element2("span", { class: "result-label" }, hit.label),
+      element2("span", { class: "result-detail" }, elsewhere ? `in ${model.data.files[model.entry(hit.entry).entry.file]}` : hit.detail)
+    );
+  }
+
+  // launchlint/report/html/js/page/theme.js
+  var KEY = "launchlint-theme";
+  var ORDER = ["system", "light", "dark"];
+  var SIGNS2 = { system: "◐", light: "☀", dark: "☾" };
+  function themeButton() {
+    const host2 = button("", () => show2(ORDER[(ORDER.indexOf(now) + 1) % ORDER.length] ?? "system"), { class: "theme" });
+    let now = remembered();
+    function show2(theme) {
+      now = theme;
+      if (theme === "system") delete document.documentElement.dataset["theme"];
+      else document.documentElement.dataset["theme"] = theme;
+      host2.textContent = SIGNS2[theme];
+      host2.title = `Theme: ${theme}`;
+      host2.setAttribute("aria-label", `Theme: ${theme}`);
+      remember(theme);
+    }
+    show2(now);
+    return host2;
+  }
+  function remembered() {
+    try {
+      return ORDER.find((each) => each === localStorage.getItem(KEY)) ?? "system";
+    } catch {
+      return "system";
+    }
+  }
+  function remember(theme) {
+    try {
+      localStorage.setItem(KEY, theme);
+    } catch {
+    }
+  }
+
+  // launchlint/report/html/js/page/controls.js
+  function createControls(page, { help }) {
+    const search = createSearch(page);
+    const configuration = element2("select", { "aria-label": "Configuration" });
+    const entry = entryChooser(page);
+    configuration.addEventListener("change", () => page.store.set({ configuration: Number(configuration.value) }));
+    fill(
+      part("controls"),
+      entry,
+      configuration,
+      search.host,
+      createExportMenu(page),
+      themeButton(),
+      button("?", help, { class: "help", "aria-label": "Keyboard help", title: "Keyboard (?)" })
+    );
+    page.store.listen((state, before) => {
+      if (entry) entry.value = String(state.entry);
+      if (state === before || state.entry !== before.entry) fillConfigurations(page, configuration);
+      configuration.value = String(state.configuration);
+    });
+    return search;
+  }
+  function entryChooser({ model, store }) {
+    const { entries, files } = model.data;
+    if (entries.length < 2) return null;
+    const options = entries.map((each, index) => {
+      const count3 = each.findings.length;
+      const told2 = [
+        each.configurations[0],
+        each.verdict === "error" && "refused",
+        each.mark,
+        count3 > 0 && `${count3} ${count3 === 1 ? "finding" : "findings"}`
+      ];
+      const more = told2.filter(Boolean).join(", ");
+      return element2("option", { value: index }, `${files[each.file]}${more ? ` (${more})` : ""}`);
+    });
+    const host2 = element2("select", { "aria-label": "Launch file" }, ...options);
+    host2.addEventListener("change", () => store.set({ entry: Number(host2.value) }));
+    return host2;
+  }
+  function fillConfigurations({ model, store }, host2) {
+    const { configurations } = model.entry(store.get().entry).entry;
+    host2.hidden = configurations.length < 2;
+    fill(
+      host2,
+      element2("option", { value: -1 }, `All ${configurations.length} configurations`),
+      ...configurations.map((args, index) => element2("option", { value: index }, configurationName(args)))
+    );
+  }
+
+  // launchlint/report/html/js/page/drawing_keys.js
+  var ASIDE = 2;
+  var DIRECTIONS = /* @__PURE__ */ new Map([
+    ["ArrowLeft", [-1, 0]],
+    ["ArrowRight", [1, 0]],
+    ["ArrowUp", [0, -1]],
+    ["ArrowDown", [0, 1]]
+  ]);
+  function createDrawingKeys({ drawing, store }) {
+    const host2 = part("drawing");
+    let last = "";
+    function go(next) {
+      if (!next) return;
+      last = next.selection.id;
+      next.element.setAttribute("tabindex", "0");
+      next.element.focus();
+    }
+    host2.addEventListener("keydown", (event) => {
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      const all = drawing.focusables();
+      const at = all.find((each) => each.element === event.target);
+      if (!at) return;
+      const direction = DIRECTIONS.get(event.key);
+      if (direction) go(nearest(all, at, direction));
+      else if (event.key === "Enter") store.set({ selection: at.selection });
+      else if (event.key === " " && at.selection.kind === "container") turn(at.selection.id);
+      else if (event.key === "Home") go(all[0]);
+      else if (event.key === "End") go(all.at(-1));
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    });
+    function turn(id) {
+      const expanded = drawing.expanded();
+      if (!expanded.delete(id)) expanded.add(id);
+      store.set({ expanded });
+    }
+    return {
+      focus() {
+        var _a;
+        const all = drawing.focusables();
+        const selected = (_a = store.get().selection) == null ? void 0 : _a.id;
+        go(all.find((each) => each.selection.id === selected) ?? all.find((each) => each.selection.id === last) ?? all[0]);
+      },
+      /** Remembers what in the drawing has the focus; what it returns gives it back after the drawing was made anew. */
+      hold() {
+        var _a;
+        const held = (_a = drawing.focusables().find((each) => each.element === document.activeElement)) == null ? void 0 : _a.selection.id;
+        return () => {
+          if (held && !host2.contains(document.activeElement)) go(drawing.focusables().find((each) => each.selection.id === held));
+        };
+      }
+    };
+  }
+  function nearest(all, from, [dx, dy]) {
+    const start2 = middle(from);
+    let best;
+    let least = Infinity;
+    for (const each of all) {
+      const { x, y } = middle(each);
+      const along = (x - start2.x) * dx + (y - start2.y) * dy;
+      const aside = Math.abs((x - start2.x) * dy) + Math.abs((y - start2.y) * dx);
+      const cost = along + ASIDE * aside;
+      if (each !== from && along > 1 && cost < least) {
+        least = cost;
+        best = each;
+      }
+    }
+    return best;
+  }
+  function middle({ element: element3 }) {
+    const { left, top, width, height } = element3.getBoundingClientRect();
+    return { x: left + width / 2, y: top + height / 2 };
+  }
+
+  // launchlint/report/html/js/page/help.js
+  var KEYS = [
+    ["/", "search"],
+    ["n  N", "next, previous finding"],
+    ["t", "tree"],
+    ["d", "drawing"],
+    ["p", "panel"],
+    ["b", "tables"],
+    ["← ↑ ↓ →", "in the drawing: the next thing in that direction; in the tree: move, open, close"],
+    ["Enter", "select"],
+    ["Space", "in the drawing: expand or collapse"],
+    ["h", "in the tree: hide or show in the drawing"],
+    ["f", "draw the selected container, or the one around the selected node, alone"],
+    ["+  −  0", "zoom in, zoom out, fit"],
+    ["Esc", "one step back: close, deselect, leave focus"],
+    ["?", "this help"]
+  ];
+  function createHelp(shortcuts) {
+    const letters = element2("input", { type: "checkbox", change: () => shortcuts.turn(letters.checked) });
+    const rows2 = KEYS.map(
+      ([keys, what]) => element2("tr", {}, element2("th", { scope: "row" }, ...keys.split("  ").map((key) => element2("kbd", {}, key))), element2("td", {}, what))
+    );
+    const dialog = element2(
+      "dialog",
+      { id: "help", "aria-labelledby": "help-title" },
+      element2("h2", { id: "help-title" }, "Keyboard"),
+      element2("table", {}, element2("tbody", {}, ...rows2)),
+      element2("p", {}, element2("label", {}, letters, " Keys that are single letters or signs")),
+      button("Close", () => dialog.close())
+    );
+    document.body.append(dialog);
+    return () => {
+      letters.checked = shortcuts.isOn();
+      dialog.showModal();
+    };
+  }
+
+  // launchlint/report/html/js/page/reference.js
+  function reference(page, target2, label2, entry = page.store.get().entry) {
+    const address = addressOf(page.model, { ...initialState(), entry, grouping: page.store.get().grouping, selection: target2 });
+    return element2("a", { href: `#${address}`, click: (event) => follow(page, target2, entry, event) }, label2);
+  }
+  function nodeReference(page, node) {
+    var _a;
+    const { store, model } = page;
+    return reference(page, { kind: "node", id: `n:${node}` }, ((_a = model.entry(store.get().entry).entry.nodes[node]) == null ? void 0 : _a.name) ?? "");
+  }
+  function channelReference(page, channel) {
+    var _a;
+    const { store, model } = page;
+    return reference(page, { kind: "channel", id: `c:${channel}` }, ((_a = model.entry(store.get().entry).entry.channels[channel]) == null ? void 0 : _a.name) ?? "");
+  }
+  function select({ store }, target2, entry = store.get().entry) {
+    if (entry === store.get().entry) store.set({ selection: target2 });
+    else store.set({ entry, selection: target2 });
+  }
+  function follow(page, target2, entry, event) {
+    if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+    event.preventDefault();
+    select(page, target2, entry);
+  }
+
+  // launchlint/report/html/js/page/keyboard.js
+  var STORED = "launchlint-single-keys";
+  function createKeyboard(page, go) {
+    const { store, drawing } = page;
+    let single2 = stored();
+    const keys = /* @__PURE__ */ new Map([
+      ["/", go.search],
+      ["?", go.help],
+      ["t", go.tree],
+      ["d", go.drawing],
+      ["b", go.tables],
+      ["p", () => {
+        var _a;
+        return (_a = part("panel").querySelector("h2")) == null ? void 0 : _a.focus();
+      }],
+      ["n", () => nextFinding(page, 1)],
+      ["N", () => nextFinding(page, -1)],
+      ["f", () => focusOnSelected(page)],
+      ["+", () => drawing.zoom(1.25)],
+      ["=", () => drawing.zoom(1.25)],
+      ["-", () => drawing.zoom(0.8)],
+      ["0", () => drawing.fit()]
+    ]);
+    document.addEventListener("keydown", (event) => {
+      const target2 = (
+        /** @type {Element} */
+        event.target
+      );
+      if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || document.querySelector("dialog[open]")) return;
+      if (target2.closest("input, select, textarea")) return;
+      const action = event.key === "Escape" ? back : single2 ? keys.get(event.key) : void 0;
+      if (!action) return;
+      event.preventDefault();
+      action();
+    });
+    function back() {
+      const { selection, focus } = store.get();
+      if (selection) store.set({ selection: null });
+      else if (focus) store.set({ focus: null });
+    }
+    return {
+      isOn: () => single2,
+      /** @param {boolean} on */
+      turn(on) {
+        single2 = on;
+        try {
+          localStorage.setItem(STORED, String(on));
+        } catch {
+        }
+      }
+    };
+  }
+  function nextFinding(page, step) {
+    const { entry, selection } = page.store.get();
+    const findings = page.model.entry(entry).entry.findings.flatMap((each) => page.model.data.findings[each] ?? []);
+    const order = ["error", "warning", "info"];
+    findings.sort((one2, other) => order.indexOf(one2.severity) - order.indexOf(other.severity));
+    const at = findings.findIndex((each) => each.id === (selection == null ? void 0 : selection.id));
+    const next = findings.at(at < 0 ? step > 0 ? 0 : -1 : (at + step) % findings.length);
+    if (next) select(page, { kind: "finding", id: next.id });
+  }
+  function focusOnSelected({ store, model }) {
+    var _a;
+    const { selection, grouping, entry, focus } = store.get();
+    let id = (selection == null ? void 0 : selection.kind) === "container" ? selection.id : null;
+    if ((selection == null ? void 0 : selection.kind) === "node") id = ((_a = around2(model.entry(entry).entry, grouping, Number(selection.id.slice(2))).at(-1)) == null ? void 0 : _a.id) ?? null;
+    if (id) store.set({ focus: id === focus ? null : id });
+  }
+  function stored() {
+    try {
+      return localStorage.getItem(STORED) !== "false";
+    } catch {
+      return true;
+    }
+  }
+
+  // launchlint/report/html/js/links.js
+  function sourceLink(data, file, line4) {
+    const path = data.files[file];
+    if (data.sourceUrl === null || data.baseFiles.includes(file) || /^\/|^\.\.\//.test(path)) return null;
+    if (!/^https?:\/\//.test(data.sourceUrl)) return null;
+    return `${data.sourceUrl}${path.split("/").map(encodeURIComponent).join("/")}#L${line4}`;
+  }
+
+  // launchlint/report/html/js/page/source.js
+  var AROUND = 2;
+  var LONGEST_MARKED = 12;
+  function written(model, place2) {
+    const address = sourceLink(model.data, place2[0], place2[1]);
+    const text2 = model.place(place2);
+    return address === null ? element2("code", { class: "place" }, text2) : element2("a", { class: "place", href: address }, text2);
+  }
+  function source(model, place2, marked) {
+    const [file, line4, column] = place2;
+    const last = marked ? Math.min(marked.endLine, line4 + LONGEST_MARKED) : line4;
+    const shown = [];
+    for (let at = Math.max(1, line4 - AROUND); at <= last + AROUND; at += 1) {
+      const text2 = model.line(file, at);
+      if (text2 === void 0) continue;
+      const inside2 = at >= line4 && at <= last;
+      const from = at === line4 ? column - 1 : 0;
+      const to = marked && at === marked.endLine ? marked.endColumn - 1 : Infinity;
+      shown.push(
+        element2(
+          "span",
+          { class: inside2 ? "line hit" : "line" },
+          element2("span", { class: "number", "aria-hidden": "true" }, String(at)),
+          element2("span", { class: "text" }, ...inside2 && marked ? split2(text2, from, to) : [text2 || " "])
+        )
+      );
+      if ((marked == null ? void 0 : marked.label) && at === last) {
+        const start2 = at === line4 ? Math.max(column - 1, indentOf(Array.from(text2))) : indentOf(Array.from(text2));
+        const below = Array.from(text2).slice(0, start2).join("").replaceAll(/[^\t]/g, " ");
+        const label2 = element2("span", { class: "text" }, `${below}└ ${marked.label}`);
+        shown.push(element2("span", { class: "line label" }, element2("span", { class: "number" }), label2));
+      }
+    }
+    const where = element2("figcaption", {}, written(model, place2));
+    const code = shown.length > 0 && element2("pre", { class: "source", tabindex: 0, role: "group", "aria-label": model.place(place2) }, shown);
+    return element2("figure", { class: "source" }, where, code);
+  }
+  function split2(line4, from, to) {
+    const points = Array.from(line4);
+    const start2 = Math.max(from, indentOf(points));
+    const end = Math.max(start2, Math.min(to, points.length));
+    const middle2 = points.slice(start2, end).join("");
+    return [points.slice(0, start2).join(""), middle2 && element2("mark", {}, middle2), points.slice(end).join("")];
+  }
+  function indentOf(points) {
+    return Math.max(
+      0,
+      points.findIndex((each) => each.trim() !== "")
+    );
+  }
+
+  // launchlint/report/html/js/page/panel_blocks.js
+  var MANY = 12;
+  function block(title2, ...children) {
+    return element2("section", { class: "block" }, title2 && element2("h3", {}, title2), ...children);
+  }
+  function heading(kind, name, badges, actions = []) {
+    return [
+      element2("p", { class: "kind" }, kind),
+      element2("h2", { tabindex: -1 }, name),
+      badges.some(Boolean) && element2("p", { class: "badges" }, ...badges),
+      actions.some(Boolean) && element2("p", { class: "actions" }, ...actions)
+    ];
+  }
+  function badge2(text2, name = "") {
+    return element2("span", { class: `badge ${name}`.trim() }, text2);
+  }
+  function list(items, name = "") {
+    const host2 = element2("ul", { class: name || null }, ...items.slice(0, MANY).map((item2) => element2("li", {}, item2)));
+    if (items.length <= MANY) return host2;
+    const rest = items.slice(MANY);
+    const more = element2(
+      "li",
+      {},
+      button(`${rest.length} more`, () => more.replaceWith(...rest.map((item2) => element2("li", {}, item2))), { class: "more" })
+    );
+    host2.append(more);
+    return host2;
+  }
+  function findingsBlock(page, findings) {
+    if (findings.length === 0) return null;
+    return block(findings.length === 1 ? "Finding" : `${findings.length} findings`, findingList(page, findings));
+  }
+  function findingList(page, findings) {
+    const order = ["error", "warning", "info"];
+    const those = findings.flatMap((index) => page.model.data.findings[index] ?? []);
+    those.sort((one2, other) => order.indexOf(one2.severity) - order.indexOf(other.severity));
+    const items = those.map((each) => [
+      badge2(each.severity, each.severity),
+      " ",
+      element2("code", {}, each.rule),
+      " ",
+      reference(page, { kind: "finding", id: each.id }, each.message),
+      element2("span", { class: "note" }, written(page.model, each.place))
+    ]);
+    return list(
+      items.map((item2) => element2("div", {}, ...item2)),
+      "findings"
+    );
+  }
+  function sourceBlock(page, place2, title2 = "Written at") {
+    return place2 && block(title2, source(page.model, place2));
+  }
+  function presenceBlock(page, only, conditions = []) {
+    const entry = page.model.entry(page.store.get().entry).entry;
+    const words2 = when(entry, only);
+    if (!words2 && conditions.length === 0) return null;
+    const lines = conditions.map((condition) => element2("code", {}, condition));
+    const there = words2 || (entry.configurations.length > 1 ? "in every configuration of this page" : "in the one configuration of this page");
+    return block("When it is there", element2("p", {}, there), lines.length > 0 && list(lines));
+  }
+  function renaming({ model }, connection) {
+    const steps = connection.remaps.filter(([from, to]) => from !== to);
+    if (steps.length === 0) return null;
+    const items = steps.map(([from, to, place2]) => {
+      const where = place2 ? written(model, place2) : "its args";
+      return element2("li", {}, element2("code", {}, from), " → ", element2("code", {}, to), " ", element2("span", { class: "note" }, "in ", where));
+    });
+    return element2("ol", { class: "remaps", "aria-label": "Remapped" }, ...items);
+  }
+  function peerList(page, others, self) {
+    const channel = page.model.entry(page.store.get().entry).entry.channels[self.channel];
+    const direction = (channel == null ? void 0 : channel.kind) === "topic" === self.offers ? "to" : "from";
+    if (others.length > 0)
+      return list(
+        [...new Set(others.map((each) => each.node))].map((node) => nodeReference(page, node)),
+        `peers ${direction}`
+      );
+    return element2("p", { class: (channel == null ? void 0 : channel.hub) || (channel == null ? void 0 : channel.plumbing) || !self.certain ? "note" : "missing" }, missed(self.role));
+  }
+  function connectionFacts(page, connection, withType = true) {
+    var _a;
+    const entry = page.model.entry(page.store.get().entry).entry;
+    const notes = [moment(connection), when(entry, connection.only), connection.mark && `${connection.mark} since ${page.model.data.base}`];
+    const renamed = renaming(page, connection);
+    const evidence = element2(
+      "details",
+      {},
+      element2("summary", {}, "How this is known"),
+      list(connection.evidence.map((each) => element2("code", {}, each)))
+    );
+    const name = (_a = entry.channels[connection.channel]) == null ? void 0 : _a.name;
+    return [
+      withType && connection.type && element2("div", { class: "type" }, element2("code", {}, connection.type)),
+      (renamed || connection.unremapped !== name || connection.spelling === "private") && element2("div", { class: "note" }, "in the code: ", element2("code", {}, connection.declared), ` (${connection.spelling})`),
+      renamed,
+      notes.filter(Boolean).map((note) => element2("div", { class: "note" }, note)),
+      connection.evidence.length > 0 && evidence
+    ];
+  }
+  function moment({ certain, when: since }) {
+    const known3 = /* @__PURE__ */ new Map([
+      ["on_subscriber", "once somebody subscribes"],
+      ["on_message", "once a message has come"],
+      ["condition", "under a condition"]
+    ]);
+    return known3.get(since) ?? (certain ? "" : "perhaps: it is not certain that it does");
+  }
+  function focusButton({ store }, id, label2) {
+    const focused = store.get().focus === id;
+    return button(focused ? "Leave focus" : label2, () => store.set({ focus: focused ? null : id }), { "aria-pressed": String(focused) });
+  }
+  function hideButton({ store }, id) {
+    const hidden = store.get().hidden.has(id);
+    return button(hidden ? "Show in the drawing" : "Hide in the drawing", () => store.set({ hidden: toggled(store.get().hidden, id) }));
+  }
+  function toggled(those, id) {
+    const next = new Set(those);
+    if (!next.delete(id)) next.add(id);
+    return next;
+  }
+
+  // launchlint/report/html/js/page/panel_channel.js
+  var KINDS = {
+    topic: ["Topic", ["publisher", "subscriber"]],
+    service: ["Service", ["server", "client"]],
+    action: ["Action", ["action server", "action client"]]
+  };
+  function channelPanel(page, model, index) {
+    const channel = model.entry.channels[index];
+    if (!channel) return [];
+    const [noun, [offering, using]] = KINDS[channel.kind];
+    const ends = (model.onChannel[index] ?? []).filter((each) => isIn(each, page.store.get().configuration));
+    const badges = [
+      channel.hub && badge2("hub: everybody uses it"),
+      channel.plumbing && badge2("machinery"),
+      channel.mark && badge2(channel.mark, channel.mark),
+      channel.types.length > 1 && badge2(`${channel.types.length} types`, "error")
+    ];
+    const types = channel.types.map((type) => element2("code", {}, type));
+    const sides2 = ROLE_ORDER.flatMap((role) => {
+      const those = ends.filter((each) => each.role.replace("_", " ") === role);
+      return those.length > 0 ? endBlock(page, nounOf(role), those, channel.types.length > 1) : [];
+    });
+    const offered = ends.some((each) => each.offers);
+    const used = ends.some((each) => !each.offers);
+    return [
+      ...heading(noun, channel.name, badges),
+      types.length > 0 ? list(types, "types") : element2("p", { class: "note" }, "Its type is not known."),
+      findingsBlock(page, channel.findings),
+      ...sides2,
+      offered !== used && aloneBlock(model, channel, missed(offered ? offering : using))
+    ];
+  }
+  function endBlock(page, title2, those, withType) {
+    const items = those.map(
+      (each) => element2(
+        "div",
+        { class: `connection ${each.mark ?? ""}`.trim() },
+        element2("div", { class: "name" }, nodeReference(page, each.node)),
+        ...connectionFacts(page, each, withType)
+      )
+    );
+    return block(`${title2}: ${items.length}`, list(items, "connections"));
+  }
+  function aloneBlock(model, channel, missing) {
+    const unknown = model.entry.nodes.filter((each) => each.knowledge === "unknown").length;
+    const might = unknown > 0 && `${number(unknown, "node")} of this launch file ${unknown === 1 ? "is" : "are"} not known; one of them might.`;
+    const others = "A node that another launch file starts, or a person at a terminal, may be at the other end.";
+    return block(
+      `${missing.charAt(0).toUpperCase()}${missing.slice(1)}`,
+      element2("p", {}, channel.hub || channel.plumbing ? "That is usual here: ROS's own tools use it." : might || others)
+    );
+  }
+  function paramPanel(page, model, index) {
+    const param = model.entry.params[index];
+    if (!param) return [];
+    const same = (model.paramsNamed.get(param.name) ?? []).filter((each) => each !== index);
+    const others = same.flatMap((each) => model.entry.params[each] ?? []);
+    return [
+      ...heading("Param", param.name, [param.mark && badge2(param.mark, param.mark)]),
+      element2("pre", { class: "value", tabindex: 0, role: "group", "aria-label": "Value" }, param.value || "(empty)"),
+      findingsBlock(page, param.findings),
+      block(
+        "Read by",
+        param.readers.length > 0 ? list(param.readers.map((node) => nodeReference(page, node))) : element2("p", { class: "note" }, "No node is known to read it.")
+      ),
+      sourceBlock(page, param.place, "Set at"),
+      ...others.map((each) => sourceBlock(page, each.place, `In other configurations: ${each.value}`)),
+      presenceBlock(page, param.only)
+    ];
+  }
+
+  // launchlint/report/html/js/page/panel_container.js
+  var KINDS2 = { root: "Everything", namespace: "Namespace", group: "Group", include: "Include", package: "Package", range: "Neighbours" };
+  function containerPanel(page, model, id) {
+    var _a;
+    const { grouping, configuration } = page.store.get();
+    const group3 = containerOf(model.entry, grouping, id);
+    if (!group3) return [];
+    const nodes = nodesWithin(group3);
+    const findings = [...new Set(nodes.flatMap((each) => {
+      var _a2;
+      return ((_a2 = model.entry.nodes[each]) == null ? void 0 : _a2.findings) ?? [];
+    }))];
+    const place2 = ((_a = model.entry.containers[group3.container]) == null ? void 0 : _a.place) ?? null;
+    const { incoming, outgoing } = boundary(model, new Set(nodes), configuration);
+    const inner = group3.groups.map((each) => [reference(page, { kind: "container", id: each.id }, fullName(each)), ` ${number(each.count, "node")}`]);
+    return [
+      ...heading(KINDS2[group3.kind], fullName(group3), [], [openButton(page, id), focusButton(page, id, "Focus on it"), hideButton(page, id)]),
+      findingsBlock(page, findings),
+      channels(page, "Goes out", outgoing),
+      channels(page, "Comes in", incoming),
+      inner.length > 0 && block("Contains", list(inner.map((each) => element2("div", {}, ...each)))),
+      group3.nodes.length > 0 && block(number(group3.nodes.length, "node"), list(group3.nodes.map((each) => nodeReference(page, each)))),
+      sourceBlock(page, place2)
+    ];
+  }
+  function openButton({ store, drawing }, id) {
+    const open = drawing.expanded().has(id);
+    return button(open ? "Collapse" : "Expand", () => {
+      const expanded = drawing.expanded();
+      if (open) expanded.delete(id);
+      else expanded.add(id);
+      store.set({ expanded });
+    });
+  }
+  function channels(page, title2, those) {
+    return those.length > 0 && block(title2, list(those.map((each) => channelReference(page, each))));
+  }
+  function boundary(model, inside2, configuration) {
+    const incoming = [];
+    const outgoing = [];
+    const touched = new Set([...inside2].flatMap((node) => (model.ofNode[node] ?? []).map((each) => each.channel)));
+    for (const channel of touched) {
+      const { kind, hub, plumbing } = model.entry.channels[channel] ?? { kind: "topic", hub: true, plumbing: true };
+      if (hub || plumbing) continue;
+      const ends = (model.onChannel[channel] ?? []).filter((each) => isIn(each, configuration));
+      const gives = (each) => kind === "topic" === each.offers;
+      const has = (giving, within2) => ends.some((each) => gives(each) === giving && inside2.has(each.node) === within2);
+      if (has(true, true) && has(false, false)) outgoing.push(channel);
+      if (has(false, true) && has(true, false)) incoming.push(channel);
+    }
+    return { incoming, outgoing };
+  }
+
+  // launchlint/report/html/js/page/panel_edge.js
+  function edgePanel(page, model, id) {
+    const wires = page.drawing.wiresOf({ kind: "edge", id });
+    const channels2 = wires.filter((each) => each.startsWith("c:")).map((each) => Number(each.slice(2)));
+    const params = wires.filter((each) => each.startsWith("p:"));
+    if (wires.length === 0) return [];
+    const kinds = new Set(channels2.map((each) => {
+      var _a;
+      return ((_a = model.entry.channels[each]) == null ? void 0 : _a.kind) ?? "topic";
+    }));
+    const [kind] = kinds;
+    const noun = params.length > 0 ? "param" : kinds.size === 1 && kind ? kind : "name";
+    return [
+      ...heading("Line", number(wires.length, noun), []),
+      element2("p", { class: "note" }, "What runs along this line:"),
+      ...channels2.map((each) => channelBlock(page, model, each)),
+      params.length > 0 && list(params.map((each) => {
+        var _a;
+        return reference(page, { kind: "param", id: each }, ((_a = model.entry.params[Number(each.slice(2))]) == null ? void 0 : _a.name) ?? "");
+      }))
+    ];
+  }
+  function channelBlock(page, model, channel) {
+    var _a, _b;
+    const ends = model.onChannel[channel] ?? [];
+    const nodes = (offers) => [...new Set(ends.filter((each) => each.offers === offers).map((each) => each.node))];
+    const side = (title2, those) => those.length > 0 && element2("div", {}, element2("span", { class: "note" }, title2), list(those.map((each) => nodeReference(page, each))));
+    const topic = ((_a = model.entry.channels[channel]) == null ? void 0 : _a.kind) === "topic";
+    return block(
+      "",
+      element2("div", { class: "name" }, channelReference(page, channel)),
+      element2("div", { class: "type" }, element2("code", {}, ((_b = model.entry.channels[channel]) == null ? void 0 : _b.types.join(", ")) ?? "")),
+      side(topic ? "from" : "served by", nodes(true)),
+      side(topic ? "to" : "called by", nodes(false))
+    );
+  }
+
+  // launchlint/report/html/js/page/panel_finding.js
+  function findingPanel(page, id) {
+    const index = page.model.finding(id);
+    const finding = page.model.data.findings[index];
+    if (!finding) return [];
+    return [
+      ...heading(`${finding.rule} ${finding.name}`, finding.message, [badge2(finding.severity, finding.severity)]),
+      source(page.model, finding.place, finding),
+      (finding.help || finding.fix) && block("What to do", finding.help && element2("p", {}, finding.help), fix(finding)),
+      finding.notes.length > 0 && list(finding.notes, "notes"),
+      ...finding.related.map(([place2, label2]) => block(label2 || "See also", source(page.model, place2))),
+      aboutBlock(page, index),
+      finding.chain.length > 0 && block(
+        "How the launch file gets there",
+        element2("ol", { class: "steps" }, ...finding.chain.map((step) => element2("li", {}, written(page.model, step))))
+      ),
+      finding.show && block("Shown by", element2("pre", { class: "command" }, finding.show)),
+      entriesBlock(page, finding, index),
+      block("Why it matters", element2("pre", { class: "command" }, `launchlint explain ${finding.rule}`))
+    ];
+  }
+  function fix(finding) {
+    if (!finding.fix) return null;
+    const how = finding.fixSafe ? "launchlint check --fix" : "launchlint check --fix --unsafe-fixes";
+    return element2("p", {}, `${finding.fix} (`, element2("code", {}, how), ")");
+  }
+  function aboutBlock(page, index) {
+    const model = page.model.entry(page.store.get().entry);
+    const items = [
+      ...(model.nodesWithFinding.get(index) ?? []).map((each) => nodeReference(page, each)),
+      ...(model.channelsWithFinding.get(index) ?? []).map((each) => channelReference(page, each)),
+      ...(model.paramsWithFinding.get(index) ?? []).map(
+        (each) => {
+          var _a;
+          return reference(page, { kind: "param", id: `p:${each}` }, ((_a = model.entry.params[each]) == null ? void 0 : _a.name) ?? "");
+        }
+      )
+    ];
+    return items.length > 0 && block("In the drawing", list(items));
+  }
+  function entriesBlock(page, finding, index) {
+    const { entries, files } = page.model.data;
+    const others = entries.flatMap((each, at) => each.findings.includes(index) && at !== page.store.get().entry ? [at] : []);
+    const items = others.map((at) => {
+      var _a;
+      return reference(page, { kind: "finding", id: finding.id }, files[((_a = entries[at]) == null ? void 0 : _a.file) ?? -1] ?? "", at);
+    });
+    return items.length > 0 && block("Also reached from", list(items));
+  }
+
+  // launchlint/report/html/js/page/panel_node.js
+  function nodePanel(page, model, index) {
+    const node = model.entry.nodes[index];
+    if (!node) return [];
+    const { configuration } = page.store.get();
+    const kind = node.isTest ? "Test node" : node.kind === "node" ? "Node" : node.kind === "manager" ? "Nodelet manager" : "Nodelet";
+    const badges = [
+      node.knowledge === "unknown" && badge2("interface not known", "unknown"),
+      node.mark && badge2(node.mark, node.mark),
+      (node.conditions.length > 0 || node.only.length > 0) && badge2("conditional", "conditional")
+    ];
+    const namespace = node.namespace !== "/" && `g:namespace:${node.namespace}`;
+    const actions = [
+      namespace && page.store.get().grouping === "namespace" && focusButton(page, namespace, `Focus on ${node.namespace}`),
+      hideButton(page, `n:${index}`)
+    ];
+    const connections = (model.ofNode[index] ?? []).filter((each) => isIn(each, configuration));
+    return [
+      ...heading(kind, node.name, badges, actions),
+      element2("p", {}, "runs ", element2("code", {}, node.program), host(page, model, node)),
+      findingsBlock(page, node.findings),
+      node.knowledge === "unknown" && unknownBlock(node),
+      ...ROLE_ORDER.map((role) => roleBlock(page, model, role, connections)),
+      openBlock(node),
+      paramsBlock(page, model, index, configuration),
+      presenceBlock(page, node.only, node.conditions),
+      sourceBlock(page, node.place),
+      includesBlock(page, model, node)
+    ];
+  }
+  function host(page, model, node) {
+    if (node.kind !== "nodelet" || !node.host) return [];
+    const [manager] = model.nodesNamed.get(node.host) ?? [];
+    return [" inside ", manager === void 0 ? element2("code", {}, node.host) : nodeReference(page, manager)];
+  }
+  function roleBlock(page, model, role, connections) {
+    const those = connections.filter((each) => {
+      var _a;
+      return each.role.replace("_", " ") === role && !((_a = model.entry.channels[each.channel]) == null ? void 0 : _a.plumbing);
+    });
+    if (those.length === 0) return null;
+    const { configuration } = page.store.get();
+    const title2 = does(role);
+    const item2 = (each) => element2(
+      "div",
+      { class: `connection ${each.mark ?? ""}`.trim() },
+      element2("div", { class: "name" }, channelReference(page, each.channel)),
+      ...connectionFacts(page, each),
+      peerList(page, peers(model, each, configuration), each)
+    );
+    const isIdle = (each) => !each.certain && peers(model, each, configuration).length === 0;
+    const idle = those.filter(isIdle);
+    const more = () => element2("details", {}, element2("summary", {}, `${idle.length} more that it may have, and nobody uses`), list(idle.map(item2), "connections"));
+    const rest = those.filter((each) => !isIdle(each)).map(item2);
+    return block(`${title2.charAt(0).toUpperCase()}${title2.slice(1)}`, rest.length > 0 && list(rest, "connections"), idle.length > 0 && more());
+  }
+  function openBlock(node) {
+    if (node.open.length === 0 || node.knowledge === "unknown") return null;
+    return block("There may be more", list(node.open.map(([kind, why]) => `${kind}: ${why}`)));
+  }
+  function unknownBlock({ reason, learn }) {
+    const why = reason.charAt(0).toUpperCase() + reason.slice(1);
+    return block(
+      "What it does is not known",
+      element2("p", {}, `${why ? `${why}. ` : ""}So launchlint cannot say what it is connected to, and keeps quiet about it.`),
+      learn && element2("p", {}, "To know it, run this, then make the page again with ", element2("code", {}, "--library library.json"), ":"),
+      learn && element2("pre", { class: "command" }, learn)
+    );
+  }
+  function paramsBlock(page, model, index, configuration) {
+    const those = (model.paramsOf[index] ?? []).filter((each) => isIn(model.entry.params[each] ?? { only: [] }, configuration));
+    if (those.length === 0) return null;
+    const items = those.flatMap((at) => {
+      const param = model.entry.params[at];
+      if (!param) return [];
+      const read2 = param.readers.includes(index) ? "" : "not known to be read";
+      return element2(
+        "div",
+        { class: "param" },
+        element2("div", { class: "name" }, reference(page, { kind: "param", id: `p:${at}` }, param.name)),
+        element2("code", { class: "value" }, param.value),
+        element2("div", { class: "note" }, param.place && written(page.model, param.place), read2 && ` · ${read2}`)
+      );
+    });
+    return block(number(items.length, "param"), list(items, "params"));
+  }
+  function includesBlock(page, model, node) {
+    var _a;
+    const steps = [];
+    for (let at = node.container; at >= 0 && steps.length < 64; at = ((_a = model.entry.containers[at]) == null ? void 0 : _a.parent) ?? -1) {
+      const container = model.entry.containers[at];
+      if (!container) break;
+      steps.unshift(
+        element2(
+          "li",
+          {},
+          `${container.kind} `,
+          element2("code", {}, container.label || container.namespace),
+          " ",
+          container.place && written(page.model, container.place)
+        )
+      );
+    }
+    return steps.length > 0 && block("How the launch file gets there", element2("ol", { class: "steps" }, ...steps));
+  }
+
+  // launchlint/report/html/js/page/changes.js
+  var MARKS = [
+    ["removed", "Lost"],
+    ["added", "Gained"],
+    ["changed", "Changed"]
+  ];
+  function changesBlocks(page, model) {
+    const { base } = page.model.data;
+    if (base === null) return [];
+    if (model.entry.mark === "added") return [block(`Since ${base}`, element2("p", {}, "This launch file is new."))];
+    if (model.entry.mark === "removed") return [block(`Since ${base}`, element2("p", {}, "This launch file is gone. What it started is shown."))];
+    const blocks = MARKS.flatMap(([mark, title2]) => {
+      const items = [...nodesWith(page, model, mark), ...linksWith(page, model, mark), ...connectionsWith(page, model, mark)];
+      return items.length > 0 ? [block(`${title2} since ${base}`, list(items, "changes"))] : [];
+    });
+    return blocks.length > 0 ? blocks : [block(`Since ${base}`, element2("p", {}, "Nothing changed in what this launch file starts and connects."))];
+  }
+  function nodesWith(page, model, mark) {
+    return model.entry.nodes.flatMap((each, index) => each.mark === mark ? [line3(mark, "node ", nodeReference(page, index))] : []);
+  }
+  function linksWith(page, model, mark) {
+    return model.entry.channels.flatMap(({ kind, hub, plumbing }, channel) => {
+      if (hub || plumbing) return [];
+      const there = endsAt(model, channel).filter((each) => each.mark !== opposite(mark));
+      const [givers, takers] = [true, false].map((gives) => there.filter(({ end }) => kind === "topic" === end.offers === gives));
+      const pairs2 = (givers ?? []).flatMap((from) => (takers ?? []).map((to) => (
+        /** @type {const} */
+        [from, to]
+      )));
+      return pairs2.filter(([from, to]) => from.mark === mark || to.mark === mark).map(
+        ([from, to]) => line3(mark, nodeReference(page, from.end.node), " → ", nodeReference(page, to.end.node), " on ", channelReference(page, channel))
+      );
+    });
+  }
+  function connectionsWith(page, model, mark) {
+    return model.entry.channels.flatMap(({ plumbing }, channel) => {
+      const ends = plumbing ? [] : endsAt(model, channel).filter((each) => each.mark !== opposite(mark));
+      const alone = ends.filter((each) => each.mark === mark && !ends.some((other) => other.end.offers !== each.end.offers));
+      return alone.map(({ end }) => line3(mark, nodeReference(page, end.node), ` ${does(end.role)} `, channelReference(page, channel)));
+    });
+  }
+  function endsAt(model, channel) {
+    return (model.onChannel[channel] ?? []).map((end) => {
+      var _a;
+      const moved = (each) => each.mark === "removed" && each.role === end.role && each.declared === end.declared && each.channel !== channel;
+      return { end, mark: end.mark === "changed" && ((_a = model.ofNode[end.node]) == null ? void 0 : _a.some(moved)) ? "added" : end.mark };
+    });
+  }
+  function line3(mark, ...words2) {
+    return element2("div", {}, badge2(mark, mark), " ", ...words2);
+  }
+  var opposite = (mark) => mark === "removed" ? "added" : "removed";
+
+  // launchlint/report/html/js/page/panel_overview.js
+  function overviewPanel(page, model) {
+    const { entry } = model;
+    const { configuration } = page.store.get();
+    return [
+      element2("p", { class: "kind" }, "Launch file"),
+      element2("h2", { tabindex: -1 }, page.model.data.files[entry.file] ?? ""),
+      entry.verdict === "error" && element2("p", { class: "refused" }, badge2("refused", "error"), ` roslaunch does not load it: ${entry.refused}`),
+      !entry.complete && element2("p", { class: "note" }, "An include could not be followed, so there may be more nodes than are shown."),
+      ...page.model.data.notices.map((each) => element2("p", { class: "note" }, each)),
+      ...changesBlocks(page, model),
+      entry.findings.length > 0 ? block("What is wrong", findingList(page, entry.findings)) : block("What is wrong", element2("p", {}, "Nothing was found. Mistakes that only show while the robot runs are not looked for.")),
+      ...entry.nodes.length > 0 ? connectedBlocks(page, model, configuration) : [nothingBlock()]
+    ];
+  }
+  function connectedBlocks(page, model, configuration) {
+    const unknown = model.entry.nodes.flatMap(
+      (each, index) => each.knowledge === "unknown" && each.mark !== "removed" && isIn(each, configuration) ? [index] : []
+    );
+    const topics = model.entry.channels.flatMap(({ kind, hub, plumbing }, index) => {
+      const ends = endsOf(model, index, configuration);
+      return kind === "topic" && !hub && !plumbing && (ends.offered || ends.used) ? [{ index, ...ends }] : [];
+    });
+    const connected = topics.filter((each) => each.offered && each.used).length;
+    const waiting = topics.filter((each) => !each.offered && each.certain);
+    const unheard = topics.filter((each) => !each.used && each.certain);
+    return [
+      block(
+        "Does it connect?",
+        element2(
+          "p",
+          {},
+          topics.length > 0 ? `${connected} of ${number(topics.length, "topic")} ${connected === 1 ? "has" : "have"} both ends.` : "No topic is known."
+        ),
+        loosePart(
+          page,
+          "Nobody publishes, yet a node waits for it:",
+          waiting.map((each) => each.index)
+        ),
+        loosePart(
+          page,
+          "Nobody in this launch file subscribes:",
+          unheard.map((each) => each.index)
+        )
+      ),
+      unknown.length > 0 && unknownBlock2(page, model, unknown)
+    ];
+  }
+  function loosePart(page, title2, channels2) {
+    return channels2.length > 0 && [
+      element2("p", { class: "note" }, title2),
+      list(
+        channels2.map((each) => channelReference(page, each)),
+        "loose"
+      )
+    ];
+  }
+  function unknownBlock2(page, model, unknown) {
+    const all = unknown.length === model.entry.nodes.length;
+    const what = all ? "No library knows any of these nodes, so no connections can be drawn. Names, params and what is wrong in the files are complete all the same." : "Nothing is drawn from or to these, because no library knows what they do.";
+    const commands = [...new Set(unknown.map((each) => {
+      var _a;
+      return ((_a = model.entry.nodes[each]) == null ? void 0 : _a.learn) ?? "";
+    }))].filter(Boolean);
+    return block(
+      `${number(unknown.length, "node")} not known`,
+      element2("p", {}, what),
+      list(unknown.map((each) => nodeReference(page, each))),
+      commands.length > 0 && [
+        element2("p", {}, "To know them, run these, then make the page again with ", element2("code", {}, "--library library.json"), ":"),
+        list(
+          commands.map((each) => element2("code", {}, each)),
+          "commands"
+        )
+      ]
+    );
+  }
+  function nothingBlock() {
+    return block(
+      "Nothing to draw",
+      element2("p", {}, "This launch file starts no nodes: it may only set params, or declare what other launch files include."),
+      element2("p", {}, "Choose another entry file above; params and findings are in the tables below.")
+    );
+  }
+
+  // launchlint/report/html/js/page/panel.js
+  var MARGIN4 = 24;
+  function createPanel(page) {
+    const host2 = part("panel");
+    page.store.listen((state, before) => {
+      var _a;
+      if (state !== before && !concerns(state, before)) return;
+      const hadFocus = host2.contains(document.activeElement);
+      show(page, host2, state);
+      if (hadFocus) (_a = host2.querySelector("h2")) == null ? void 0 : _a.focus();
+      if (state.selection !== before.selection) host2.scrollTop = 0;
+    });
+  }
+  function show(page, host2, state) {
+    const model = page.model.entry(state.entry);
+    const content = state.selection ? panelOf(page, state.selection) : [];
+    if (content.length === 0) {
+      fill(host2, ...overviewPanel(page, model));
+      return;
+    }
+    const close = button("Close", () => select(page, null), { class: "close", "aria-label": "Close: back to the overview" });
+    fill(host2, element2("div", { class: "panel-bar" }, close), ...content);
+    for (const mark of host2.querySelectorAll("mark")) bringIntoView(mark);
+  }
+  function bringIntoView(mark) {
+    const lines = mark.closest("pre");
+    if (lines) lines.scrollLeft += Math.max(0, mark.getBoundingClientRect().right - lines.getBoundingClientRect().right + MARGIN4);
+  }
+  function panelOf(page, { kind, id }) {
+    const model = page.model.entry(page.store.get().entry);
+    const index = Number(id.slice(2));
+    if (kind === "node") return nodePanel(page, model, index);
+    if (kind === "channel") return channelPanel(page, model, index);
+    if (kind === "param") return paramPanel(page, model, index);
+    if (kind === "container") return containerPanel(page, model, id);
+    return kind === "finding" ? findingPanel(page, id) : edgePanel(page, model, id);
+  }
+  function concerns(state, before) {
+    var _a;
+    const keys = (
+      /** @type {const} */
+      ["selection", "entry", "configuration", "grouping", "focus", "hidden"]
+    );
+    return keys.some((key) => state[key] !== before[key]) || ((_a = state.selection) == null ? void 0 : _a.kind) === "container" && state.expanded !== before.expanded;
+  }
+
+  // launchlint/report/html/js/page/print.js
+  var MARGIN5 = 8;
+  function preparePrint() {
+    let undo = [];
+    window.addEventListener("beforeprint", () => {
+      const { dataset } = document.documentElement;
+      const theme = dataset["theme"];
+      dataset["theme"] = "light";
+      undo = [() => theme === void 0 ? delete dataset["theme"] : dataset["theme"] = theme];
+      const svg = part("drawing").querySelector(":scope > svg");
+      const content = svg == null ? void 0 : svg.querySelector(":scope > g");
+      if (!svg || !(content instanceof SVGGElement)) return;
+      const { x, y, width, height } = content.getBBox();
+      svg.setAttribute("viewBox", [x - MARGIN5, y - MARGIN5, width + 2 * MARGIN5, height + 2 * MARGIN5].join(" "));
+      svg.classList.add("printing");
+      undo.push(
+        () => svg.removeAttribute("viewBox"),
+        () => svg.classList.remove("printing")
+      );
+    });
+    window.addEventListener("afterprint", () => {
+      for (const each of undo.splice(0)) each();
+    });
+  }
+
+  // launchlint/report/html/js/page/sheets.js
+  var SHEETS = [
+    ["stage", "Drawing"],
+    ["tree", "Tree"],
+    ["panel", "Details"],
+    ["tables", "Tables"]
+  ];
+  function createSheets(page, openTable) {
+    const buttons = SHEETS.map(([sheet, label2]) => (
+      /** @type {const} */
+      [sheet, button(label2, () => show2(sheet))]
+    ));
+    document.body.append(element2("nav", { id: "sheets", "aria-label": "Parts of the page" }, ...buttons.map(([, each]) => each)));
+    function show2(now) {
+      document.body.dataset["sheet"] = now;
+      if (now === "tables") openTable();
+      for (const [sheet, each] of buttons) each.setAttribute("aria-pressed", String(sheet === now));
+    }
+    show2("stage");
+    page.store.listen((state, before) => {
+      if (state.selection && state.selection !== before.selection && document.body.dataset["sheet"] !== "stage") show2("panel");
+    });
+  }
+
+  // launchlint/report/html/js/page/stage.js
+  var LEGIBLE2 = 18;
+  var DRAWN = (
+    /** @type {const} */
+    [
+      "entry",
+      "configuration",
+      "grouping",
+      "expanded",
+      "focus",
+      "layers",
+      "topicsAsNodes",
+      "hubs",
+      "danglingOnly",
+      "findingsOnly",
+      "hidden",
+      "matches"
+    ]
+  );
+  function createStage(page, { cameFromDrawing, holdFocus }) {
+    const { store, drawing, model } = page;
+    const told2 = element2("p", { class: "visually-hidden", role: "status" });
+    const empty = element2("p", { class: "stage-empty", hidden: true });
+    part("stage").append(told2, empty);
+    const host2 = part("drawing");
+    let running = false;
+    let stale = false;
+    async function draw2() {
+      stale = true;
+      if (running) return;
+      running = true;
+      host2.setAttribute("aria-busy", "true");
+      while (stale) {
+        stale = false;
+        const state = store.get();
+        const giveBack = holdFocus();
+        await drawing.show(state);
+        giveBack();
+        drawing.select(drawnSelection(page, state));
+        report(state);
+      }
+      running = false;
+      host2.setAttribute("aria-busy", "false");
+    }
+    function report(state) {
+      const shown = drawing.focusables().length;
+      empty.hidden = shown > 0;
+      empty.textContent = shown > 0 ? "" : whyEmpty(model.entry(state.entry), state);
+      told2.textContent = shown > 0 ? `The drawing shows ${number(shown, "thing")}.` : empty.textContent;
+    }
+    async function reveal(state) {
+      const target2 = drawnSelection(page, state);
+      if (!target2) return;
+      if (target2.kind === "node" && !drawing.isDrawn(target2)) {
+        const inner = around2(model.entry(state.entry).entry, state.grouping, Number(target2.id.slice(2)));
+        const expanded = /* @__PURE__ */ new Set([...drawing.expanded(), ...inner.map((group3) => group3.id)]);
+        store.set({ expanded }, "replace");
+        await finished();
+      }
+      if (drawing.isDrawn(target2) && !isSeen(target2)) drawing.panTo(target2);
+    }
+    function isSeen({ id }) {
+      var _a;
+      const found2 = (_a = drawing.focusables().find((each) => each.selection.id === id)) == null ? void 0 : _a.element.getBoundingClientRect();
+      const frame2 = host2.getBoundingClientRect();
+      if (!found2 || found2.height < LEGIBLE2) return false;
+      return found2.left >= frame2.left && found2.right <= frame2.right && found2.top >= frame2.top && found2.bottom <= frame2.bottom;
+    }
+    let finished = () => Promise.resolve();
+    store.listen((state, before) => {
+      const first = state === before;
+      const changed = first || DRAWN.some((key) => state[key] !== before[key]);
+      const selected = (first || state.selection !== before.selection) && !cameFromDrawing();
+      if (changed) {
+        const done = draw2();
+        finished = () => done;
+        if (selected) void done.then(() => reveal(store.get()));
+        return;
+      }
+      if (state.selection === before.selection) return;
+      drawing.select(drawnSelection(page, state));
+      if (selected) void finished().then(() => reveal(store.get()));
+    });
+  }
+  function drawnSelection(page, { selection, entry }) {
+    if ((selection == null ? void 0 : selection.kind) !== "finding") return selection;
+    const model = page.model.entry(entry);
+    const finding = page.model.finding(selection.id);
+    const [node] = model.nodesWithFinding.get(finding) ?? [];
+    if (node !== void 0) return { kind: "node", id: `n:${node}` };
+    const [channel] = model.channelsWithFinding.get(finding) ?? [];
+    return channel === void 0 ? null : { kind: "channel", id: `c:${channel}` };
+  }
+  function whyEmpty({ entry }, state) {
+    if (entry.nodes.length === 0)
+      return "This launch file starts no nodes, so there is nothing to draw. Its params and findings are in the tables below.";
+    if (state.danglingOnly) return "Nothing is left unconnected here, as far as it is known.";
+    if (state.findingsOnly) return "No finding is about anything that could be drawn here.";
+    if (state.hidden.size > 0) return "All of it is hidden.";
+    return "Nothing to draw in this view.";
+  }
+
+  // launchlint/report/html/js/page/table.js
+  var KINDS3 = /* @__PURE__ */ new Map([
+    ["table-nodes", "node"],
+    ["table-topics", "channel"],
+    ["table-services", "channel"],
+    ["table-actions", "channel"],
+    ["table-params", "param"],
+    ["table-findings", "finding"]
+  ]);
+  var SEVERITIES2 = ["error", "warning", "info"];
+  var collator = new Intl.Collator("en", { numeric: true });
+  function enhance(page, table) {
+    var _a, _b;
+    const kind = KINDS3.get(table.id) ?? "";
+    const named = kind === "finding" ? 2 : 0;
+    let linked = false;
+    let sorted = -1;
+    let down = false;
+    const heads = [...((_b = (_a = table.tHead) == null ? void 0 : _a.rows[0]) == null ? void 0 : _b.cells) ?? []];
+    heads.forEach((head2, column) => {
+      fill(head2, element2("button", { type: "button", click: () => sort(column) }, head2.textContent ?? ""));
+    });
+    function sort(column) {
+      down = column === sorted && !down;
+      sorted = column;
+      heads.forEach((head2, at) => {
+        if (at === column) head2.setAttribute("aria-sort", down ? "descending" : "ascending");
+        else head2.removeAttribute("aria-sort");
+      });
+      for (const body of table.tBodies) {
+        const rows2 = [...body.rows].filter((row) => row.dataset["index"] !== void 0);
+        const texts = new Map(rows2.map((row) => {
+          var _a2, _b2;
+          return [row, ((_b2 = (_a2 = row.cells[column]) == null ? void 0 : _a2.textContent) == null ? void 0 : _b2.trim()) ?? ""];
+        }));
+        rows2.sort((one2, other) => compare(texts.get(one2) ?? "", texts.get(other) ?? "") * (down ? -1 : 1));
+        body.append(...rows2);
+      }
+    }
+    function targetOf(row) {
+      var _a2, _b2;
+      const index = Number(row.dataset["index"] ?? NaN);
+      const entry = Number(((_a2 = row.closest("tbody")) == null ? void 0 : _a2.dataset["entry"]) ?? page.store.get().entry);
+      if (Number.isNaN(index)) return null;
+      if (kind === "finding") {
+        const finding = page.model.data.findings[index];
+        const reached = (_b2 = page.model.data.entries[entry]) == null ? void 0 : _b2.findings.includes(index);
+        const first = page.model.data.entries.findIndex((each) => each.findings.includes(index));
+        return finding ? { target: { kind: "finding", id: finding.id }, entry: reached || first < 0 ? entry : first } : null;
+      }
+      const selected = (
+        /** @type {"node" | "channel" | "param"} */
+        kind
+      );
+      return { target: { kind: selected, id: `${kind.charAt(0)}:${index}` }, entry };
+    }
+    function link() {
+      linked = true;
+      for (const row of table.tBodies) {
+        for (const each of row.rows) {
+          const found2 = targetOf(each);
+          const cell = each.cells[named];
+          if (found2 && cell) fill(cell, reference(page, found2.target, cell.textContent ?? "", found2.entry));
+        }
+      }
+    }
+    function belonging(state, everything) {
+      const { entry } = page.model.entry(state.entry);
+      const findings = new Set(entry.findings);
+      const isIt = (index) => kind === "finding" ? findings.has(index) : inConfiguration(entry, kind, index, state.configuration);
+      return {
+        body: ({ dataset }) => everything || dataset["entry"] === void 0 || Number(dataset["entry"]) === state.entry,
+        row: ({ dataset }) => everything || dataset["index"] !== void 0 && isIt(Number(dataset["index"]))
+      };
+    }
+    return {
+      targetOf,
+      /** How many rows belong to the view. @param {PageState} state @param {boolean} everything */
+      count(state, everything) {
+        const belongs = belonging(state, everything);
+        const rows2 = [...table.tBodies].filter(belongs.body).flatMap((body) => [...body.rows]);
+        return rows2.filter((row) => row.dataset["index"] !== void 0 && belongs.row(row)).length;
+      },
+      /**
+       * Shows the rows that belong to the view.
+       *
+       * @param {PageState} state
+       * @param {string} filter
+       * @param {boolean} everything rows of all launch files
+       */
+      show(state, filter, everything) {
+        if (!linked) link();
+        const words2 = filter.toLowerCase().split(/\s+/).filter(Boolean);
+        const belongs = belonging(state, everything);
+        for (const body of table.tBodies) {
+          body.hidden = !belongs.body(body);
+          if (body.hidden) continue;
+          for (const row of body.rows) {
+            const isTitle = row.dataset["index"] === void 0;
+            const text2 = words2.length === 0 || isTitle ? "" : (row.textContent ?? "").toLowerCase();
+            row.hidden = !belongs.row(row) || !(isTitle || words2.every((word) => text2.includes(word)));
+            mark(row, state);
+          }
+        }
+      }
+    };
+    function mark(row, { selection }) {
+      const found2 = selection && targetOf(row);
+      const selected = found2 && found2.entry === page.store.get().entry && found2.target.kind === selection.kind && found2.target.id === selection.id;
+      if (selected && !row.hasAttribute("aria-current")) row.scrollIntoView({ block: "nearest" });
+      if (selected) row.setAttribute("aria-current", "true");
+      else row.removeAttribute("aria-current");
+    }
+  }
+  function inConfiguration(entry, kind, index, configuration) {
+    if (configuration < 0) return true;
+    if (kind === "node") return isIn(entry.nodes[index] ?? { only: [] }, configuration);
+    if (kind === "param") return isIn(entry.params[index] ?? { only: [] }, configuration);
+    return true;
+  }
+  function compare(one2, other) {
+    const [left, right] = [SEVERITIES2.indexOf(one2), SEVERITIES2.indexOf(other)];
+    return left >= 0 && right >= 0 ? left - right : collator.compare(one2, other);
+  }
+
+  // launchlint/report/html/js/page/tables.js
+  function createTables(page) {
+    const section = part("tables");
+    const filter = element2("input", { type: "search", placeholder: "Filter rows", "aria-label": "Filter rows", spellcheck: "false" });
+    const everything = element2("input", { type: "checkbox" });
+    const several = page.model.data.entries.length > 1;
+    const tools = element2("div", { class: "drawer-tools", hidden: true }, filter, several && element2("label", {}, everything, " all launch files"));
+    const openers = element2("div", { class: "openers" });
+    section.prepend(element2("div", { class: "drawer-bar" }, openers, tools));
+    const drawers = [...section.querySelectorAll("details.table")].map((host2) => drawer(
+      /** @type {HTMLDetailsElement} */
+      host2
+    ));
+    const library = part("library");
+    drawers.push(drawerOf("library", library, "Library"));
+    library.append(part("foot"));
+    section.append(library);
+    let open = null;
+    function drawer(host2) {
+      var _a, _b;
+      const title2 = ((_b = (_a = host2.querySelector("summary h2")) == null ? void 0 : _a.textContent) == null ? void 0 : _b.trim()) ?? "";
+      const own = host2.querySelector("table");
+      host2.open = true;
+      const made2 = drawerOf((own == null ? void 0 : own.id) || host2.id, host2, title2);
+      if (own && own.id !== "table-unknown") {
+        made2.table = enhance(page, own);
+        own.addEventListener("click", (event) => follow2(
+          /** @type {Table} */
+          made2.table,
+          event
+        ));
+      }
+      return made2;
+    }
+    function drawerOf(id, host2, title2) {
+      host2.hidden = true;
+      host2.id ||= `drawer-${id}`;
+      const opener = button("", () => turn(id), { "aria-expanded": "false", "aria-controls": host2.id });
+      const [, words2 = title2, count3 = ""] = /^(.*?)\s*([\d,]*)$/s.exec(title2) ?? [];
+      const counted2 = element2("span", { class: "number" }, count3);
+      opener.append(words2, counted2);
+      openers.append(opener);
+      return { id, host: host2, opener, count: counted2, table: null };
+    }
+    function turn(id) {
+      const next = drawers.find((each) => each.id === id) ?? null;
+      open = next === open ? null : next;
+      for (const each of drawers) {
+        each.host.hidden = each !== open;
+        each.opener.setAttribute("aria-expanded", String(each === open));
+      }
+      tools.hidden = !(open == null ? void 0 : open.table);
+      document.body.classList.toggle("drawer-open", open !== null);
+      update();
+    }
+    function update() {
+      var _a;
+      for (const { table, count: count3 } of drawers) if (table) count3.textContent = String(table.count(page.store.get(), everything.checked));
+      (_a = open == null ? void 0 : open.table) == null ? void 0 : _a.show(page.store.get(), filter.value, everything.checked);
+    }
+    function follow2(table, event) {
+      const target2 = (
+        /** @type {Element} */
+        event.target
+      );
+      const row = target2.closest("tr");
+      const found2 = row && table.targetOf(row);
+      if (!found2 || target2.closest("a[href^=http], button")) return;
+      event.preventDefault();
+      select(page, found2.target, found2.entry);
+    }
+    filter.addEventListener("input", update);
+    everything.addEventListener("change", update);
+    page.store.listen((state, before) => {
+      const keys = (
+        /** @type {const} */
+        ["entry", "configuration", "selection"]
+      );
+      if (state === before || keys.some((key) => state[key] !== before[key])) update();
+    });
+    window.addEventListener("hashchange", () => {
+      var _a;
+      const id = decoded(location.hash.slice(1));
+      const meant = drawers.find((each) => each.host.id === id || each.host.contains(document.getElementById(id)));
+      if (id && meant && meant !== open) turn(meant.id);
+      if (meant) (_a = document.getElementById(id)) == null ? void 0 : _a.scrollIntoView({ block: "nearest" });
+    });
+    return {
+      /** Closes the table that is open, or opens the first. */
+      toggle: () => {
+        var _a;
+        return turn((open == null ? void 0 : open.id) ?? ((_a = drawers[0]) == null ? void 0 : _a.id) ?? "");
+      },
+      /** Opens the first table where none is open. */
+      open: () => {
+        var _a;
+        return open ?? turn(((_a = drawers[0]) == null ? void 0 : _a.id) ?? "");
+      }
+    };
+  }
+  function decoded(text2) {
+    try {
+      return decodeURIComponent(text2);
+    } catch {
+      return text2;
+    }
+  }
+
+  // launchlint/report/html/js/page/tree_items.js
+  var SEVERITIES3 = (
+    /** @type {const} */
+    ["error", "warning", "info"]
+  );
+  function groupItem(model, entry, group3, level) {
+    const findings = nodesWithin(group3).flatMap((node) => {
+      var _a;
+      return ((_a = entry.nodes[node]) == null ? void 0 : _a.findings) ?? [];
+    });
+    const count3 = element2("span", { class: "count" }, ` ${group3.count}`, told(group3.count === 1 ? " node" : " nodes"));
+    return item(model, {
+      id: group3.id,
+      label: group3.label,
+      title: fullName(group3),
+      classes: `group ${group3.kind}`,
+      level,
+      findings,
+      more: count3,
+      group: group3
+    });
+  }
+  function nodeItem(model, entry, node, level, namespace) {
+    const data = entry.nodes[node];
+    if (!data) return null;
+    const label2 = namespace && data.name.startsWith(`${namespace}/`) ? data.name.slice(namespace.length + 1) : namespace === "/" ? data.name.slice(1) : lastPart2(data.name);
+    const unknown = data.knowledge === "unknown";
+    const classes = ["node", unknown && "unknown", (data.only.length > 0 || data.conditions.length > 0) && "conditional", data.mark].filter(Boolean).join(" ");
+    const state = [unknown && "not known", data.mark].filter(Boolean).join(", ");
+    const more = state ? told(` ${state}`) : null;
+    return item(model, { id: `n:${node}`, label: label2, title: data.name, classes, level, findings: data.findings, more, group: null });
+  }
+  function item(model, { id, label: label2, title: title2, classes, level, findings, more, group: group3 }) {
+    const all = [...new Set(findings)];
+    const worst = SEVERITIES3.find((severity) => all.some((each) => {
+      var _a;
+      return ((_a = model.data.findings[each]) == null ? void 0 : _a.severity) === severity;
+    }));
+    const badge3 = worst && element2("span", { class: `badge ${worst}` }, ` ${all.length}`, told(all.length === 1 ? " finding" : " findings"));
+    const hide = element2("button", {
+      type: "button",
+      class: "hide",
+      tabindex: -1,
+      "aria-hidden": "true",
+      "aria-pressed": "false",
+      title: "Hide in the drawing (h)"
+    });
+    const row = element2(
+      "div",
+      {
+        class: `row ${classes}`,
+        role: "treeitem",
+        tabindex: -1,
+        "aria-level": level,
+        "aria-selected": "false",
+        "aria-expanded": group3 ? "false" : null,
+        "data-id": id
+      },
+      element2("span", { class: group3 ? "twisty" : "dot", "aria-hidden": "true" }),
+      element2("span", { class: "label", title: title2 }, label2),
+      badge3,
+      more,
+      hide
+    );
+    return { id, host: element2("li", { role: "none" }, row), row, hide, group: group3 };
+  }
+  function told(words2) {
+    return element2("span", { class: "visually-hidden" }, words2);
+  }
+
+  // launchlint/report/html/js/page/tree.js
+  var GROUPINGS2 = [
+    ["namespace", "Namespace"],
+    ["file", "Launch file"],
+    ["package", "Package"]
+  ];
+  var OPEN_AT_ONCE = 60;
+  function createTree(page) {
+    const tree = element2("ul", { role: "tree", "aria-label": "Nodes" });
+    const grouping = groupingChooser(page);
+    fill(part("tree"), grouping.host, tree);
+    const items = /* @__PURE__ */ new Map();
+    const entryNow = () => page.model.entry(page.store.get().entry).entry;
+    function grow(group3, host2, level) {
+      const entry = entryNow();
+      for (const each of group3.groups) add3(groupItem(page.model, entry, each, level), host2);
+      for (const node of group3.nodes) {
+        const made2 = nodeItem(page.model, entry, node, level, group3.namespace);
+        if (made2) add3(made2, host2);
+      }
+    }
+    function add3(item2, host2) {
+      items.set(item2.id, item2);
+      markHidden(item2, page.store.get());
+      host2.append(item2.host);
+    }
+    function itemAt(target2) {
+      const row = target2 instanceof Element ? target2.closest(".row") : null;
+      return row instanceof HTMLElement ? items.get(row.dataset["id"] ?? "") : void 0;
+    }
+    const isOpen = ({ row }) => row.getAttribute("aria-expanded") === "true";
+    function turn(item2, open2) {
+      if (!item2.group || isOpen(item2) === open2) return;
+      item2.row.setAttribute("aria-expanded", String(open2));
+      let inner = item2.host.querySelector(":scope > ul");
+      if (!inner) {
+        inner = element2("ul", { role: "none" });
+        item2.host.append(inner);
+        grow(item2.group, inner, Number(item2.row.getAttribute("aria-level")) + 1);
+      }
+      inner.toggleAttribute("hidden", !open2);
+    }
+    function rebuild(state) {
+      var _a;
+      items.clear();
+      fill(tree);
+      const root = containersOf(entryNow(), state.grouping);
+      grow(root, tree, 1);
+      if (root.count <= OPEN_AT_ONCE) for (const item2 of items.values()) turn(item2, true);
+      if (root.count === 0) tree.append(element2("li", { role: "treeitem", class: "empty" }, "This launch file starts no nodes."));
+      (_a = tree.querySelector('[role="treeitem"]')) == null ? void 0 : _a.setAttribute("tabindex", "0");
+    }
+    function markSelected(state) {
+      var _a, _b;
+      for (const row of tree.querySelectorAll('[aria-selected="true"]')) row.setAttribute("aria-selected", "false");
+      if (((_a = state.selection) == null ? void 0 : _a.kind) === "node") for (const group3 of around2(entryNow(), state.grouping, Number(state.selection.id.slice(2)))) open(group3.id);
+      const item2 = items.get(((_b = state.selection) == null ? void 0 : _b.id) ?? "");
+      if (!item2) return;
+      item2.row.setAttribute("aria-selected", "true");
+      rove(item2.row);
+      item2.row.scrollIntoView({ block: "nearest" });
+    }
+    function open(id) {
+      const item2 = items.get(id);
+      if (item2) turn(item2, true);
+    }
+    function rove(row) {
+      if (!(row instanceof HTMLElement)) return;
+      for (const each of tree.querySelectorAll('[tabindex="0"]')) each.setAttribute("tabindex", "-1");
+      row.tabIndex = 0;
+    }
+    function focus(row) {
+      rove(row);
+      if (row instanceof HTMLElement) row.focus();
+    }
+    const visible = () => [...tree.querySelectorAll(".row")].filter((row) => !row.closest("ul[hidden]"));
+    function choose({ id }) {
+      select(page, id.startsWith("n:") ? { kind: "node", id } : { kind: "container", id });
+    }
+    function hide({ id }) {
+      page.store.set({ hidden: toggled(page.store.get().hidden, id) });
+    }
+    tree.addEventListener("click", (event) => {
+      const item2 = itemAt(event.target);
+      const target2 = (
+        /** @type {Element} */
+        event.target
+      );
+      if (!item2) return;
+      rove(item2.row);
+      if (target2.closest(".hide")) hide(item2);
+      else if (target2.closest(".twisty")) turn(item2, !isOpen(item2));
+      else choose(item2);
+    });
+    tree.addEventListener("keydown", (event) => {
+      const item2 = itemAt(event.target);
+      if (!item2 || event.ctrlKey || event.metaKey || event.altKey) return;
+      const rows2 = visible();
+      const at = rows2.indexOf(item2.row);
+      const keys = /* @__PURE__ */ new Map([
+        ["ArrowDown", () => focus(rows2[at + 1])],
+        ["ArrowUp", () => focus(rows2[at - 1])],
+        ["Home", () => focus(rows2[0])],
+        ["End", () => focus(rows2.at(-1))],
+        ["ArrowRight", () => isOpen(item2) ? focus(rows2[at + 1]) : turn(item2, true)],
+        ["ArrowLeft", () => {
+          var _a, _b;
+          return isOpen(item2) ? turn(item2, false) : focus((_b = (_a = item2.host.parentElement) == null ? void 0 : _a.closest("li")) == null ? void 0 : _b.querySelector(".row"));
+        }],
+        ["Enter", () => choose(item2)],
+        [" ", () => choose(item2)],
+        ["h", () => hide(item2)]
+      ]);
+      const action = keys.get(event.key);
+      if (!action) return;
+      event.preventDefault();
+      event.stopPropagation();
+      action();
+    });
+    page.store.listen((state, before) => {
+      const anew = state === before || state.entry !== before.entry || state.grouping !== before.grouping;
+      if (anew) {
+        grouping.show(state.grouping);
+        rebuild(state);
+      }
+      if (state.hidden !== before.hidden) for (const item2 of items.values()) markHidden(item2, state);
+      if (anew || state.selection !== before.selection) markSelected(state);
+    });
+    return {
+      focus: () => focus(tree.querySelector('[tabindex="0"]'))
+    };
+  }
+  function markHidden({ id, row, hide }, { hidden }) {
+    row.classList.toggle("hidden-in-drawing", hidden.has(id));
+    hide.setAttribute("aria-pressed", String(hidden.has(id)));
+  }
+  function groupingChooser(page) {
+    const buttons = GROUPINGS2.map(([grouping, label2]) => (
+      /** @type {const} */
+      [grouping, button(label2, () => page.store.set({ grouping }))]
+    ));
+    const host2 = element2("div", { class: "segments", role: "group", "aria-label": "Group nodes by" }, ...buttons.map(([, each]) => each));
+    return {
+      host: host2,
+      /** @param {Grouping} now */
+      show(now) {
+        for (const [grouping, each] of buttons) each.setAttribute("aria-pressed", String(grouping === now));
+      }
+    };
+  }
+
+  // launchlint/report/html/js/page/verdict.js
+  var SEVERITIES4 = (
+    /** @type {const} */
+    ["error", "warning", "info"]
+  );
+  function createVerdict(page) {
+    const verdict = part("verdict");
+    const counts = part("counts");
+    page.store.listen((state, before) => {
+      if (state !== before && state.entry === before.entry && state.configuration === before.configuration) return;
+      const { entry } = page.model.entry(state.entry);
+      const severities = entry.findings.map((each) => {
+        var _a;
+        return (_a = page.model.data.findings[each]) == null ? void 0 : _a.severity;
+      });
+      const has = (severity) => severities.filter((each) => each === severity).length;
+      const words2 = entry.verdict === "error" ? "roslaunch refuses it" : has("error") > 0 ? "loads, with errors" : has("warning") > 0 ? "loads, with warnings" : "loads";
+      const { base } = page.model.data;
+      verdict.className = entry.verdict === "error" || has("error") > 0 ? "error" : has("warning") > 0 ? "warning" : "ok";
+      verdict.textContent = base === null ? words2 : `${words2}; compared with ${base}`;
+      const nodes = entry.nodes.filter((each) => isIn(each, state.configuration) && each.mark !== "removed");
+      const topics = entry.channels.filter((each) => each.kind === "topic" && !each.plumbing && each.mark !== "removed");
+      const unknown = nodes.filter((each) => each.knowledge === "unknown");
+      fill(
+        counts,
+        ...SEVERITIES4.map((severity) => count2(has(severity), severity, severity)),
+        count2(nodes.length, "node"),
+        count2(unknown.length, "not known", "unknown", "not known"),
+        count2(topics.length, "topic")
+      );
+    });
+  }
+  function count2(number2, one2, name = "", many2 = one2 === "info" ? one2 : `${one2}s`) {
+    return number2 > 0 && element2("li", { class: name || null }, element2("b", {}, number2.toLocaleString("en")), ` ${number2 === 1 ? one2 : many2}`);
+  }
+
+  // launchlint/report/html/js/page/view_bar.js
+  var layer = (name, label2, title2) => ({
+    label: label2,
+    title: title2,
+    get: (state) => state.layers[name],
+    change: (state, on) => ({ layers: { ...state.layers, [name]: on } })
+  });
+  var flag = (name, label2, title2) => ({ label: label2, title: title2, get: (state) => state[name], change: (_, on) => ({ [name]: on }) });
+  var TOGGLES = [
+    [
+      "Show",
+      [
+        layer("topics", "Topics", "Topics that nodes publish and subscribe to"),
+        layer("services", "Services", "Services that nodes serve and call"),
+        layer("actions", "Actions", "Actions that nodes serve and call"),
+        layer("params", "Params", "Params that nodes read"),
+        flag("hubs", "Hub topics", "Topics that everybody uses: /tf, /clock, /diagnostics …"),
+        flag("topicsAsNodes", "Topics as boxes", "Draw each topic as a box of its own instead of as arrows")
+      ]
+    ],
+    [
+      "Only",
+      [
+        flag("danglingOnly", "Not connected", "Only what has nobody at its other end"),
+        flag("findingsOnly", "With findings", "Only what a finding is about")
+      ]
+    ]
+  ];
+  function createViewBar(page) {
+    const { store, drawing } = page;
+    const buttons = new Map(TOGGLES.flatMap(([, toggles]) => toggles.map((each) => (
+      /** @type {const} */
+      [each, toggleButton(page, each)]
+    ))));
+    const groups = TOGGLES.map(
+      ([title2, toggles]) => element2(
+        "div",
+        { class: "toggles", role: "group", "aria-label": title2 },
+        element2("span", { class: "title", "aria-hidden": "true" }, title2),
+        ...toggles.map((each) => buttons.get(each))
+      )
+    );
+    const scope = element2("div", { class: "scope" });
+    const zoom = element2(
+      "div",
+      { class: "zoom", role: "group", "aria-label": "Zoom" },
+      button("+", () => drawing.zoom(1.25), { "aria-label": "Zoom in", title: "Zoom in (+)" }),
+      button("−", () => drawing.zoom(0.8), { "aria-label": "Zoom out", title: "Zoom out (−)" }),
+      button("Fit", () => drawing.fit(), { title: "Fit the drawing into its frame (0)" })
+    );
+    part("stage").prepend(element2("div", { id: "view-bar" }, ...groups, scope));
+    part("stage").append(zoom);
+    store.listen((state) => {
+      for (const [toggle, host2] of buttons) host2.setAttribute("aria-pressed", String(toggle.get(state)));
+      fill(scope, ...scopeOf(page, state));
+    });
+  }
+  function toggleButton({ store }, { label: label2, title: title2, get, change }) {
+    return button(label2, () => store.set(change(store.get(), !get(store.get()))), { class: "toggle", title: title2 });
+  }
+  function scopeOf({ model, store }, state) {
+    const focused = state.focus && containerOf(model.entry(state.entry).entry, state.grouping, state.focus);
+    return [
+      state.focus && element2(
+        "span",
+        {},
+        "Focus: ",
+        element2("b", {}, focused ? fullName(focused) : state.focus),
+        " ",
+        button("Leave", () => store.set({ focus: null }))
+      ),
+      state.hidden.size > 0 && element2(
+        "span",
+        {},
+        `${number(state.hidden.size, "thing")} hidden `,
+        button("Show all", () => store.set({ hidden: /* @__PURE__ */ new Set() }))
+      ),
+      state.expanded !== "auto" && button("Overview", () => store.set({ expanded: "auto" }), { title: "Expand as much as can be read at once" })
+    ];
+  }
+
+  // launchlint/report/html/js/unpack.js
+  var DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
+  function read(text2) {
+    return unpack(JSON.parse(text2));
+  }
+  function unpack(value) {
+    if (Array.isArray(value)) return value.map(unpack);
+    if (value === null || typeof value !== "object") return value;
+    if (typeof value.$rows === "number") return rows(value.$rows, value.columns);
+    return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, unpack(inner)]));
+  }
+  function rows(count3, columns) {
+    const found2 = Array.from({ length: count3 }, () => ({}));
+    for (const [key, column] of Object.entries(columns)) {
+      cells(count3, column).forEach((cell, index) => {
+        if (cell !== void 0) found2[index][key] = cell;
+      });
+    }
+    return found2;
+  }
+  function cells(count3, column) {
+    if ("$all" in column) return new Array(count3).fill(unpack(column.$all));
+    if (!("$of" in column)) return list2(column);
+    const distinct = list2(column.$of);
+    const at = typeof column.$at === "string" ? Array.from(column.$at, (digit) => DIGITS.indexOf(digit)) : column.$at;
+    return at.map((index) => distinct[index]);
+  }
+  function list2(value) {
+    if (Array.isArray(value)) return value.map(unpack);
+    let before = "";
+    return value.$front.map((text2) => before = before.slice(0, DIGITS.indexOf(text2.charAt(0))) + text2.slice(1));
+  }
+
+  // launchlint/report/html/js/main.js
+  function start() {
+    const data = read(part("launchlint-data").textContent ?? "");
+    if (data.entries.length === 0) return;
+    const model = createModel(data);
+    const store = createStore(stateOf(model, location.hash), { write: (state) => addressOf(model, state), read: (hash) => stateOf(model, hash) });
+    document.documentElement.classList.add("interactive");
+    let fromDrawing = false;
+    const selectFromDrawing = (selection) => {
+      fromDrawing = true;
+      store.set({ selection });
+      fromDrawing = false;
+    };
+    const host2 = part("drawing");
+    host2.replaceChildren();
+    const drawing = createDrawing(data, host2, {
+      select: selectFromDrawing,
+      expand(container, open) {
+        const expanded = drawing.expanded();
+        if (open) expanded.add(container);
+        else expanded.delete(container);
+        store.set({ expanded });
+      },
+      busy: (on) => host2.classList.toggle("busy", on)
+    });
+    const page = { model, store, drawing };
+    createVerdict(page);
+    const search = createControls(page, { help: () => help() });
+    const tree = createTree(page);
+    createViewBar(page);
+    createPanel(page);
+    const tables = createTables(page);
+    createSheets(page, tables.open);
+    const drawingKeys = createDrawingKeys(page);
+    const shortcuts = createKeyboard(page, {
+      search: search.focus,
+      tree: () => tree.focus(),
+      drawing: drawingKeys.focus,
+      tables: tables.toggle,
+      help: () => help()
+    });
+    const help = createHelp(shortcuts);
+    preparePrint();
+    createStage(page, { cameFromDrawing: () => fromDrawing, holdFocus: drawingKeys.hold });
+  }
+  start();
+})();

@@ -1,0 +1,64 @@
+"""Which findings belong to which nodes, params and channels of an entry file."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterable, Mapping, Sequence
+
+from launchlint.finding import Finding
+from launchlint.graph.topology import Connection, Topology
+from launchlint.source import Span
+
+
+class Attachment:
+    """Finds what findings are about, by where they stand.
+
+    ``findings`` are those of the entry file with their indexes, ``extents`` says from where to where the element of a place goes.
+    """
+
+    def __init__(self, findings: Sequence[tuple[int, Finding]], extents: Mapping[str, Span]) -> None:
+        self._findings = findings
+        self._extents = extents
+        self._by_path: dict[str, list[tuple[int, int]]] = {}
+        for index, finding in findings:
+            self._by_path.setdefault(finding.location.path, []).append((finding.location.start, index))
+        for places in self._by_path.values():
+            places.sort()
+
+    def inside(self, place: str) -> list[int]:
+        """The findings inside the element at a place, in order."""
+        span = self._extents.get(place)
+        places = self._by_path.get(place.rsplit(":", 2)[0]) if place else None
+        if span is None or places is None:
+            return []
+        first = bisect_left(places, (span.start, -1))
+        last = bisect_left(places, (span.end, -1), lo=first)
+        return sorted(index for _, index in places[first:last])
+
+    def of_channels(self, topology: Topology) -> Mapping[tuple[str, str], list[int]]:
+        """The findings about each channel: those that name it, and those at a remap that leads to it."""
+        names: dict[str, list[tuple[str, str]]] = {}
+        for channel in topology.channels:
+            names.setdefault(channel.name, []).append((channel.kind, channel.name))
+        found: dict[tuple[str, str], set[int]] = {}
+        for index, finding in self._findings:
+            # What tells findings of one rule apart is what they are about: of rules on connections the name of the channel is a word of it.
+            words = finding.topic.split(" ") if finding.rule.startswith("LL6") else ()
+            kinds = {word for word in words if word in ("topic", "service", "action")}
+            for key in (key for word in words for key in names.get(word, ())):
+                if not kinds or key[0] in kinds:
+                    found.setdefault(key, set()).add(index)
+        for place, keys in _remaps(topology.connections).items():
+            for index in self.inside(place):
+                for key in keys:
+                    found.setdefault(key, set()).add(index)
+        return {key: sorted(indexes) for key, indexes in found.items()}
+
+
+def _remaps(connections: Iterable[Connection]) -> Mapping[str, set[tuple[str, str]]]:
+    found: dict[str, set[tuple[str, str]]] = {}
+    for connection in connections:
+        for step in connection.remaps:
+            if step.place:
+                found.setdefault(step.place, set()).add((connection.kind, connection.name))
+    return found

@@ -1,0 +1,208 @@
+"""One entry file as the page's data: nodes, channels and params by number, each with its places, findings and marks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from launchlint.finding import Finding
+from launchlint.graph.topology import Connection, Topology, TopologyNode
+from launchlint.report.html.attachment import Attachment
+from launchlint.report.html.material import EntryMaterial
+from launchlint.report.html.places import Places
+from launchlint.report.html.plain import Plain
+from launchlint.report.html.union import REMOVED, Marked, Union, alone, united
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+WHEN = {"subscriber": "on_subscriber", "message": "on_message"}
+"""When a name appears that is not there from the start; by the word of the library format."""
+
+
+def entry_data(
+    material: EntryMaterial, findings: Sequence[Finding], learn: Mapping[str, str], plain: Plain, places: Places, *, compared: bool
+) -> dict[str, Any]:
+    """The ``Entry`` of ``js/data.d.ts``. ``findings`` are those of the whole page, ``learn`` is as in Material."""
+    differs = compared and material.topology != material.before
+    state = united(material.before, material.topology) if differs else alone(material.topology or _nothing(material))
+    entry = _EntryData(state, material, findings, plain, places)
+    gone = material.topology is None and material.before is not None
+    return {
+        "file": places.file(material.path, base=gone),
+        "verdict": "error" if material.refused else "ok",
+        "refused": plain.text(material.refused),
+        "configurations": [plain.text(each) for each in state.configurations],
+        "complete": material.topology is None or material.topology.complete,
+        "containers": entry.containers(),
+        "nodes": entry.nodes(learn),
+        "channels": entry.channels(),
+        "connections": entry.connections(),
+        "params": entry.params(),
+        "findings": list(material.findings),
+        **_mark(REMOVED if gone else "added" if compared and material.before is None else ""),
+    }
+
+
+def _nothing(material: EntryMaterial) -> Topology:
+    return Topology(material.path, ("",), True, (), (), (), (), ())
+
+
+def _mark(mark: str) -> dict[str, str]:
+    return {"mark": mark} if mark else {}
+
+
+class _EntryData:
+    """The parts of one entry file, numbered."""
+
+    def __init__(self, state: Union, material: EntryMaterial, findings: Sequence[Finding], plain: Plain, places: Places) -> None:
+        self._state = state
+        self._plain = plain
+        self._places = places
+        self._configurations = {name: number for number, name in enumerate(state.configurations)}
+        self._containers: dict[int, int] = {}  # by identity: one stands under two ids
+        self._order = list({id(each): each for each in state.containers.values()}.values())
+        for number, marked in enumerate(self._order):
+            self._containers[id(marked)] = number
+        self._by_name: dict[str, list[tuple[int, Marked[TopologyNode]]]] = {}
+        for number, node in enumerate(state.nodes):
+            self._by_name.setdefault(node.item.name, []).append((number, node))
+        self._attachment = Attachment([(index, findings[index]) for index in material.findings], material.extents)
+        topology = material.topology or _nothing(material)
+        self._of_channels = self._attachment.of_channels(topology)
+
+    def containers(self) -> list[dict[str, Any]]:
+        found = []
+        for item, mark, base in self._order:
+            label = self._plain.path(item.label) if item.kind == "include" else self._plain.name(item.label)
+            found.append(
+                {
+                    "kind": item.kind,
+                    "label": label,
+                    "namespace": self._plain.name(item.namespace),
+                    "place": self._places.of(item.place, base=base),
+                    "parent": self._container(item.parent, base=False),
+                    **_mark(mark),
+                }
+            )
+        return found
+
+    def nodes(self, learn: Mapping[str, str]) -> list[dict[str, Any]]:
+        name, text = self._plain.name, self._plain.text
+        found = []
+        for item, mark, base in self._state.nodes:
+            found.append(
+                {
+                    "name": name(item.name),
+                    "program": name(item.program),
+                    "package": name(item.package),
+                    "executable": name(item.executable),
+                    "kind": item.kind,
+                    "knowledge": item.knowledge,
+                    "reason": text(item.reason),
+                    "learn": text(learn.get(item.program, "")) if item.knowledge == "unknown" else "",
+                    "host": name(item.host),
+                    "namespace": name(item.namespace),
+                    "isTest": item.is_test,
+                    "place": self._places.of(item.place, base=base),
+                    "container": self._container(item.container, base=base),
+                    "open": [[category, text(why)] for category, why in item.open],
+                    "conditions": [text(each) for each in item.conditions],
+                    "only": self._only(item.only),
+                    "findings": [] if base else self._attachment.inside(item.place),
+                    **_mark(mark),
+                }
+            )
+        return found
+
+    def channels(self) -> list[dict[str, Any]]:
+        of_actions = self._of_actions()
+        found = []
+        for item, mark, _ in self._state.channels:
+            key = (item.kind, item.name)
+            found.append(
+                {
+                    "kind": item.kind,
+                    "name": self._plain.name(item.name),
+                    "types": [self._plain.name(each) for each in item.types],
+                    "hub": item.hub,
+                    "plumbing": item.plumbing or key in of_actions,
+                    "findings": self._of_channels.get(key, []),
+                    **_mark(mark),
+                }
+            )
+        return found
+
+    def connections(self) -> list[dict[str, Any]]:
+        channels = {(each.item.kind, each.item.name): number for number, each in enumerate(self._state.channels)}
+        found = []
+        for item, mark, base in self._state.connections:
+            channel = channels[item.kind, item.name]
+            for node, only in self._nodes_of(item, base=base):
+                found.append({"node": node, "channel": channel, **self._connection(item, base=base), "only": only, **_mark(mark)})
+        return found
+
+    def _connection(self, item: Connection, *, base: bool) -> dict[str, Any]:
+        name = self._plain.name
+        return {
+            "role": item.role,
+            "offers": item.offers,
+            "declared": name(item.declared),
+            "spelling": item.spelling,
+            "unremapped": name(item.unremapped),
+            "remaps": [[name(step.source), name(step.target), self._places.of(step.place, base=base)] for step in item.remaps],
+            "type": name(item.type),
+            "certain": item.certain,
+            "when": WHEN.get(item.when, ""),
+            "action": name(item.action),
+            "evidence": [self._plain.text(each) for each in item.evidence],
+        }
+
+    def params(self) -> list[dict[str, Any]]:
+        found = []
+        for item, mark, base in self._state.params:
+            readers = [number for reader in item.readers for number, node in self._by_name.get(reader, ()) if base or not node.base]
+            found.append(
+                {
+                    "name": self._plain.name(item.name),
+                    "value": self._plain.text(item.value),
+                    "place": self._places.of(item.place, base=base),
+                    "readers": readers,
+                    "only": self._only(item.only),
+                    "findings": [] if base else self._attachment.inside(item.place),
+                    **_mark(mark),
+                }
+            )
+        return found
+
+    def _container(self, id_: str, *, base: bool) -> int:
+        marked = self._state.containers.get(f"base {id_}" if base else id_) if id_ else None
+        return -1 if marked is None else self._containers[id(marked)]
+
+    def _only(self, configurations: Iterable[str]) -> list[int]:
+        return sorted(self._configurations[each] for each in configurations)
+
+    def _of_actions(self) -> set[tuple[str, str]]:
+        """The channels that are there only as parts of an action."""
+        parts: dict[tuple[str, str], bool] = {}
+        for each in self._state.connections:
+            key = (each.item.kind, each.item.name)
+            parts[key] = parts.get(key, True) and bool(each.item.action)
+        return {key for key, is_part in parts.items() if is_part}
+
+    def _nodes_of(self, connection: Connection, *, base: bool) -> list[tuple[int, list[int]]]:
+        """The nodes that have a connection, each with the configurations in which it does.
+
+        Topologies name the node. Where several have one name (alternatives of which one runs, or a mistake), it is each one that is there
+        in the same configurations.
+        """
+        named = self._by_name.get(connection.node, ())
+        nodes = [each for each in named if each[1].base == base] or named
+        found = []
+        for number, node in nodes:
+            theirs = frozenset(connection.only) if not node.item.only else frozenset(node.item.only)
+            mine = frozenset(connection.only) or theirs
+            both = mine & theirs
+            if both or not mine:
+                found.append((number, self._only(both)))
+        return found

@@ -1,0 +1,79 @@
+// Names as people order and shorten them.
+
+/**
+ * Orders names so that cam_2 comes before cam_10.
+ * @param {string} one
+ * @param {string} other
+ * @returns {number}
+ */
+export function compareNames(one, other) {
+  const left = parts(one);
+  const right = parts(other);
+  for (let at = 0; at < left.length && at < right.length; at++) {
+    const [a, b] = [left[at], right[at]];
+    if (a === b) continue;
+    if (typeof a === "number" && typeof b === "number") return a - b;
+    return String(a) < String(b) ? -1 : 1;
+  }
+  return left.length - right.length || (one < other ? -1 : one > other ? 1 : 0);
+}
+
+/** @type {Map<string, (string | number)[]>} */
+const known = new Map();
+
+/** @param {string} name @returns {(string | number)[]} */
+function parts(name) {
+  let found = known.get(name);
+  if (found === undefined) {
+    found = name.split(/(\d{1,15})/).map((part, at) => (at % 2 ? Number(part) : part));
+    known.set(name, found);
+  }
+  return found;
+}
+
+/**
+ * The last part of a name: /a/b → b.
+ * @param {string} name
+ */
+export function lastPart(name) {
+  return name.slice(name.lastIndexOf("/") + 1) || name;
+}
+
+const SPARE = 9;
+
+/**
+ * A name within a namespace, at most `most` characters long: what tells it from its neighbours stands at its end, so that stays.
+ * @param {string} name
+ * @param {string} namespace
+ * @param {number} most
+ */
+export function shortName(name, namespace, most) {
+  const inner = namespace.length > 1 && name.startsWith(`${namespace}/`) ? name.slice(namespace.length + 1) : name;
+  if (inner.length <= most) return inner;
+  const pieces = inner.split("/");
+  let tail = pieces.pop() ?? "";
+  while (pieces.length > 1 && tail.length + 1 + (pieces[pieces.length - 1] ?? "").length < most - 2) tail = `${pieces.pop()}/${tail}`;
+  // Where the end alone leaves much room unused, the beginning tells more: left/… from right/….
+  return pieces.length && tail.length + 2 > most - SPARE ? cut(`…/${tail}`, most) : cut(inner, most);
+}
+
+/**
+ * A text of at most so many characters: its end is kept, for there names differ.
+ * @param {string} text
+ * @param {number} most
+ */
+export function cut(text, most) {
+  const characters = Array.from(text);
+  if (characters.length <= most) return text;
+  const head = Math.max(2, Math.floor(most / 4));
+  return `${characters.slice(0, head).join("")}…${characters.slice(head + 1 - most).join("")}`;
+}
+
+/**
+ * "1 node", "3 nodes".
+ * @param {number} count
+ * @param {string} noun
+ */
+export function counted(count, noun) {
+  return `${count} ${noun}${count === 1 ? "" : "s"}`;
+}

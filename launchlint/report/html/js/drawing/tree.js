@@ -1,0 +1,224 @@
+// The containers around the nodes of an entry: by namespace, by the elements of its launch files, or by package.
+
+import { compareNames, counted, cut, lastPart } from "./names.js";
+
+/** @typedef {import("../data").Entry} Entry */
+/** @typedef {import("./types").Group} Group */
+/** @typedef {import("./types").Grouping} Grouping */
+
+/** Levels of nesting that are told apart, counted from outside. */
+const DEEPEST = 32;
+/** More siblings than this are put into ranges, so that they can be read and laid out. */
+const MOST = 40;
+/** Members of a range. */
+const RANGE = 12;
+const RANGES = 24;
+/** Longest name at an end of a range, in characters. */
+const SHORT = 20;
+
+/** @type {WeakMap<Entry, Map<Grouping, Group>>} */
+const made = new WeakMap();
+
+/**
+ * The tree of containers around the nodes of an entry. Those without nodes are left out; one that holds nothing but another one is joined with it.
+ * @param {Entry} entry
+ * @param {Grouping} grouping
+ * @returns {Group} the outermost
+ */
+export function containersOf(entry, grouping) {
+  let trees = made.get(entry);
+  if (!trees) made.set(entry, (trees = new Map()));
+  let root = trees.get(grouping);
+  if (!root) {
+    root = grouping === "namespace" ? byNamespace(entry) : grouping === "file" ? byElement(entry) : byPackage(entry);
+    finish(root, entry);
+    trees.set(grouping, root);
+  }
+  return root;
+}
+
+/**
+ * All containers of a tree, outer ones first.
+ * @param {Group} root
+ * @returns {Generator<Group>}
+ */
+export function* walk(root) {
+  yield root;
+  for (const each of root.groups) yield* walk(each);
+}
+
+/**
+ * @param {Group["kind"]} kind
+ * @param {string} id
+ * @param {string} label
+ * @param {string} [namespace]
+ * @param {number} [container]
+ * @returns {Group}
+ */
+function group(kind, id, label, namespace = "", container = -1) {
+  return { id, kind, label, title: label, namespace, container, groups: [], nodes: [], count: 0, parent: "" };
+}
+
+/** @param {Entry} entry */
+function byNamespace(entry) {
+  const root = group("root", "g:namespace:/", "/", "/");
+  /** @type {Map<string, Group>} */
+  const known = new Map();
+  entry.nodes.forEach((node, index) => {
+    let around = root;
+    let from = 1;
+    for (let depth = 1; node.namespace.length > from && from > 0; depth++) {
+      const end = depth < DEEPEST ? node.namespace.indexOf("/", from) : -1;
+      const namespace = end < 0 ? node.namespace : node.namespace.slice(0, end);
+      let inner = known.get(namespace);
+      if (!inner) {
+        const label = around === root ? namespace : namespace.slice(around.namespace.length + 1);
+        inner = group("namespace", `g:namespace:${namespace}`, label, namespace);
+        known.set(namespace, inner);
+        around.groups.push(inner);
+      }
+      around = inner;
+      from = end + 1;
+    }
+    around.nodes.push(index);
+  });
+  return root;
+}
+
+/** @param {Entry} entry */
+function byElement(entry) {
+  const root = group("root", "g:file:", "/", "/");
+  /** @type {{ group: Group, depth: number }[]} */
+  const all = [];
+  const outermost = { group: root, depth: 0 };
+  /** @param {number} index */
+  const find = (index) => all[index] ?? outermost;
+  entry.containers.forEach((container, index) => {
+    const around = container.parent < index ? find(container.parent) : outermost;
+    const label = container.kind === "include" ? lastPart(container.label) : container.label || "group";
+    const own = group(container.kind, `g:file:${index}`, label, container.namespace, index);
+    own.title = container.label || "group";
+    all.push(around.depth < DEEPEST ? { group: own, depth: around.depth + 1 } : around);
+    if (around.depth < DEEPEST) around.group.groups.push(own);
+  });
+  entry.nodes.forEach((node, index) => find(node.container).group.nodes.push(index));
+  return root;
+}
+
+/** @param {Entry} entry */
+function byPackage(entry) {
+  const root = group("root", "g:package:", "/", "/");
+  /** @type {Map<string, Group>} */
+  const known = new Map();
+  entry.nodes.forEach((node, index) => {
+    let around = known.get(node.package);
+    if (!around) {
+      around = group("package", `g:package:${node.package}`, node.package || "no package");
+      known.set(node.package, around);
+      root.groups.push(around);
+    }
+    around.nodes.push(index);
+  });
+  return root;
+}
+
+/**
+ * Counts, drops what is empty, joins what holds only one other, orders, and puts too many siblings into ranges.
+ * @param {Group} own
+ * @param {Entry} entry
+ */
+function finish(own, entry) {
+  own.groups.forEach((each) => finish(each, entry));
+  own.groups = own.groups.filter((each) => each.count > 0);
+  const inner = own.groups[0];
+  if (own.kind !== "root" && inner && own.groups.length === 1 && !own.nodes.length) {
+    const joint = own.kind === "namespace" ? "/" : " › ";
+    Object.assign(own, inner, { label: `${own.label}${joint}${inner.label}`, title: inner.title });
+  }
+  own.nodes.sort((a, b) => compareNames(entry.nodes[a]?.name ?? "", entry.nodes[b]?.name ?? "") || a - b);
+  if (own.kind === "namespace" || own.kind === "root" || own.kind === "package") own.groups.sort((a, b) => compareNames(a.label, b.label));
+  if (own.nodes.length > MOST) byFile(own, entry);
+  if (own.nodes.length > MOST) {
+    const ranges = split(own.nodes).map((nodes) => {
+      const label = between(nodes.map((each) => lastPart(entry.nodes[each]?.name ?? "")));
+      const range = group("range", `${own.id}#n${nodes[0]}`, label, own.namespace);
+      range.title = `${counted(nodes.length, "node")}: ${label}`;
+      range.nodes = nodes;
+      return range;
+    });
+    own.nodes = [];
+    own.groups.push(...ranges);
+    ranges.forEach((each) => finish(each, entry));
+  }
+  const whole = own.groups.filter((each) => each.kind !== "range");
+  if (whole.length > MOST) {
+    const ranges = split(whole).map((groups) => {
+      const label = between(groups.map((each) => each.label));
+      const range = group("range", `${own.id}#${groups[0]?.id}`, label, own.namespace);
+      range.title = `${counted(groups.length, "container")}: ${label}`;
+      range.groups = groups;
+      return range;
+    });
+    own.groups = [...ranges, ...own.groups.filter((each) => each.kind === "range")];
+    ranges.forEach((each) => finish(each, entry));
+  }
+  own.count = own.nodes.length;
+  for (const each of own.groups) {
+    each.parent = own.id;
+    own.count += each.count;
+  }
+}
+
+/**
+ * Too many nodes beside each other are put together with those that the same launch file starts, where that makes groups worth having.
+ * @param {Group} own
+ * @param {Entry} entry
+ */
+function byFile(own, entry) {
+  if (own.kind === "range" || own.container >= 0) return;
+  /** @type {Map<number, number[]>} */
+  const files = new Map();
+  for (const node of own.nodes) {
+    let at = entry.nodes[node]?.container ?? -1;
+    for (let seen = 0; at >= 0 && entry.containers[at]?.kind !== "include" && seen < DEEPEST; seen++) at = entry.containers[at]?.parent ?? -1;
+    const known = files.get(at);
+    if (known) known.push(node);
+    else files.set(at, [node]);
+  }
+  const large = Array.from(files).filter(([file, nodes]) => file >= 0 && nodes.length > 1);
+  const left = own.nodes.length - large.reduce((sum, [, nodes]) => sum + nodes.length, 0);
+  if (left + large.length > MOST || large.length < 2) return;
+  own.nodes = own.nodes.filter((node) => !large.some(([, nodes]) => nodes.includes(node)));
+  for (const [file, nodes] of large) {
+    const path = entry.containers[file]?.label ?? "";
+    const inner = group("include", `${own.id}#f${file}`, lastPart(path), own.namespace, file);
+    Object.assign(inner, { title: path, nodes });
+    finish(inner, entry);
+    own.groups.push(inner);
+  }
+}
+
+/**
+ * @template T
+ * @param {T[]} members
+ * @returns {T[][]}
+ */
+function split(members) {
+  const ranges = Math.min(RANGES, Math.ceil(members.length / RANGE));
+  return Array.from({ length: ranges }, (_, at) =>
+    members.slice(Math.floor((at * members.length) / ranges), Math.floor(((at + 1) * members.length) / ranges)),
+  );
+}
+
+/**
+ * "cam_3 – 12", "left_arm – torso".
+ * @param {string[]} labels
+ */
+function between(labels) {
+  const [first, last] = [labels[0] ?? "", labels[labels.length - 1] ?? ""];
+  if (first === last) return cut(first, 2 * SHORT);
+  let same = 0;
+  while (same < first.length && first[same] === last[same]) same++;
+  const shared = first.slice(0, same).search(/[^_\-./ ]*$/);
+  return `${cut(first, SHORT)} – ${cut(last.slice(shared), SHORT)}`;
+}

@@ -1,0 +1,90 @@
+// What the drawing exchanges with the page, and what its own modules exchange with each other.
+
+import type { Mark } from "../data";
+
+export type Grouping = "namespace" | "file" | "package";
+
+/** What can be selected. Ids: node "n:<index>", channel "c:<index>", container "g:<grouping>:<path>", edge "e:…", param "p:<index>". */
+export interface Selection {
+  kind: "node" | "channel" | "container" | "edge" | "param";
+  id: string;
+}
+
+export interface Layers {
+  topics: boolean;
+  services: boolean;
+  actions: boolean;
+  params: boolean;
+}
+
+/** What is to be drawn: all of it is the page's, none of it the drawing's. */
+export interface ViewState {
+  /** Index into ReportData.entries. */
+  entry: number;
+  /** Index into Entry.configurations; -1: all joined. */
+  configuration: number;
+  grouping: Grouping;
+  /** Ids of open containers; "auto": as many as can be read (Drawing.expanded says which). */
+  expanded: Set<string> | "auto";
+  /** Id of the container that is drawn alone, with stubs for what it is connected to; null: everything. */
+  focus: string | null;
+  layers: Layers;
+  topicsAsNodes: boolean;
+  hubs: boolean;
+  danglingOnly: boolean;
+  findingsOnly: boolean;
+  /** Ids of containers and nodes that are not drawn. */
+  hidden: Set<string>;
+  /** Ids of nodes and channels that a search found: the others are dimmed; null: there is no search. */
+  matches: Set<string> | null;
+}
+
+export interface DrawingEvents {
+  select(selection: Selection | null): void;
+  expand(container: string, open: boolean): void;
+  busy(on: boolean): void;
+}
+
+/** A container of nodes: of namespaces, of the elements of launch files, or of packages; or a range of too many siblings. */
+export interface Group {
+  id: string;
+  kind: "root" | "namespace" | "group" | "include" | "package" | "range";
+  /** What is written on it. */
+  label: string;
+  /** All of its name. */
+  title: string;
+  /** Namespace that names within it are shortened by; empty: none. */
+  namespace: string;
+  /** Index into Entry.containers; -1: it is none of them. */
+  container: number;
+  /** Containers directly in it, in order. */
+  groups: Group[];
+  /** Indexes of the nodes directly in it, in order of their names. */
+  nodes: number[];
+  /** Nodes in it and below it. */
+  count: number;
+  /** Id of the container around it; empty: this is the outermost. */
+  parent: string;
+}
+
+export interface Drawing {
+  /** Draws; the viewport keeps its place where only the expansion changes. */
+  show(state: ViewState): Promise<void>;
+  /** Lights what is selected, its neighbours and the paths to them; dims the rest. */
+  select(selection: Selection | null): void;
+  fit(): void;
+  zoom(factor: number): void;
+  panTo(selection: Selection): void;
+  /** A self-contained SVG document of what is drawn. */
+  svg(): string;
+  /** What can be selected, in reading order, for the keyboard. */
+  focusables(): { selection: Selection; label: string; element: SVGGElement }[];
+  /** Whether it is drawn by itself: not folded, filtered or hidden. */
+  isDrawn(selection: Selection): boolean;
+  /** Ids of the containers that are open now. */
+  expanded(): Set<string>;
+  /** Ids of the channels and params ("c:3", "p:4") that a line or a pill stands for. */
+  wiresOf(selection: Selection): string[];
+  /** Id of the innermost drawn box that holds a node (itself, or a folded container); null: none. */
+  standsFor(node: number): string | null;
+}

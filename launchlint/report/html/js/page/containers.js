@@ -1,0 +1,75 @@
+/** The containers of an entry file by id, and what lies in them. */
+
+import { containersOf } from "../drawing/index.js";
+
+/** @typedef {import("../data").Entry} Entry */
+/** @typedef {import("../drawing/types").Group} Group */
+/** @typedef {import("../drawing/types").Grouping} Grouping */
+
+/** @type {WeakMap<Group, Map<string, Group>>} */
+const known = new WeakMap();
+
+/**
+ * A container; undefined where the entry has none of this id.
+ *
+ * @param {Entry} entry
+ * @param {Grouping} grouping
+ * @param {string} id
+ */
+export function containerOf(entry, grouping, id) {
+  const root = containersOf(entry, grouping);
+  let all = known.get(root);
+  if (!all) {
+    all = new Map();
+    const waiting = [root];
+    for (let each = waiting.pop(); each; each = waiting.pop()) {
+      all.set(each.id, each);
+      waiting.push(...each.groups);
+    }
+    known.set(root, all);
+  }
+  return all.get(id);
+}
+
+/** All of a container's name: of a namespace, where it begins at the root. @param {Group} group */
+export function fullName({ kind, title, namespace }) {
+  return kind === "namespace" ? namespace : title;
+}
+
+/**
+ * The nodes in a container and below it.
+ *
+ * @param {Group} group
+ * @returns {number[]}
+ */
+export function nodesWithin(group) {
+  const found = [];
+  const waiting = [group];
+  for (let each = waiting.pop(); each; each = waiting.pop()) {
+    found.push(...each.nodes);
+    waiting.push(...[...each.groups].reverse());
+  }
+  return found;
+}
+
+/**
+ * The containers around a node, outermost first, without the outermost one of all.
+ *
+ * @param {Entry} entry
+ * @param {Grouping} grouping
+ * @param {number} node
+ * @returns {Group[]}
+ */
+export function around(entry, grouping, node) {
+  /** @type {Group[]} */
+  const path = [];
+  /** @param {Group} group @returns {boolean} */
+  const search = (group) => {
+    if (group.nodes.includes(node)) return true;
+    const inner = group.groups.find(search);
+    if (inner) path.unshift(inner);
+    return inner !== undefined;
+  };
+  search(containersOf(entry, grouping));
+  return path;
+}

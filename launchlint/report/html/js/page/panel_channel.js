@@ -1,0 +1,104 @@
+/** The panels of a topic, service or action, and of a param. */
+
+import { element } from "./elements.js";
+import { isIn } from "./model.js";
+import { badge, block, connectionFacts, findingsBlock, heading, list, presenceBlock, sourceBlock } from "./panel_blocks.js";
+import { nodeReference } from "./reference.js";
+import { missed, nounOf, number, ROLE_ORDER } from "./wording.js";
+
+/** @typedef {import("./reference.js").Page} Page */
+/** @typedef {import("./elements.js").Child} Child */
+/** @typedef {import("./model.js").EntryModel} EntryModel */
+/** @typedef {import("../data").Connection} Connection */
+/** @typedef {import("../data").Channel} Channel */
+
+/** @type {Record<Channel["kind"], [name: string, roles: [string, string]]>} */
+const KINDS = {
+  topic: ["Topic", ["publisher", "subscriber"]],
+  service: ["Service", ["server", "client"]],
+  action: ["Action", ["action server", "action client"]],
+};
+
+/**
+ * @param {Page} page
+ * @param {EntryModel} model
+ * @param {number} index
+ * @returns {Child[]}
+ */
+export function channelPanel(page, model, index) {
+  const channel = model.entry.channels[index];
+  if (!channel) return [];
+  const [noun, [offering, using]] = KINDS[channel.kind];
+  const ends = (model.onChannel[index] ?? []).filter((each) => isIn(each, page.store.get().configuration));
+  const badges = [
+    channel.hub && badge("hub: everybody uses it"),
+    channel.plumbing && badge("machinery"),
+    channel.mark && badge(channel.mark, channel.mark),
+    channel.types.length > 1 && badge(`${channel.types.length} types`, "error"),
+  ];
+  const types = channel.types.map((type) => element("code", {}, type));
+  const sides = ROLE_ORDER.flatMap((role) => {
+    const those = ends.filter((each) => each.role.replace("_", " ") === role);
+    return those.length > 0 ? endBlock(page, nounOf(role), those, channel.types.length > 1) : [];
+  });
+  const offered = ends.some((each) => each.offers);
+  const used = ends.some((each) => !each.offers);
+  return [
+    ...heading(noun, channel.name, badges),
+    types.length > 0 ? list(types, "types") : element("p", { class: "note" }, "Its type is not known."),
+    findingsBlock(page, channel.findings),
+    ...sides,
+    offered !== used && aloneBlock(model, channel, missed(offered ? offering : using)),
+  ];
+}
+
+/** @param {Page} page @param {string} title @param {Connection[]} those @param {boolean} withType */
+function endBlock(page, title, those, withType) {
+  const items = those.map((each) =>
+    element(
+      "div",
+      { class: `connection ${each.mark ?? ""}`.trim() },
+      element("div", { class: "name" }, nodeReference(page, each.node)),
+      ...connectionFacts(page, each, withType),
+    ),
+  );
+  return block(`${title}: ${items.length}`, list(items, "connections"));
+}
+
+/** @param {EntryModel} model @param {Channel} channel @param {string} missing */
+function aloneBlock(model, channel, missing) {
+  const unknown = model.entry.nodes.filter((each) => each.knowledge === "unknown").length;
+  const might = unknown > 0 && `${number(unknown, "node")} of this launch file ${unknown === 1 ? "is" : "are"} not known; one of them might.`;
+  const others = "A node that another launch file starts, or a person at a terminal, may be at the other end.";
+  return block(
+    `${missing.charAt(0).toUpperCase()}${missing.slice(1)}`,
+    element("p", {}, channel.hub || channel.plumbing ? "That is usual here: ROS's own tools use it." : might || others),
+  );
+}
+
+/**
+ * @param {Page} page
+ * @param {EntryModel} model
+ * @param {number} index
+ * @returns {Child[]}
+ */
+export function paramPanel(page, model, index) {
+  const param = model.entry.params[index];
+  if (!param) return [];
+  const same = (model.paramsNamed.get(param.name) ?? []).filter((each) => each !== index);
+  const others = same.flatMap((each) => model.entry.params[each] ?? []);
+  return [
+    ...heading("Param", param.name, [param.mark && badge(param.mark, param.mark)]),
+    element("pre", { class: "value", tabindex: 0, role: "group", "aria-label": "Value" }, param.value || "(empty)"),
+    findingsBlock(page, param.findings),
+    block(
+      "Read by",
+      param.readers.length > 0
+        ? list(param.readers.map((node) => nodeReference(page, node)))
+        : element("p", { class: "note" }, "No node is known to read it."),
+    ),
+    sourceBlock(page, param.place, "Set at"),
+    ...others.map((each) => sourceBlock(page, each.place, `In other configurations: ${each.value}`)),
+    presenceBlock(page, param.only),
+  ];
+}

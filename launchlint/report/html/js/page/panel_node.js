@@ -1,0 +1,148 @@
+/** The panel of a node: what it says and hears, what its params are, where it is written, and what nobody knows of it. */
+
+import { element } from "./elements.js";
+import { isIn, peers } from "./model.js";
+import {
+  badge,
+  block,
+  connectionFacts,
+  findingsBlock,
+  focusButton,
+  heading,
+  hideButton,
+  list,
+  peerList,
+  presenceBlock,
+  sourceBlock,
+} from "./panel_blocks.js";
+import { channelReference, nodeReference, reference } from "./reference.js";
+import { written } from "./source.js";
+import { does, number, ROLE_ORDER } from "./wording.js";
+
+/** @typedef {import("./reference.js").Page} Page */
+/** @typedef {import("./elements.js").Child} Child */
+/** @typedef {import("./model.js").EntryModel} EntryModel */
+/** @typedef {import("../data").Node} GraphNode */
+/** @typedef {import("../data").Connection} Connection */
+
+/**
+ * @param {Page} page
+ * @param {EntryModel} model
+ * @param {number} index
+ * @returns {Child[]}
+ */
+export function nodePanel(page, model, index) {
+  const node = model.entry.nodes[index];
+  if (!node) return [];
+  const { configuration } = page.store.get();
+  const kind = node.isTest ? "Test node" : node.kind === "node" ? "Node" : node.kind === "manager" ? "Nodelet manager" : "Nodelet";
+  const badges = [
+    node.knowledge === "unknown" && badge("interface not known", "unknown"),
+    node.mark && badge(node.mark, node.mark),
+    (node.conditions.length > 0 || node.only.length > 0) && badge("conditional", "conditional"),
+  ];
+  const namespace = node.namespace !== "/" && `g:namespace:${node.namespace}`;
+  const actions = [
+    namespace && page.store.get().grouping === "namespace" && focusButton(page, namespace, `Focus on ${node.namespace}`),
+    hideButton(page, `n:${index}`),
+  ];
+  const connections = (model.ofNode[index] ?? []).filter((each) => isIn(each, configuration));
+  return [
+    ...heading(kind, node.name, badges, actions),
+    element("p", {}, "runs ", element("code", {}, node.program), host(page, model, node)),
+    findingsBlock(page, node.findings),
+    node.knowledge === "unknown" && unknownBlock(node),
+    ...ROLE_ORDER.map((role) => roleBlock(page, model, role, connections)),
+    openBlock(node),
+    paramsBlock(page, model, index, configuration),
+    presenceBlock(page, node.only, node.conditions),
+    sourceBlock(page, node.place),
+    includesBlock(page, model, node),
+  ];
+}
+
+/** @param {Page} page @param {EntryModel} model @param {GraphNode} node @returns {Child[]} */
+function host(page, model, node) {
+  if (node.kind !== "nodelet" || !node.host) return [];
+  const [manager] = model.nodesNamed.get(node.host) ?? [];
+  return [" inside ", manager === undefined ? element("code", {}, node.host) : nodeReference(page, manager)];
+}
+
+/** @param {Page} page @param {EntryModel} model @param {string} role @param {Connection[]} connections */
+function roleBlock(page, model, role, connections) {
+  const those = connections.filter((each) => each.role.replace("_", " ") === role && !model.entry.channels[each.channel]?.plumbing);
+  if (those.length === 0) return null;
+  const { configuration } = page.store.get();
+  const title = does(role);
+  const item = (/** @type {Connection} */ each) =>
+    element(
+      "div",
+      { class: `connection ${each.mark ?? ""}`.trim() },
+      element("div", { class: "name" }, channelReference(page, each.channel)),
+      ...connectionFacts(page, each),
+      peerList(page, peers(model, each, configuration), each),
+    );
+  // What may be there and nobody uses (image_transport has dozens) does not bury the rest.
+  const isIdle = (/** @type {Connection} */ each) => !each.certain && peers(model, each, configuration).length === 0;
+  const idle = those.filter(isIdle);
+  const more = () =>
+    element("details", {}, element("summary", {}, `${idle.length} more that it may have, and nobody uses`), list(idle.map(item), "connections"));
+  const rest = those.filter((each) => !isIdle(each)).map(item);
+  return block(`${title.charAt(0).toUpperCase()}${title.slice(1)}`, rest.length > 0 && list(rest, "connections"), idle.length > 0 && more());
+}
+
+/** @param {GraphNode} node */
+function openBlock(node) {
+  if (node.open.length === 0 || node.knowledge === "unknown") return null;
+  return block("There may be more", list(node.open.map(([kind, why]) => `${kind}: ${why}`)));
+}
+
+/** What can be done about a node of which nothing is known. @param {GraphNode} node */
+function unknownBlock({ reason, learn }) {
+  const why = reason.charAt(0).toUpperCase() + reason.slice(1);
+  return block(
+    "What it does is not known",
+    element("p", {}, `${why ? `${why}. ` : ""}So launchlint cannot say what it is connected to, and keeps quiet about it.`),
+    learn && element("p", {}, "To know it, run this, then make the page again with ", element("code", {}, "--library library.json"), ":"),
+    learn && element("pre", { class: "command" }, learn),
+  );
+}
+
+/** @param {Page} page @param {EntryModel} model @param {number} index @param {number} configuration */
+function paramsBlock(page, model, index, configuration) {
+  const those = (model.paramsOf[index] ?? []).filter((each) => isIn(model.entry.params[each] ?? { only: [] }, configuration));
+  if (those.length === 0) return null;
+  const items = those.flatMap((at) => {
+    const param = model.entry.params[at];
+    if (!param) return [];
+    const read = param.readers.includes(index) ? "" : "not known to be read";
+    return element(
+      "div",
+      { class: "param" },
+      element("div", { class: "name" }, reference(page, { kind: "param", id: `p:${at}` }, param.name)),
+      element("code", { class: "value" }, param.value),
+      element("div", { class: "note" }, param.place && written(page.model, param.place), read && ` · ${read}`),
+    );
+  });
+  return block(number(items.length, "param"), list(items, "params"));
+}
+
+/** The includes and groups that lead to a node, outermost first. @param {Page} page @param {EntryModel} model @param {GraphNode} node */
+function includesBlock(page, model, node) {
+  const steps = [];
+  for (let at = node.container; at >= 0 && steps.length < 64; at = model.entry.containers[at]?.parent ?? -1) {
+    const container = model.entry.containers[at];
+    if (!container) break;
+    steps.unshift(
+      element(
+        "li",
+        {},
+        `${container.kind} `,
+        element("code", {}, container.label || container.namespace),
+        " ",
+        container.place && written(page.model, container.place),
+      ),
+    );
+  }
+  return steps.length > 0 && block("How the launch file gets there", element("ol", { class: "steps" }, ...steps));
+}

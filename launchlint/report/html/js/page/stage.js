@@ -1,0 +1,142 @@
+/** Keeps the drawing in step with the state: draws, lights what is selected, brings it into view, says when there is nothing to see. */
+
+import { around } from "./containers.js";
+import { element, part } from "./elements.js";
+import { number } from "./wording.js";
+
+/** @typedef {import("./reference.js").Page} Page */
+/** @typedef {import("./state.js").PageState} PageState */
+/** @typedef {import("./state.js").Target} Target */
+/** @typedef {import("./model.js").EntryModel} EntryModel */
+/** @typedef {import("../drawing/types").Selection} Selection */
+
+/** Height on the screen, in pixels, from which the name on a box can be read. */
+const LEGIBLE = 18;
+
+/** What of the state the drawing depends on. */
+const DRAWN = /** @type {const} */ ([
+  "entry",
+  "configuration",
+  "grouping",
+  "expanded",
+  "focus",
+  "layers",
+  "topicsAsNodes",
+  "hubs",
+  "danglingOnly",
+  "findingsOnly",
+  "hidden",
+  "matches",
+]);
+
+/**
+ * @param {Page} page
+ * @param {object} hooks
+ * @param {() => boolean} hooks.cameFromDrawing whether the last selection was made in the drawing itself
+ * @param {() => () => void} hooks.holdFocus remembers what in the drawing has the focus, and gives it back
+ */
+export function createStage(page, { cameFromDrawing, holdFocus }) {
+  const { store, drawing, model } = page;
+  const told = element("p", { class: "visually-hidden", role: "status" });
+  const empty = element("p", { class: "stage-empty", hidden: true });
+  part("stage").append(told, empty);
+  const host = part("drawing");
+  let running = false;
+  let stale = false;
+
+  /** Draws until what is drawn is the latest state. */
+  async function draw() {
+    stale = true;
+    if (running) return;
+    running = true;
+    host.setAttribute("aria-busy", "true");
+    while (stale) {
+      stale = false;
+      const state = store.get();
+      const giveBack = holdFocus();
+      await drawing.show(state);
+      giveBack();
+      drawing.select(drawnSelection(page, state));
+      report(state);
+    }
+    running = false;
+    host.setAttribute("aria-busy", "false");
+  }
+
+  /** @param {PageState} state */
+  function report(state) {
+    const shown = drawing.focusables().length;
+    empty.hidden = shown > 0;
+    empty.textContent = shown > 0 ? "" : whyEmpty(model.entry(state.entry), state);
+    told.textContent = shown > 0 ? `The drawing shows ${number(shown, "thing")}.` : empty.textContent;
+  }
+
+  /** @param {PageState} state */
+  async function reveal(state) {
+    const target = drawnSelection(page, state);
+    if (!target) return;
+    if (target.kind === "node" && !drawing.isDrawn(target)) {
+      const inner = around(model.entry(state.entry).entry, state.grouping, Number(target.id.slice(2)));
+      const expanded = new Set([...drawing.expanded(), ...inner.map((group) => group.id)]);
+      store.set({ expanded }, "replace");
+      await finished();
+    }
+    if (drawing.isDrawn(target) && !isSeen(target)) drawing.panTo(target);
+  }
+
+  /** Whether all of it is on the screen, large enough to be read. @param {Selection} target */
+  function isSeen({ id }) {
+    const found = drawing
+      .focusables()
+      .find((each) => each.selection.id === id)
+      ?.element.getBoundingClientRect();
+    const frame = host.getBoundingClientRect();
+    if (!found || found.height < LEGIBLE) return false;
+    return found.left >= frame.left && found.right <= frame.right && found.top >= frame.top && found.bottom <= frame.bottom;
+  }
+
+  /** Resolves once nothing is being drawn. */
+  let finished = () => Promise.resolve();
+
+  store.listen((state, before) => {
+    const first = state === before;
+    const changed = first || DRAWN.some((key) => state[key] !== before[key]);
+    const selected = (first || state.selection !== before.selection) && !cameFromDrawing();
+    if (changed) {
+      const done = draw();
+      finished = () => done;
+      if (selected) void done.then(() => reveal(store.get()));
+      return;
+    }
+    if (state.selection === before.selection) return;
+    drawing.select(drawnSelection(page, state));
+    if (selected) void finished().then(() => reveal(store.get()));
+  });
+}
+
+/**
+ * What is to be lit: the selection, or what the selected finding is about.
+ *
+ * @param {Page} page
+ * @param {PageState} state
+ * @returns {Selection | null}
+ */
+function drawnSelection(page, { selection, entry }) {
+  if (selection?.kind !== "finding") return selection;
+  const model = page.model.entry(entry);
+  const finding = page.model.finding(selection.id);
+  const [node] = model.nodesWithFinding.get(finding) ?? [];
+  if (node !== undefined) return { kind: "node", id: `n:${node}` };
+  const [channel] = model.channelsWithFinding.get(finding) ?? [];
+  return channel === undefined ? null : { kind: "channel", id: `c:${channel}` };
+}
+
+/** @param {EntryModel} model @param {PageState} state */
+function whyEmpty({ entry }, state) {
+  if (entry.nodes.length === 0)
+    return "This launch file starts no nodes, so there is nothing to draw. Its params and findings are in the tables below.";
+  if (state.danglingOnly) return "Nothing is left unconnected here, as far as it is known.";
+  if (state.findingsOnly) return "No finding is about anything that could be drawn here.";
+  if (state.hidden.size > 0) return "All of it is hidden.";
+  return "Nothing to draw in this view.";
+}

@@ -1,0 +1,46 @@
+/** The verdict and the counts in the header, of the launch file that is shown. */
+
+import { element, fill, part } from "./elements.js";
+import { isIn } from "./model.js";
+
+/** @typedef {import("./reference.js").Page} Page */
+
+const SEVERITIES = /** @type {const} */ (["error", "warning", "info"]);
+
+/** @param {Page} page */
+export function createVerdict(page) {
+  const verdict = part("verdict");
+  const counts = part("counts");
+  page.store.listen((state, before) => {
+    if (state !== before && state.entry === before.entry && state.configuration === before.configuration) return;
+    const { entry } = page.model.entry(state.entry);
+    const severities = entry.findings.map((each) => page.model.data.findings[each]?.severity);
+    const has = (/** @type {string} */ severity) => severities.filter((each) => each === severity).length;
+    const words =
+      entry.verdict === "error"
+        ? "roslaunch refuses it"
+        : has("error") > 0
+          ? "loads, with errors"
+          : has("warning") > 0
+            ? "loads, with warnings"
+            : "loads";
+    const { base } = page.model.data;
+    verdict.className = entry.verdict === "error" || has("error") > 0 ? "error" : has("warning") > 0 ? "warning" : "ok";
+    verdict.textContent = base === null ? words : `${words}; compared with ${base}`;
+    const nodes = entry.nodes.filter((each) => isIn(each, state.configuration) && each.mark !== "removed");
+    const topics = entry.channels.filter((each) => each.kind === "topic" && !each.plumbing && each.mark !== "removed");
+    const unknown = nodes.filter((each) => each.knowledge === "unknown");
+    fill(
+      counts,
+      ...SEVERITIES.map((severity) => count(has(severity), severity, severity)),
+      count(nodes.length, "node"),
+      count(unknown.length, "not known", "unknown", "not known"),
+      count(topics.length, "topic"),
+    );
+  });
+}
+
+/** @param {number} number @param {string} one @param {string} [name] @param {string} [many] */
+function count(number, one, name = "", many = one === "info" ? one : `${one}s`) {
+  return number > 0 && element("li", { class: name || null }, element("b", {}, number.toLocaleString("en")), ` ${number === 1 ? one : many}`);
+}

@@ -1,0 +1,67 @@
+"""What the page is made from, as the command line brings it together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+from launchlint.finding import Finding
+from launchlint.graph.topology import Topology
+from launchlint.library.catalogue import Entry as KnownProgram
+from launchlint.source import Source, Span
+
+
+class EntryMaterial(NamedTuple):
+    """One entry file.
+
+    Args:
+        path: as shown to people.
+        refused: why roslaunch refuses it; empty where it does not.
+        topology: what it connects in all its configurations; None where launchlint failed on it, or where it is no more.
+        before: the same at the revision that the page compares with; None where it was not there, or nothing is compared.
+        extents: place of a node, param or remap → where its element begins and ends in the file.
+        findings: indexes of the findings that concern it.
+        includes: paths of the launch files it reads.
+    """
+
+    path: str
+    refused: str
+    topology: Topology | None
+    before: Topology | None
+    extents: Mapping[str, Span]
+    findings: Sequence[int]
+    includes: Sequence[str] = ()
+
+
+class Material(NamedTuple):
+    """All that one page shows.
+
+    Args:
+        title: what it is about.
+        version: of launchlint.
+        roots: directories of this machine, absolute, with what is shown in their place.
+        source_url: prefix of links to files, with a slash at its end; empty where there is none.
+        base: the revision that is compared with; empty where there is none.
+        findings: with their fingerprints, in report order.
+        entries: in any order.
+        source: the text of a file by its shown path; None where it cannot be read.
+        base_source: the same at the revision.
+        programs: what is known of each program.
+        learn: package/executable of a program that is not known → what to type so that it becomes known.
+        notices: what is told of the run as a whole.
+        left_out: how many programs of the given libraries are not among ``programs``.
+    """
+
+    title: str
+    version: str
+    roots: Sequence[tuple[str, str]]
+    source_url: str
+    base: str
+    findings: Sequence[tuple[Finding, str]]
+    entries: Sequence[EntryMaterial]
+    source: Callable[[str], Source | None]
+    base_source: Callable[[str], Source | None]
+    programs: Sequence[KnownProgram]
+    learn: Mapping[str, str]
+    notices: Sequence[str] = ()
+    left_out: int = 0

@@ -1,0 +1,85 @@
+"""The page's data as small JSON: lists of objects become columns, in which equal values stand once. ``js/unpack.js`` is the reverse.
+
+A list of objects is written ``{"$rows": COUNT, "columns": {KEY: COLUMN}}``. A column is a list of cells, ``{"$all": CELL}`` where all are
+the same, or ``{"$of": LIST, "$at": INDEXES}``: the distinct cells, and which of them each row has. The indexes are numbers, or, where
+they are small, the characters of one string (:data:`DIGITS`); -1 or ``.`` stands for a row without that key. In a list
+``{"$front": [TEXT, …]}`` each text says with its first character (of DIGITS) how much of the text before it begins in the same way.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-"
+"""Digits for small numbers, one character each."""
+_json = json.JSONEncoder(ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode
+
+
+def script(value: Any) -> str:
+    """``value`` as the content of a ``<script>`` element: JSON in which nothing can end the element or begin another.
+
+    ``<``, ``>`` and ``&`` stand in strings only, so their escapes mean the same; U+2028 and U+2029 end lines for JavaScript.
+    """
+    text = packed(value)
+    for character in "<>&\u2028\u2029":
+        text = text.replace(character, f"\\u{ord(character):04x}")
+    return text
+
+
+def packed(value: Any) -> str:
+    """``value``, plain JSON, in the small form; time and size grow with its size."""
+    if isinstance(value, Mapping):
+        return "{" + ",".join(f"{_json(key)}:{packed(item)}" for key, item in value.items()) + "}"
+    if not isinstance(value, (list, tuple)):
+        return _json(value)
+    if len(value) > 1 and all(isinstance(item, Mapping) for item in value):
+        return _table(value)
+    return "[" + ",".join(map(packed, value)) + "]"
+
+
+def _table(rows: Sequence[Mapping[str, Any]]) -> str:
+    keys = dict.fromkeys(key for row in rows for key in row)
+    columns = ",".join(f"{_json(key)}:{_column([None if key not in row else packed(row[key]) for row in rows])}" for key in keys)
+    return f'{{"$rows":{len(rows)},"columns":{{{columns}}}}}'
+
+
+def _column(cells: Sequence[str | None]) -> str:
+    """A column whose cells are JSON already; None stands for a missing one."""
+    distinct = list(dict.fromkeys(cell for cell in cells if cell is not None))
+    present = [cell for cell in cells if cell is not None]
+    if len(distinct) == 1 and len(present) == len(cells):
+        return f'{{"$all":{distinct[0]}}}'
+    numbers = {cell: number for number, cell in enumerate(distinct)}
+    at = [-1 if cell is None else numbers[cell] for cell in cells]
+    if len(distinct) < len(DIGITS):
+        indexes = f'"{"".join("." if number < 0 else DIGITS[number] for number in at)}"'
+    else:
+        indexes = f"[{','.join(map(str, at))}]"
+    shared = f'{{"$of":{_list(distinct)},"$at":{indexes}}}'
+    plain = _list(present) if len(present) == len(cells) else ""
+    return plain if plain and len(plain) <= len(shared) else shared
+
+
+def _list(cells: Sequence[str]) -> str:
+    """A list of cells; where they are texts that begin alike, without what they have in common with the one before."""
+    plain = f"[{','.join(cells)}]"
+    if len(cells) < 2 or not all(cell.startswith('"') for cell in cells):
+        return plain
+    before = ""
+    texts = []
+    for cell in cells:
+        text = json.loads(cell)
+        shared = 0
+        for one, other in zip(before[: len(DIGITS) - 1], text, strict=False):
+            if one != other or one > "\uffff":  # JavaScript counts such a character as two
+                break
+            shared += 1
+        texts.append(_json(f"{DIGITS[shared]}{text[shared:]}"))
+        before = text
+    front = f'{{"$front":[{",".join(texts)}]}}'
+    return front if len(front) < len(plain) else plain

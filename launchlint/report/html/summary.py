@@ -1,0 +1,87 @@
+"""What the page says in words: the verdict, the counts, what is drawn at first, and what to do where there is nothing to see."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+MOST_GROUPS = 40
+"""Namespaces that the text in place of the drawing lists."""
+
+
+class Count(NamedTuple):
+    """A number with its word."""
+
+    number: int
+    word: str
+
+
+def _count(number: int, one: str, many: str = "") -> Count:
+    return Count(number, one if number == 1 else many or f"{one}s")
+
+
+def verdict(data: Mapping[str, Any]) -> tuple[str, str]:
+    """``error``, ``warning`` or ``ok``, and a sentence."""
+    severities = [each["severity"] for each in data["findings"]]
+    refused = sum(entry["verdict"] == "error" for entry in data["entries"])
+    if refused:
+        files = f"{refused} of {len(data['entries'])} launch files" if len(data["entries"]) > 1 else "this launch file"
+        return "error", f"roslaunch refuses {files}"
+    if "error" in severities:
+        return "error", "there are errors"
+    if "warning" in severities:
+        return "warning", "roslaunch starts it; there are warnings"
+    if not data["entries"]:
+        return "warning", "there is no launch file"
+    return "ok", "nothing wrong was found"
+
+
+def counts(data: Mapping[str, Any]) -> list[Count]:
+    """Findings by severity, then what the first entry file starts."""
+    severities = [each["severity"] for each in data["findings"]]
+    found = [_count(severities.count(word), word) for word in ("error", "warning", "info") if word in severities]
+    if data["entries"]:
+        first = data["entries"][0]
+        found.append(_count(len(first["nodes"]), "node"))
+        found.append(_count(sum(each["kind"] == "topic" and not each["plumbing"] for each in first["channels"]), "topic"))
+    if len(data["entries"]) > 1:
+        found.insert(0, _count(len(data["entries"]), "launch file"))
+    return found
+
+
+def overview(data: Mapping[str, Any]) -> list[tuple[str, int, int]]:
+    """The namespaces right below the root of what the first entry file starts: name, nodes, and how many of them are not known."""
+    if not data["entries"]:
+        return []
+    groups: dict[str, tuple[int, int]] = {}
+    for node in data["entries"][0]["nodes"]:
+        top = "/".join(node["namespace"].split("/")[:2]) or "/"
+        nodes, unknown = groups.get(top, (0, 0))
+        groups[top] = (nodes + 1, unknown + (node["knowledge"] == "unknown"))
+    return [(name, *groups[name]) for name in sorted(groups)][:MOST_GROUPS]
+
+
+def empty_states(data: Mapping[str, Any]) -> Mapping[str, Any]:
+    """What is to be said where something is missing: ``unknown`` programs with what to type, whether nodes, channels or entries lack."""
+    unknown: dict[str, tuple[int, str, str]] = {}
+    for node in _nodes(data):
+        if node["knowledge"] == "unknown":
+            count, _, _ = unknown.get(node["program"], (0, "", ""))
+            unknown[node["program"]] = (count + 1, node["reason"], node["learn"])
+    entries = data["entries"]
+    return {
+        "entries": not entries,
+        "nodes": bool(entries) and not any(entry["nodes"] for entry in entries),
+        "refused": [entry for entry in entries if entry["verdict"] == "error"],
+        "unknown": [(program, *unknown[program]) for program in sorted(unknown, key=lambda each: (-unknown[each][0], each))],
+        "findings": not data["findings"],
+    }
+
+
+def _nodes(data: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+    for entry in data["entries"]:
+        yield from entry["nodes"]

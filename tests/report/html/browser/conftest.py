@@ -1,0 +1,136 @@
+"""Reports in a real browser: one Chromium for all tests, a fresh page for each, and no trouble tolerated in any."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, BrowserContext, Page, sync_playwright
+
+from tests.conftest import find_chromium
+from tests.report.html.browser.hostile import write_hostile
+from tests.report.html.browser.reading import drawn
+
+HERE = Path(__file__).parent
+GIT = ("git", "-c", "user.name=nobody", "-c", "user.email=nobody@example.org", "-c", "commit.gpgsign=false")
+
+Open = Callable[..., Page]
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """Debian's Chromium, or whichever there is; Playwright's own is never downloaded."""
+    with sync_playwright() as playwright:
+        started = playwright.chromium.launch(executable_path=find_chromium(), args=["--no-sandbox"])
+        yield started
+        started.close()
+
+
+@pytest.fixture(scope="session")
+def reports(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    """A function: the page of the robot, of ``hostile`` names, of what ``changed``, of an ``empty`` file, or of an ``unknown`` robot."""
+    made: dict[str, Path] = {}
+    directory = tmp_path_factory.mktemp("reports")
+
+    def report(name: str) -> Path:
+        if name not in made:
+            made[name] = MAKERS[name](directory / name)
+        return made[name]
+
+    return report
+
+
+def _written(directory: Path, *words: str) -> Path:
+    """What ``launchlint report`` makes of a directory."""
+    page = directory / "report.html"
+    command = [sys.executable, "-m", "launchlint", "report", *words, "-o", str(page), "--quiet", "--ignore", "LL303", "--jobs", "1"]
+    environment = {key: value for key, value in os.environ.items() if not key.startswith(("GITHUB_", "ROS_"))}
+    subprocess.run(command, cwd=directory, env=environment, check=True)
+    return page
+
+
+def _robot(directory: Path) -> Path:
+    shutil.copytree(HERE / "robot", directory)
+    words = (
+        "robot.launch",
+        "tools.launch",
+        "--library",
+        "library.json",
+        "--title",
+        "robot",
+        "--source-url",
+        "https://example.org/robot/blob/main/",
+    )
+    return _written(directory, *words)
+
+
+def _changed(directory: Path) -> Path:
+    shutil.copytree(HERE / "robot", directory)
+    for words in (("init", "--quiet"), ("add", "--all"), ("commit", "--quiet", "--message", "before")):
+        subprocess.run([*GIT, *words], cwd=directory, check=True)
+    launch = directory / "robot.launch"
+    before = launch.read_text()
+    after = before.replace('to="left/image_raw"', 'to="right/image_raw"').replace('name="mystery"', 'name="riddle"')
+    assert after != before
+    launch.write_text(after)
+    return _written(directory, "robot.launch", "--library", "library.json", "--title", "changed", "--base", "HEAD")
+
+
+def _hostile(directory: Path) -> Path:
+    write_hostile(directory)
+    return _written(directory, "hostile.launch", "--library", "library.json", "--title", "<b>hostile</b>")
+
+
+def _empty(directory: Path) -> Path:
+    directory.mkdir()
+    (directory / "empty.launch").write_text('<launch><param name="a" value="1"/></launch>')
+    return _written(directory, "empty.launch")
+
+
+def _unknown(directory: Path) -> Path:
+    shutil.copytree(HERE / "robot", directory)
+    return _written(directory, "robot.launch", "--title", "unknown")
+
+
+MAKERS: dict[str, Callable[[Path], Path]] = {
+    "robot": _robot,
+    "changed": _changed,
+    "hostile": _hostile,
+    "empty": _empty,
+    "unknown": _unknown,
+}
+
+
+@pytest.fixture
+def open_report(browser: Browser, reports: Callable[[str], Path]) -> Iterator[Open]:
+    """A function that opens a report, with a fragment and with the options of a browser context, and waits until it is drawn.
+
+    Whatever the page complains of, and any dialog, is a failure.
+    """
+    contexts: list[BrowserContext] = []
+    trouble: list[str] = []
+
+    def opened(name: str = "robot", fragment: str = "", **options: object) -> Page:
+        chosen = {"viewport": {"width": 1280, "height": 800}, "reduced_motion": "reduce", **options}
+        context = browser.new_context(**chosen)  # type: ignore[arg-type]  # the options of a context, by name
+        context.set_default_timeout(10_000)
+        contexts.append(context)
+        page = context.new_page()
+        page.on("console", lambda message: trouble.append(f"console: {message.text}"))
+        page.on("pageerror", lambda error: trouble.append(f"error: {error}"))
+        page.on("dialog", lambda dialog: (trouble.append(f"dialog: {dialog.message}"), dialog.dismiss()))
+        page.on("request", lambda request: request.url.startswith(("file:", "blob:")) or trouble.append(f"request: {request.url}"))
+        page.goto(f"{reports(name).as_uri()}{fragment}")
+        if chosen.get("java_script_enabled", True):
+            drawn(page)
+        return page
+
+    yield opened
+    for context in contexts:
+        context.close()
+    assert trouble == []

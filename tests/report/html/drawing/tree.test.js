@@ -1,0 +1,77 @@
+// The containers around nodes, and which of them are open at first.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { autoExpansion, opening } from "../../../../launchlint/report/html/js/drawing/expansion.js";
+import { containersOf } from "../../../../launchlint/report/html/js/drawing/tree.js";
+import { data } from "./written.js";
+
+/** A container in words: its label, what is directly in it, and how many nodes in all. */
+function outline(entry, group) {
+  const nodes = group.nodes.map((each) => entry.nodes[each].name);
+  return { [`${group.kind} ${group.label} (${group.count})`]: [...group.groups.map((each) => outline(entry, each)), ...nodes] };
+}
+
+const of = (facts, others, grouping) => {
+  const [entry] = data(facts, others).entries;
+  return outline(entry, containersOf(entry, grouping));
+};
+const named = (...names) => ({ nodes: Object.fromEntries(names.map((name) => [name, {}])) });
+
+test("namespaces, one that holds only another one joined with it, names in the order of people", () => {
+  assert.deepEqual(of([], named("/top", "/a/b/cam10", "/a/b/cam2", "/c/x", "/c/d/y"), "namespace"), {
+    "root / (5)": [
+      { "namespace /a/b (2)": ["/a/b/cam2", "/a/b/cam10"] },
+      { "namespace /c (2)": [{ "namespace d (1)": ["/c/d/y"] }, "/c/x"] },
+      "/top",
+    ],
+  });
+});
+
+test("elements of launch files, the empty ones left out", () => {
+  const containers = [
+    { kind: "include", label: "bringup/launch/camera.launch", namespace: "/", place: null, parent: -1 },
+    { kind: "group", label: "cam", namespace: "/cam", place: null, parent: 0 },
+    { kind: "group", label: "", namespace: "/", place: null, parent: -1 },
+    { kind: "group", label: "", namespace: "/", place: null, parent: -1 },
+  ];
+  const nodes = { "/cam/driver": { container: 1 }, "/cam/flip": { container: 1 }, "/alone": { container: 2 }, "/top": {} };
+  assert.deepEqual(of([], { nodes, containers }, "file"), {
+    "root / (4)": [{ "group camera.launch › cam (2)": ["/cam/driver", "/cam/flip"] }, { "group group (1)": ["/alone"] }, "/top"],
+  });
+});
+
+test("packages", () => {
+  const nodes = { "/b": { package: "tf" }, "/a": { package: "tf" }, "/c": { package: "" } };
+  assert.deepEqual(of([], { nodes }, "package"), { "root / (3)": [{ "package no package (1)": ["/c"] }, { "package tf (2)": ["/a", "/b"] }] });
+});
+
+test("too many siblings stand in ranges", () => {
+  const names = Array.from({ length: 42 }, (_, at) => `/cam_${at}`);
+  const range = (from, to) => ({ [`range cam_${from} – ${to} (${to - from + 1})`]: names.slice(from, to + 1) });
+  assert.deepEqual(of([], named(...names), "namespace"), { "root / (42)": [range(0, 9), range(10, 20), range(21, 30), range(31, 41)] });
+});
+
+test("too many siblings that different files start stand by file", () => {
+  const containers = ["left", "right"].map((each) => ({ kind: "include", label: `demo/${each}.launch`, namespace: "/", place: null, parent: -1 }));
+  const names = (side, count) => Array.from({ length: count }, (_, at) => `/${side}_${at}`);
+  const nodes = Object.fromEntries([...names("l", 25).map((name) => [name, { container: 0 }]), ...names("r", 20).map((name) => [name, { container: 1 }]), ["/top", {}]]);
+  assert.deepEqual(of([], { nodes, containers }, "namespace"), {
+    "root / (46)": [{ "include left.launch (25)": names("l", 25) }, { "include right.launch (20)": names("r", 20) }, "/top"],
+  });
+});
+
+test("hostile nesting ends somewhere, and no node is lost", () => {
+  const deep = `${"/d".repeat(2000)}/n`;
+  const [entry] = data([], named(deep, "/d/x")).entries;
+  const root = containersOf(entry, "namespace");
+  assert.deepEqual(outline(entry, root), { "root / (2)": [{ "namespace /d (2)": [{ [`namespace ${"d/".repeat(1999).slice(0, -1)} (1)`]: [deep] }, "/d/x"] }] });
+});
+
+test("small containers are opened before large ones, outer before inner, as long as there is room", () => {
+  const names = (namespace, count) => Array.from({ length: count }, (_, at) => `${namespace}/n${at}`);
+  const [entry] = data([], named(...names("/large", 30), ...names("/small", 2), ...names("/outer/in", 2), "/outer/n")).entries;
+  assert.deepEqual(opening(containersOf(entry, "namespace"), 12), ["g:namespace:/outer", "g:namespace:/small", "g:namespace:/outer/in"]);
+  assert.deepEqual(opening(containersOf(entry, "namespace"), 4), ["g:namespace:/outer"]);
+  assert.deepEqual([...autoExpansion(entry, "namespace", 1440, 900)].sort(), ["g:namespace:/large", "g:namespace:/outer", "g:namespace:/outer/in", "g:namespace:/small"]);
+});

@@ -1,0 +1,123 @@
+"""The data of a page against js/data.d.ts: all of it for one small repository, and what belongs to what."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.cli.running import write
+from tests.report.html.pages import data_of, page
+
+DECLARATIONS = Path(__file__).resolve().parents[3] / "launchlint" / "report" / "html" / "js" / "data.d.ts"
+
+
+def test_all_of_it(repository: Path, snapshot: Callable[[str, str], None]) -> None:
+    data = data_of(page("--library", "library.json", "demo/launch/nav.launch"))
+    data["version"] = "VERSION"
+    snapshot("nav.json", json.dumps(data, indent=1, ensure_ascii=False) + "\n")
+
+
+def declared() -> dict[str, dict[str, bool]]:
+    """Interface of js/data.d.ts → its keys, and whether each must be there."""
+    text = re.sub(r"/\*\*.*?\*/", "", DECLARATIONS.read_text(encoding="utf-8"), flags=re.DOTALL)
+    bodies = re.findall(r"^export interface (\w+) \{\n(.*?)^\}", text, re.DOTALL | re.MULTILINE)
+    return {name: {key: not mark for key, mark in re.findall(r"^  (\w+)(\??):", body, re.MULTILINE)} for name, body in bodies}
+
+
+def test_the_declarations_are_true(repository: Path) -> None:
+    data = data_of(page("--library", "library.json"))
+    entries = data["entries"]
+    found = {
+        "ReportData": [data],
+        "Finding": data["findings"],
+        "Entry": entries,
+        "Program": data["library"],
+        "Container": [each for entry in entries for each in entry["containers"]],
+        "Node": [each for entry in entries for each in entry["nodes"]],
+        "Channel": [each for entry in entries for each in entry["channels"]],
+        "Connection": [each for entry in entries for each in entry["connections"]],
+        "Param": [each for entry in entries for each in entry["params"]],
+    }
+    interfaces = declared()
+    assert sorted(found) == sorted(interfaces)
+    for name, items in found.items():
+        assert items, name
+        required = {key for key, must in interfaces[name].items() if must}
+        assert {frozenset(item) for item in items} == {frozenset(required)}, name
+
+
+def test_findings_stand_at_what_they_are_about(repository: Path) -> None:
+    write(
+        repository,
+        {
+            "demo/launch/wrong.launch": '<launch>\n<node name="a" pkg="demo" type="nothing.py"/>\n'
+            '<node name="a" pkg="demo" type="talk.py"/>\n'
+            '<node name="b" pkg="demo" type="listen.py"><param name="x y" value="1"/></node>\n</launch>\n'
+        },
+    )
+    data = data_of(page("--library", "library.json", "--ignore", "LL7", "demo/launch/wrong.launch"))
+    rules = [finding["rule"] for finding in data["findings"]]
+    (entry,) = data["entries"]
+
+    def at(items: Any) -> list[tuple[str, list[str]]]:
+        return [(each["name"], [rules[index] for index in each["findings"]]) for each in items]
+
+    assert at(entry["nodes"]) == [("/a", []), ("/a", ["LL301"]), ("/b", ["LL611", "LL507", "LL510"])]
+    assert at(entry["channels"]) == [("/chatter", ["LL611"])]
+    assert at(entry["params"]) == [("/b/x y", ["LL507", "LL510"])]
+    assert entry["findings"] == list(range(len(rules)))
+
+
+def test_a_finding_belongs_to_the_entries_that_reach_it(repository: Path) -> None:
+    write(
+        repository,
+        {
+            "demo/launch/first.launch": '<launch><include file="$(find demo)/launch/part.launch"/></launch>',
+            "demo/launch/second.launch": "<launch/>",
+            "demo/launch/part.launch": '<launch><node name="a" pkg="demo" type="talk.py" oops=""/></launch>',
+        },
+    )
+    data = data_of(page("--select", "LL104"))
+    assert [(data["files"][each["place"][0]], each["rule"]) for each in data["findings"]] == [("demo/launch/part.launch", "LL104")]
+    assert {data["files"][each["file"]]: each["findings"] for each in data["entries"]} == {
+        "demo/launch/first.launch": [0],
+        "demo/launch/part.launch": [0],
+        "demo/launch/nav.launch": [],
+        "demo/launch/more.launch": [],
+        "demo/launch/second.launch": [],
+    }
+
+
+def test_what_nobody_includes_comes_first_and_the_larger_before_the_smaller(repository: Path) -> None:
+    write(repository, {"demo/launch/alone.launch": "<launch/>"})
+    data = data_of(page())
+    assert [data["files"][each["file"]] for each in data["entries"]] == [
+        "demo/launch/nav.launch",
+        "demo/launch/alone.launch",
+        "demo/launch/more.launch",
+    ]
+
+
+def test_alternatives_of_one_name_have_each_their_own_connections(repository: Path) -> None:
+    text = (
+        '<launch><arg name="quiet" default="false"/>'
+        '<node if="$(arg quiet)" name="a" pkg="demo" type="listen.py"/>'
+        '<node unless="$(arg quiet)" name="a" pkg="demo" type="talk.py"/></launch>'
+    )
+    write(repository, {"demo/launch/either.launch": text})
+    (entry,) = data_of(page("--library", "library.json", "demo/launch/either.launch"))["entries"]
+    nodes = [(each["program"], [entry["configurations"][index] for index in each["only"]]) for each in entry["nodes"]]
+    assert nodes == [("demo/listen.py", ["quiet:=true"]), ("demo/talk.py", [""])]
+    connections = [(entry["nodes"][each["node"]]["program"], each["role"]) for each in entry["connections"]]
+    assert connections == [("demo/talk.py", "publisher"), ("demo/listen.py", "subscriber")]
+
+
+@pytest.mark.parametrize(("words", "programs"), [((), []), (("--library", "library.json"), ["demo/listen.py", "demo/talk.py"])])
+def test_the_library_has_what_runs_and_what_was_given(repository: Path, words: tuple[str, ...], programs: list[str]) -> None:
+    data = data_of(page(*words, "demo/launch/more.launch"))
+    assert [f"{each['package']}/{each['name']}" for each in data["library"]] == programs
