@@ -1,0 +1,1 @@
+"""Edits of launch files that are proved to change nothing else."""
