@@ -16,7 +16,11 @@ def write_text(path: str, text: str, *, what: str = "the file") -> None:
     written directly. Lone surrogates, which no encoding can hold, become ``?``. ``what`` names the file in messages. Raises
     :class:`UsageError` where it cannot be written.
     """
-    data = text.encode("utf-8", "replace")
+    write_bytes(path, text.encode("utf-8", "replace"), what=what)
+
+
+def write_bytes(path: str, data: bytes, *, what: str = "the file") -> None:
+    """As :func:`write_text`, for bytes that are written as they are."""
     try:
         target, mode = _checked(path, what)
         if mode is not None and not stat.S_ISREG(mode):

@@ -71,11 +71,16 @@ class Edit(NamedTuple):
 
 
 class Fix(NamedTuple):
-    """A repair: what it does in words, whether it is certain to keep the meaning, and its edits."""
+    """A repair: what it does in words, whether it is certainly what was meant, and its edits.
+
+    ``changes`` says what roslaunch does differently afterwards; empty where it does just the same, which is proved before the edits are
+    made.
+    """
 
     message: str
     safe: bool
     edits: tuple[Edit, ...]
+    changes: str = ""
 
 
 Key = tuple[str, str, int, int, str]

@@ -69,6 +69,15 @@ class Source:
             end = min(end, starts[number - 1] + longest)
         return self.text[starts[number - 1] : end].rstrip("\r\n")
 
+    def with_lines(self, span: Span) -> Span:
+        """``span``; where it has its lines for itself, these whole, with their indentation and line end."""
+        start, end = span
+        line_start = self.line_starts[self.position(start).line - 1]
+        line = self.position(end).line
+        line_end = self.line_starts[line] if line < len(self.line_starts) else len(self.text)
+        alone = not self.text[line_start:start].strip() and not self.text[end:line_end].strip()
+        return Span(line_start, line_end) if alone else span
+
 
 class Place(NamedTuple):
     """A span of a source: where something is written."""

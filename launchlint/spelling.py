@@ -59,6 +59,11 @@ def one_slip(name: str, names: Iterable[str]) -> str | None:
     return near.pop() if len(near) == 1 else None
 
 
+def surely(name: str, names: Iterable[str]) -> str | None:
+    """The name that ``name`` must be a slip for: the only one that is one slip away. A name of one or two letters may be anything."""
+    return one_slip(name, names) if len(name) > 2 else None
+
+
 def did_you_mean(name: str, names: Iterable[str]) -> str:
     """A help text, ``did you mean …?``, or the empty string."""
     near = closest(name, names)

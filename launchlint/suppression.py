@@ -2,7 +2,7 @@
 
 ``<!-- launchlint: ignore[LL301] why -->`` before an element covers that whole element; several rules are separated by commas, by ID or by
 name; ``ignore`` alone covers every rule. ``<!-- launchlint: ignore-file[LL206] why -->`` at the top, before the first element inside
-``<launch>``, covers the whole file.
+``<launch>``, covers the whole file. ``<!-- launchlint: format off -->`` is no suppression (see :mod:`launchlint.fix.format.directives`).
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 from launchlint.finding import Edit, Finding, Location
+from launchlint.fix.format.directives import directive
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.tree import Comment, Document, Element
 
@@ -68,7 +69,7 @@ def read(document: Document) -> list[Suppression]:
     targets: list[Element | None] | None = None
     found: list[Suppression] = []
     for index, comment in enumerate(document.comments):
-        if _MEANT.match(comment.text):
+        if _MEANT.match(comment.text) and not directive(comment.text):
             if targets is None:
                 targets = _targets(document)
             found.append(_suppression(document, comment, targets[index]))
@@ -216,7 +217,7 @@ def _spelling(match: re.Match[str], names: list[Name], reason: str) -> str:
     if not match["colon"]:
         return f"a colon is missing: write {_MODEL}"
     if word not in ("ignore", "ignore-file"):
-        return f"there is no {word!r}, only ignore and ignore-file"
+        return f"there is no {word!r}, only ignore, ignore-file, format off and format on"
     if reason.startswith("["):
         return f"the list of rules cannot be read: write {word}[LL301] or {word}[LL301, LL302]"
     if match["list"] and not names:
@@ -235,11 +236,4 @@ def _place_of_file_comment(document: Document, span: Span) -> str:
 
 def _removal(source: Source, span: Span) -> Edit:
     """Deletes the comment; where it has its lines for itself, these with their indentation and line end."""
-    text = source.text
-    start, end = span
-    line_start = source.line_starts[source.position(start).line - 1]
-    line = source.position(end).line
-    line_end = source.line_starts[line] if line < len(source.line_starts) else len(text)
-    if not text[line_start:start].strip() and not text[end:line_end].strip():
-        return Edit(source.path, line_start, line_end, "")
-    return Edit(source.path, start, end, "")
+    return Edit(source.path, *source.with_lines(span), "")

@@ -19,6 +19,7 @@ def main(words: list[str]) -> int:
         print("usage: scripts/zipapp.py WHEEL TARGET", file=sys.stderr)
         return 2
     wheel, target = Path(words[0]).resolve(), Path(words[1]).resolve()
+    target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as directory:
         environment = Path(directory, "venv")
         subprocess.run([sys.executable, "-m", "venv", environment], check=True)

@@ -85,11 +85,25 @@ def find_sarif_multitool() -> str | None:
 
 
 @cache
+def find_node() -> str | None:
+    """Node.js that knows ``--test``."""
+    node = shutil.which("node")
+    return node if node and _answers([node, "--test", "--version"]) else None
+
+
+@cache
 def find_mermaid() -> str | None:
     """A directory whose node_modules have npm's mermaid and jsdom; Node.js must be there, too."""
     directory = os.environ.get("MERMAID", "")
     packages = [Path(directory, "node_modules", name) for name in ("mermaid", "jsdom")]
     return directory if directory and shutil.which("node") and all(each.is_dir() for each in packages) else None
+
+
+@cache
+def find_axe_core() -> str | None:
+    """A directory whose node_modules have npm's axe-core."""
+    directory = os.environ.get("AXE_CORE", "")
+    return directory if directory and Path(directory, "node_modules", "axe-core").is_dir() else None
 
 
 @cache
@@ -122,10 +136,12 @@ NEEDS: dict[str, tuple[Callable[[], str | None], str]] = {
         find_sarif_multitool,
         "sarif-multitool is not installed (npm install @microsoft/sarif-multitool, then set SARIF_MULTITOOL to its command)",
     ),
+    "node": (find_node, "Node.js 18 or newer is not installed"),
     "mermaid": (
         find_mermaid,
         "MERMAID does not name a directory with Mermaid (npm install --prefix DIRECTORY mermaid jsdom), or there is no Node.js",
     ),
+    "axe": (find_axe_core, "AXE_CORE does not name a directory with axe-core (npm install --prefix DIRECTORY axe-core)"),
     "graphviz": (find_dot, "Graphviz is not installed (Debian: apt-get install graphviz)"),
     "corpus": (find_corpus, "LAUNCHLINT_CORPUS does not name a directory with a ros1 folder of public launch files"),
 }
@@ -168,6 +184,12 @@ def sarif_multitool() -> str:
 def mermaid_directory() -> str:
     """Directory in which scripts find npm's mermaid and jsdom; the test carries the marker ``mermaid``."""
     return _needed("mermaid")
+
+
+@pytest.fixture
+def axe_core() -> str:
+    """Directory in which axe-core lies; the test carries the marker ``axe``."""
+    return _needed("axe")
 
 
 @pytest.fixture

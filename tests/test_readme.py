@@ -93,7 +93,8 @@ def test_every_file_the_readme_links_to_is_here() -> None:
 def test_every_option_the_readme_names_exists() -> None:
     text = README.read_text(encoding="utf-8")
     named = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", text))
-    known = set(re.findall(r"--[a-z][a-z-]+", "".join(run(f"{TOOL} {command} --help") for command in ("", "check", "model", "graph"))))
+    helps = "".join(run(f"{TOOL} {command} --help") for command in ("", "check", "model", "graph", "export"))
+    known = set(re.findall(r"--[a-z][a-z-]+", helps))
     assert sorted(named - known) == []
 
 

@@ -115,6 +115,14 @@ def test_check_of_a_file_with_rosparam_may_import_yaml_and_no_more(package: Path
     assert among(modules_after(["check", "yaml.launch"], package), heavier) == []
 
 
+def test_format_of_one_file_imports_neither_click_nor_what_evaluates(package: Path) -> None:
+    not_needed = ("click", "difflib", "launchlint.rules", "launchlint.graph", "launchlint.library", "launchlint.workspace.packages")
+    for words in (["format", "plain.launch"], ["format", "--check", "-q", "plain.launch"]):
+        modules = modules_after(words, package)
+        assert "launchlint.fix.format.printer" in modules
+        assert among(modules, (*HEAVY, *not_needed)) == []
+
+
 def test_version_and_help_import_hardly_anything(package: Path) -> None:
     for option in ("--version", "--help"):
         modules = modules_after([option], package)

@@ -129,14 +129,15 @@ def test_where_it_stands(text: str, expected: list[str | None]) -> None:
 
 
 UNREADABLE = "the list of rules cannot be read: write ignore[LL301] or ignore[LL301, LL302]"
+THERE_ARE = "only ignore, ignore-file, format off and format on"
 NO_ELEMENT = "no element follows it: it belongs right before the element it is about"
 
 
 @pytest.mark.parametrize(
     ("text", "problem"),
     [
-        ("<launch><!-- launchlint: ignroe[LL301] --><node/></launch>", "there is no 'ignroe', only ignore and ignore-file"),
-        ("<launch><!-- launchlint: disable --><node/></launch>", "there is no 'disable', only ignore and ignore-file"),
+        ("<launch><!-- launchlint: ignroe[LL301] --><node/></launch>", f"there is no 'ignroe', {THERE_ARE}"),
+        ("<launch><!-- launchlint: disable --><node/></launch>", f"there is no 'disable', {THERE_ARE}"),
         ("<launch><!-- launchlint: ignore[LL301 --><node/></launch>", UNREADABLE),
         ("<launch><!-- launchlint: ignore[[LL301]] --><node/></launch>", UNREADABLE),
         (
@@ -165,7 +166,10 @@ def test_malformed_ones_suppress_nothing(text: str, problem: str) -> None:
     assert unused([one], set()) == []
 
 
-@pytest.mark.parametrize("comment", ["launch lint is nice", "see launchlint", "launchlint ignores this", "noqa", "", "launchlint"])
+@pytest.mark.parametrize(
+    "comment",
+    ["launch lint is nice", "see launchlint", "launchlint ignores this", "noqa", "", "launchlint", "launchlint: format off: a table"],
+)
 def test_other_comments_are_none(comment: str) -> None:
     assert suppressions(f"<launch><!-- {comment} --><node/></launch>") == []
 

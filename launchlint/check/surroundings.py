@@ -51,7 +51,8 @@ def digest(options: Options, packages: Packages) -> str | None:
 def _settings(options: Options) -> str:
     settings: list[Any] = [
         FORMAT, __version__, sys.version, sorted(options.rules), options.workspaces, options.explicit, options.root, options.complete,
-        options.default_only, options.style, [options.variables.get(name) for name in VARIABLES], os.geteuid() if hasattr(os, "geteuid") else None,
+        options.default_only, options.style, [options.variables.get(name) for name in VARIABLES],
+        os.geteuid() if hasattr(os, "geteuid") else None,
     ]  # fmt: skip
     return repr(settings)
 

@@ -25,6 +25,9 @@ from launchlint.cli.options import entry_options
 )
 @click.option("--fail-on", default="error", show_default=True, metavar="LEVEL", help="Least severity that makes the exit status 1.")
 @click.option("--exit-zero", is_flag=True, help="Exit with status 0 whatever is found.")
+@click.option("--fix", is_flag=True, help="Repair what can be repaired for certain, and tell of the rest.")
+@click.option("--unsafe-fixes", is_flag=True, help="As --fix, and repair what is likely too: read the difference afterwards.")
+@click.option("--diff", is_flag=True, help="Show what --fix (or --unsafe-fixes) would change, and change nothing.")
 @click.option("--baseline", metavar="FILE", help="Leave out the findings recorded in FILE.")
 @click.option("--write-baseline", metavar="FILE", help="Record the present findings in FILE and end.")
 @click.option("--base", metavar="REV", help="Tell, too, what has lost a connection since this git revision.")
@@ -44,6 +47,9 @@ def command(
     formats: tuple[str, ...],
     fail_on: str,
     exit_zero: bool,
+    fix: bool,
+    unsafe_fixes: bool,
+    diff: bool,
     baseline: str | None,
     write_baseline: str | None,
     base: str | None,
@@ -64,6 +70,6 @@ def command(
     """
     given = CheckOptions(
         select, ignore, severity, formats, fail_on, exit_zero, baseline, write_baseline, base, statistics, jobs, no_cache, color, quiet,
-        verbose, staged, changed,
+        verbose, staged, changed, fix, unsafe_fixes, diff,
     )  # fmt: skip
     return run_check(entry, given)

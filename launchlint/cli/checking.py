@@ -37,6 +37,9 @@ class CheckOptions(NamedTuple):
     verbose: bool = False
     staged: bool = False
     changed: bool = False
+    fix: bool = False
+    unsafe_fixes: bool = False
+    diff: bool = False
 
 
 def run_check(entry: EntryOptions, given: CheckOptions) -> int:
@@ -50,6 +53,7 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
     # Whatever is wrong with the options is told before any work is done.
     threshold = parse_severity(given.fail_on, "--fail-on")
     _only_jsonl_with_entries(entry, given)
+    _no_fixes_there(entry, given)
     check_outputs(given.formats, given.write_baseline)
     changed = _changed(entry, given)
     directory = None if given.no_cache else default_directory()
@@ -98,14 +102,32 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
     )
     if entry.entries is not None:
         return entry_lines(results, options, checker.packages, per_file, shown)
+
+    def told(outcome: Outcome) -> Outcome:
+        """``outcome`` without what nobody wants to hear of."""
+        if known is not None:
+            outcome = without_known(outcome, known)
+        if changed is not None:
+            outcome = outcome._replace(findings=tuple(finding for finding in outcome.findings if concerns(finding, changed)))
+        return outcome
+
+    if given.fix or given.unsafe_fixes or given.diff:
+        from launchlint.cli.fixing import Fixer
+
+        fixer = Fixer(entry, checker, results, per_file, told, only=changed, unsafe=given.unsafe_fixes, quiet=given.quiet)
+        if given.diff:
+            return fixer.show(color=shown.color)
+        if entry.standard_input is not None:
+            return fixer.print_text(shown, notices)
+        if fixer.write():
+            checker = EntryChecker(options, overlay)
+            results = check_entries(requests, checker, jobs=given.jobs, cache_directory=directory)
+        outcome = told(merge(results, options, checker.packages, per_file, asked=entry.paths))
+        return max(report(outcome, shown, notices), 2 if fixer.failed else 0)
     outcome = merge(results, options, checker.packages, per_file, asked=entry.paths)
     if given.write_baseline is not None:
         return record(outcome, given.write_baseline, quiet=given.quiet)
-    if known is not None:
-        outcome = without_known(outcome, known)
-    if changed is not None:
-        outcome = outcome._replace(findings=tuple(finding for finding in outcome.findings if concerns(finding, changed)))
-    return report(outcome, shown, notices)
+    return report(told(outcome), shown, notices)
 
 
 def _changed(entry: EntryOptions, given: CheckOptions) -> frozenset[str] | None:
@@ -130,6 +152,21 @@ def _only_jsonl_with_entries(entry: EntryOptions, given: CheckOptions) -> None:
     others = given.baseline or given.write_baseline or given.statistics
     if entry.entries is not None and (others or any(each.partition(":")[0] != "jsonl" for each in given.formats)):
         raise UsageError("--entries judges each entry by itself and prints one line of JSON for it: it goes with --format jsonl only")
+
+
+def _no_fixes_there(entry: EntryOptions, given: CheckOptions) -> None:
+    """Fixes are made in files as they are on disk (or on standard input), of what is found in them now."""
+    if not (given.fix or given.unsafe_fixes or given.diff):
+        return
+    option = "--diff" if given.diff else "--fix" if given.fix else "--unsafe-fixes"
+    if entry.entries is not None:
+        raise UsageError(f"{option} changes launch files where they are; --entries judges texts as if they stood elsewhere")
+    if given.staged:
+        raise UsageError(f"{option} changes files on disk, not what is staged of them; leave --staged out")
+    if given.write_baseline is not None:
+        raise UsageError(f"--write-baseline records findings as they are; leave {option} out")
+    if given.base is not None:
+        raise UsageError(f"{option} repairs files, --base compares revisions; check twice")
 
 
 def record(outcome: Outcome, file: str, *, quiet: bool) -> int:

@@ -16,6 +16,7 @@ STANDARD_INPUT = "stdin.launch"
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.evaluate.session import Session
+    from launchlint.fix.format.style import Style
     from launchlint.workspace.configuration import Configuration
 
 
@@ -163,6 +164,7 @@ class EntryOptions:
             complete=None if configuration.packages is None else configuration.packages == "complete",
             library=tuple(os.path.abspath(file) for file in (*configuration.library, *self.library)),
             library_cache=cache,
+            style=style_of(configuration),
         )
 
 
@@ -204,6 +206,13 @@ def read_configuration(config: str | None, paths: tuple[str, ...]) -> Configurat
         return load(config)
     found = find_configuration(paths[0] if paths else os.curdir)
     return Configuration() if found is None else load(os.path.relpath(found))
+
+
+def style_of(configuration: Configuration) -> Style:
+    """The normal form of a project."""
+    from launchlint.fix.format.style import Style
+
+    return Style(configuration.line_width, configuration.indent, configuration.sort_attributes)
 
 
 def use_color(choice: str) -> bool:

@@ -17,6 +17,10 @@ from launchlint.report.formats import emit, parse, write
 from launchlint.report.run import RuleMetadata, Run, files_below
 from launchlint.workspace.packages import Packages
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import TextIO
+
 HELP_URI = "https://launchlint.readthedocs.io/en/stable/rules/"
 
 
@@ -51,8 +55,8 @@ def check_outputs(formats: Sequence[str], baseline: str | None) -> None:
         check_target(baseline, what="the baseline")
 
 
-def report(outcome: Outcome, request: Request, notices: tuple[str, ...] = ()) -> int:
-    """Give the outcome in every format asked for, files before standard output. Returns the exit status."""
+def report(outcome: Outcome, request: Request, notices: tuple[str, ...] = (), stream: TextIO | None = None) -> int:
+    """Give the outcome in every format asked for, files before ``stream`` (default: standard output). Returns the exit status."""
     run = Run(
         version=request.version,
         rules=rule_metadata,
@@ -69,11 +73,11 @@ def report(outcome: Outcome, request: Request, notices: tuple[str, ...] = ()) ->
     )
     for format_ in sorted(request.formats, key=lambda each: parse(each).file is None):
         if not (request.quiet and parse(format_).file is None):
-            write(format_, outcome.findings, run)
+            write(format_, outcome.findings, run, stream)
     if request.statistics and not request.quiet:
         from launchlint.report.text import statistics
 
-        emit(statistics(outcome.findings), sys.stdout)
+        emit(statistics(outcome.findings), stream or sys.stdout)
     return exit_status(outcome, request)
 
 

@@ -62,6 +62,8 @@ def command(
     check_target(output, what="the library")
     watcher = _Watcher(quiet, verbose)
     journal = Journal(output, resume=resume)
+    if not (quiet or resume) and os.path.exists(journal.path):
+        _print([f"an earlier probe did not end ({journal.path}): this one begins anew; to go on with the other, stop it and say --resume"])
     complete = False
     try:
         with _stoppable():

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 
+from launchlint.atomic import check_target
 from launchlint.errors import UsageError
 from launchlint.probe.record import LaunchRecord, NodeRecord, Refused, parse
 
@@ -20,7 +22,7 @@ class Journal:
     """The records of a run, one line each, in a file beside the library that will be made of them."""
 
     def __init__(self, output: str, *, resume: bool) -> None:
-        """Open the journal for ``output``.
+        """A journal for ``output``. Its file is made with the first record: a run that comes to nothing leaves the file of an earlier one.
 
         Args:
             output: the library to be written.
@@ -30,23 +32,26 @@ class Journal:
             UsageError: the file cannot be written.
         """
         self.path = output + SUFFIX
+        check_target(self.path, what="what is probed")
         self.records: list[Done] = _read(self.path) if resume else []
+        self._file: IO[str] | None = None
+
+    def add(self, record: Done) -> None:
+        """Keep a record.
+
+        Raises:
+            UsageError: the file cannot be written.
+        """
+        self.records.append(record)
         try:
-            self._file: IO[str] = open(self.path, "w", encoding="utf-8")  # noqa: SIM115 (closed by close())
+            if self._file is None:
+                self._file = open(self.path, "w", encoding="utf-8")  # noqa: SIM115 (closed by close())
+                self._file.writelines(each.line + "\n" for each in self.records[:-1])
+            self._file.write(record.line + "\n")
+            self._file.flush()
         except (OSError, ValueError) as error:
             reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
             raise UsageError(f"cannot write what is probed to {self.path!r}: {reason}") from None
-        for record in self.records:
-            self._write(record)
-
-    def add(self, record: Done) -> None:
-        """Keep a record."""
-        self.records.append(record)
-        self._write(record)
-
-    def _write(self, record: Done) -> None:
-        self._file.write(record.line + "\n")
-        self._file.flush()
 
     @property
     def done(self) -> list[str]:
@@ -55,9 +60,11 @@ class Journal:
 
     def close(self, *, complete: bool) -> None:
         """Close the file; remove it where all its records are in the library."""
-        self._file.close()
+        if self._file is not None:
+            self._file.close()
         if complete:
-            os.unlink(self.path)
+            with suppress(FileNotFoundError):
+                os.unlink(self.path)
 
 
 def _read(path: str) -> list[Done]:

@@ -11,32 +11,32 @@ MOST_NAMES = 8
 """Programs named in one line."""
 
 WHY = {
-    "arguments-required": ("want arguments", "say by `args` what they are to be started with"),
-    "param-required": ("want a param", "set it by `params`"),
-    "module-missing": ("miss a Python module", "install it by `apt` or `pip`"),
-    "library-missing": ("miss a shared library", "install it by `apt`"),
-    "file-missing": ("miss a file", "give it by `files`"),
-    "display-required": ("want a display", ""),
-    "device-missing": ("want a device", ""),
-    "waits-for-device": ("wait for a device", ""),
-    "waits-for-service": ("wait for a service", ""),
-    "network": ("want a network", ""),
-    "busy": ("were still computing", "give them more time by `limit`"),
-    "silent": ("never contacted the master", "give them more time by `limit` if they are slow to start"),
-    "timed-out": ("registered nothing in time", "give them more time by `limit`"),
-    "never-quiet": ("always had something new", "give them more time by `limit`"),
-    "too-many-names": ("made up names without end", ""),
-    "too-much-output": ("printed without end", ""),
-    "too-large": ("have too large an interface", ""),
-    "exception": ("ended with an exception", ""),
-    "error-logged": ("ended with an error", ""),
+    "arguments-required": ("arguments required", "say by `args` what they are to be started with"),
+    "param-required": ("param required", "set it by `params`"),
+    "module-missing": ("Python module missing", "install it by `apt` or `pip`"),
+    "library-missing": ("shared library missing", "install it by `apt`"),
+    "file-missing": ("file missing", "give it by `files`"),
+    "display-required": ("display required", ""),
+    "device-missing": ("device missing", ""),
+    "waits-for-device": ("device waited for", ""),
+    "waits-for-service": ("service waited for", ""),
+    "network": ("network required", ""),
+    "busy": ("still computing", "give them more time by `limit`"),
+    "silent": ("master never contacted", "give them more time by `limit` if they are slow to start"),
+    "timed-out": ("nothing registered in time", "give them more time by `limit`"),
+    "never-quiet": ("something new until the end", "give them more time by `limit`"),
+    "too-many-names": ("names without end", ""),
+    "too-much-output": ("output without end", ""),
+    "too-large": ("interface too large", ""),
+    "exception": ("exception", ""),
+    "error-logged": ("error reported", ""),
     "not-started": ("cannot be started", ""),
-    "odd-names": ("have names that no node can have", ""),
-    "broke-the-container": ("took the container down", ""),
-    "launch-missing": ("do not exist", "correct `launch`"),
-    "ended": ("ended by themselves", ""),
+    "odd-names": ("names that no node can have", ""),
+    "broke-the-container": ("container taken down", ""),
+    "launch-missing": ("no such launch file", "correct `launch`"),
+    "ended": ("ended by itself", ""),
 }
-"""Code of a problem → what such nodes do, and what helps."""
+"""Code of a problem → what it is, and what helps."""
 
 
 def is_worth_a_failure(outcome: Outcome) -> bool:
@@ -90,8 +90,8 @@ def _grouped(title: str, records: Sequence[NodeRecord | LaunchRecord]) -> list[s
         return []
     lines = [title]
     for code, found in sorted(groups.items(), key=lambda group: (-len(group[1]), group[0])):
-        does, helps = WHY.get(code, (code.replace("-", " "), ""))
-        lines.append(f"  {len(found)} {does}" + (f" ({helps})" if helps else "") + ":")
+        what, helps = WHY.get(code, (code.replace("-", " "), ""))
+        lines.append(f"  {what}: {len(found)}" + (f" ({helps})" if helps else ""))
         lines += [f"    {label}: {detail}" for label, detail in sorted(found.items())[:MOST_NAMES]]
         if len(found) > MOST_NAMES:
             lines.append(f"    and {len(found) - MOST_NAMES} more; the library lists them all")

@@ -1,7 +1,7 @@
 """What a rule is, and how it says something.
 
-A rule module has a docstring (the published page: *What it does*, *Why it matters*, *Example*, *Use instead*), a constant ``RULE`` and one
-function:
+A rule module has a docstring (the published page: *What it does*, *Why it matters*, *Example*, *Use instead*, and *Fix* where it has one),
+a constant ``RULE`` and one function:
 
 * ``tell(problem, view)`` where the registry names the problem kinds it speaks about, or
 * ``check(view)`` where it looks at a whole view.
@@ -42,8 +42,8 @@ class Rule(NamedTuple):
     """The declaration of a rule.
 
     ``roslaunch`` says who tells people today: roslaunch ``refuses`` the file, roslaunch-check ``reports`` it, or ``nobody``.
-    ``fixable`` says whether ``--fix`` can repair it: ``safe``, ``unsafe`` or ``never``. ``default`` is false for rules that are off until
-    selected.
+    ``fixable`` says whether ``--fix`` can repair it: ``safe`` (at least some of what it finds), ``unsafe`` or ``never``.
+    ``default`` is false for rules that are off until selected.
     """
 
     id: str

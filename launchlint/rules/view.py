@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from launchlint.finding import Location
+from launchlint.fix.format.style import Style
 from launchlint.model import Launch
 from launchlint.syntax.tree import Document
 from launchlint.workspace.packages import Packages
@@ -19,21 +20,23 @@ if TYPE_CHECKING:
 
 
 class FileView(NamedTuple):
-    """The syntax view: one launch file as it is written, and the packages around it."""
+    """The syntax view: one launch file as it is written, the packages around it, and what the project's normal form is like."""
 
     document: Document
     packages: Packages
+    style: Style = Style()
 
 
 class LaunchView(NamedTuple):
     """The launch view: what one entry file starts in one configuration.
 
-    ``declared_entry``: the configuration file says how it is started.
+    ``declared_entry``: the configuration file says how it is started. ``documents`` are the launch files it reached, by path.
     """
 
     launch: Launch
     packages: Packages
     declared_entry: bool
+    documents: Mapping[str, Document] = {}
 
 
 class GraphView(NamedTuple):
@@ -43,6 +46,7 @@ class GraphView(NamedTuple):
     library: Library
     packages: Packages
     declared_entry: bool
+    documents: Mapping[str, Document] = {}
 
     @property
     def launch(self) -> Launch:

@@ -105,6 +105,17 @@ def busy_time(processes: List[int]) -> float:
     return total
 
 
+def want_to_run(processes: List[int]) -> bool:
+    """Whether any of these is running, or waits for nothing but a processor."""
+    for process in processes:
+        try:
+            if _fields(process)[_STATE] == "R":
+                return True
+        except (OSError, IndexError, ValueError):
+            continue
+    return False
+
+
 def prefer_as_victim(process: int) -> None:
     """Where memory runs out, the kernel ends this process before the probe itself."""
     try:

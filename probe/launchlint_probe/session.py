@@ -23,8 +23,12 @@ PATIENCE = 5
 """A node that has contacted the master but registered nothing of its own is given this many times ``quiet``: it may be slow to begin."""
 HALF = 0.6
 """Where a node's publishers are woken, there is a silence before and one after it, each this part of ``quiet``."""
+RESTLESS = 4
+"""What never rests is taken to be ready when nothing new has come for this many times as long."""
 ANSWERING = 2.0
 """Seconds that publishers are given to answer after all else is quiet."""
+LOOKS = 10
+"""How often, within a tenth of a second, it is looked whether a node computes."""
 PLACE = "{}"
 """Stands in arguments and params for a word that the probe makes up, to find it again in names."""
 
@@ -224,6 +228,7 @@ def _watch(
     facts = recorder.facts
     idle_since = time.monotonic()
     last_busy = 0.0
+    wants = False
     gone = 0
     while True:
         now = time.monotonic()
@@ -234,7 +239,8 @@ def _watch(
         if gone > 1:  # once is not enough: a daemon forks between two looks
             return before, True
         busy = processes.busy_time(alive)
-        if busy > last_busy + 1:
+        wanted, wants = wants, processes.want_to_run(alive)
+        if busy > last_busy + 1 or (wanted and wants):  # on a busy machine it may want to and not be let
             last_busy, idle_since = busy, now
         registered = any(
             not is_infrastructure(name) for table in (facts.publishers, facts.subscribers, facts.services) for _, name in list(table)
@@ -243,7 +249,7 @@ def _watch(
         wakes = before is not None or bool(new)
         needed = plan.quiet * (HALF if wakes else 1.0) * (1 if registered else PATIENCE)
         silence = now - facts.changed
-        if facts.nodes and silence >= needed and (now - idle_since >= min(plan.quiet, 0.5) or silence >= 2 * needed):
+        if facts.nodes and silence >= needed and (now - idle_since >= min(plan.quiet, 0.5) or silence >= RESTLESS * needed):
             if before is None:
                 before = set(list(facts.publishers) + list(facts.subscribers) + list(facts.services))
             if not new or len(subscriptions) >= MOST_WOKEN:
@@ -263,10 +269,13 @@ def _wants_waking(api: str, name: str, subscriptions: Dict[Tuple[str, str], Subs
 
 
 def _is_busy(alive: List[int]) -> bool:
-    """Whether these compute without pause."""
+    """Whether these compute without pause, or would if others let them."""
     before = processes.busy_time(alive)
-    time.sleep(0.1)
-    return processes.busy_time(alive) - before >= 0.03 * os.sysconf("SC_CLK_TCK")
+    runnable = 0
+    for _ in range(LOOKS):
+        time.sleep(0.01)
+        runnable += processes.want_to_run(alive)
+    return 2 * runnable > LOOKS or processes.busy_time(alive) - before >= 0.03 * os.sysconf("SC_CLK_TCK")
 
 
 def _set_params(facts: Any) -> List[str]:

@@ -30,7 +30,7 @@ BROKEN_BASELINE = (
         (["--format", "sarf"], "there is no format 'sarf': did you mean sarif?"),
         (
             ["--format", "pdf"],
-            "there is no format 'pdf': the formats are text, concise, json, jsonl, sarif, github, gitlab, junit",
+            "there is no format 'pdf': the formats are text, concise, json, jsonl, sarif, github, gitlab, junit, markdown",
         ),
         (["--format", "json:"], "--format json:: the name of a file belongs after the colon"),
         (["--format", "json:demo"], "cannot write the json report to 'demo': it is a directory; give the name of a file"),

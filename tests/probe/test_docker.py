@@ -4,6 +4,7 @@ behind.
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import signal
@@ -15,7 +16,8 @@ from typing import Any
 
 import pytest
 
-from launchlint.probe.engine import LABEL
+from launchlint.probe.configuration import Limits
+from launchlint.probe.engine import LABEL, Image, connect
 
 pytestmark = pytest.mark.docker
 
@@ -225,3 +227,25 @@ def test_hostile_nodes_stay_inside(tmp_path: Path, built: tuple[dict[str, Any], 
     )
     assert said["flood.py"][0].startswith("broke-the-container: it printed "), said
     assert docker("ps", "-aq", "--filter", f"label={LABEL}") == ""
+
+
+# The SDK leaves the socket of an attached container to the garbage collector.
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+def test_a_container_that_never_ends_is_ended() -> None:
+    """Its program is not ours, and neither stops at its time nor heeds a signal."""
+    stubborn = f'FROM {BASE}\nRUN useradd launchlint\nENTRYPOINT ["/bin/sh", "-c", "trap \'\' TERM INT; while :; do sleep 1; done"]\n'
+    words = ["docker", "build", "-q", "--network", NETWORK, "--label", f"{LABEL}=test", "-"]
+    name = subprocess.run(words, input=stubborn, capture_output=True, text=True, timeout=120, check=True).stdout.strip()
+    engine = connect("never-ends")
+    try:
+        with engine.container(Image(name, "stubborn"), b"{}", Limits()) as container:
+            began = time.monotonic()
+            assert list(container.output(2)) == []
+            assert container.timed_out
+            assert time.monotonic() - began < 30
+        assert docker("ps", "-aq", "--filter", f"label={LABEL}=never-ends") == ""
+        assert docker("volume", "ls", "-q", "--filter", f"label={LABEL}=never-ends") == ""
+    finally:
+        engine.close()
+        docker("rmi", "-f", name)
+        gc.collect()

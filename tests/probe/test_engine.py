@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import io
 import json
 import socket
 import subprocess
@@ -112,6 +113,31 @@ def test_a_container_is_locked_in() -> None:
         "memswap_limit": 512 * 2**20,
     }
     assert not {"privileged", "devices", "cap_add", "ports"} & set(bounds)
+
+
+class Builder:
+    """Stands for the SDK's client: a build that says what it is told to say."""
+
+    def __init__(self, *events: dict[str, str]) -> None:
+        self.events = events
+        self.api = self
+
+    def build(self, **_: Any) -> Iterator[dict[str, str]]:
+        yield from self.events
+
+
+def test_what_a_build_prints_is_made_harmless() -> None:
+    said: list[str] = []
+    client = Builder(
+        {"stream": "Step 1/2 : \x1b]0;owned\x07FROM x\r\nfine\n"},
+        {"status": "\u202egnorw"},
+        {"stream": "x" * 1000},
+        {"error": "it failed\x1b[2J\nhere"},
+    )
+    with pytest.raises(engine.BuildError) as caught:
+        engine.Engine(client, "run").build(io.BytesIO(), "tag", "base", "default", Limits(), said.append)
+    assert said == ["Step 1/2 : ]0;owned FROM x", "fine", "gnorw", "x" * 300 + "…"]
+    assert (str(caught.value), caught.value.lines) == ("the image cannot be built: it failed [2J here", said)
 
 
 class Silent:

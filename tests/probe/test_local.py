@@ -41,7 +41,7 @@ def test_a_library_is_made(place: Path) -> None:
     assert done.stderr == (
         f"{place}/library.json: 3 nodes recorded, 1 could not be run, 0 programs are no nodes\n"
         "could not be run:\n"
-        "  1 ended with an exception:\n"
+        "  exception: 1\n"
         f"    {PACKAGE}/crashes_politely.py: IndexError: list index out of range\n"
     )
     document = json.loads((place / "library.json").read_text())
@@ -100,6 +100,19 @@ def test_ctrl_c_loses_nothing_and_leaves_nothing_running(place: Path) -> None:
     assert (place / "library.json").read_bytes() == whole
 
 
+def test_a_run_that_comes_to_nothing_leaves_what_an_earlier_one_found(place: Path) -> None:
+    partial = place / "library.json.partial.jsonl"
+    partial.write_text("what an earlier run has found\n")
+    arguments = [word for word in command(place) if word != "--local"]
+    done = subprocess.run(
+        arguments, capture_output=True, text=True, timeout=60, check=False, env={**os.environ, "DOCKER_HOST": f"unix://{place}/none"}
+    )
+    assert (done.returncode, partial.read_text()) == (2, "what an earlier run has found\n")
+    assert done.stderr.splitlines()[0] == (
+        f"an earlier probe did not end ({partial}): this one begins anew; to go on with the other, stop it and say --resume"
+    )
+
+
 def _obey() -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
@@ -107,8 +120,8 @@ def _obey() -> None:
 def test_time_is_up(place: Path) -> None:
     done = probe(place, text="").returncode
     assert done == 0
-    (place / "prefix" / "lib" / PACKAGE / "busy.py").write_text("#!/usr/bin/env python3\n# rospy\nwhile True: pass\n")
-    (place / "prefix" / "lib" / PACKAGE / "busy.py").chmod(0o755)
+    (place / "prefix" / "lib" / PACKAGE / "with_no_end.py").write_text("#!/usr/bin/env python3\n# rospy\nwhile True: pass\n")
+    (place / "prefix" / "lib" / PACKAGE / "with_no_end.py").chmod(0o755)
     arguments = command(place)
     (place / "probe.yaml").write_text(
         f"packages: [{PACKAGE}]\nlimits: {{limit: 300, total: 10, jobs: 1}}\nskip: [{PACKAGE}/ignores_signals.py]\n"

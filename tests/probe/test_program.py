@@ -167,6 +167,50 @@ def test_packages_are_built_behind_those_they_need(tmp_path: Path) -> None:
     assert build.ordered(build.packages(str(tmp_path))) == ["c", "a", "b", "x", "y"]
 
 
+HOSTILE_NAMES = ("../../evil", "-rf", "a;id", "$(id)", "a b", "/abs", "\u202egnorw", "")
+
+
+def test_packages_with_hostile_names_are_not_built_and_not_looked_into(tmp_path: Path) -> None:
+    for number, name in enumerate((*HOSTILE_NAMES, "good")):
+        (tmp_path / "src" / str(number)).mkdir(parents=True)
+        (tmp_path / "src" / str(number) / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    assert list(load("setup/build").packages(str(tmp_path / "src"))) == ["good"]
+    assert sorted(load("discover").see([], [str(tmp_path / "src")]).programs) == ["good"]
+
+
+def test_programs_and_nodelets_with_hostile_names_are_not_run(tmp_path: Path) -> None:
+    discover = load("discover")
+    names = ("-rf", "a;id", "$(id)", "a b", "new\nline", "\x1b[31m", "`id`")
+    for name in (*names, "good"):
+        (tmp_path / name).write_text("#!/usr/bin/env python3\nimport rospy\n")
+        (tmp_path / name).chmod(0o755)
+    assert [found.name for found in discover.executables("demo", [str(tmp_path)])] == ["good"]
+    classes = "".join(f'<class name="{name}" base_class_type="nodelet::Nodelet"/>' for name in ("../x", "a b", "-x", "$(id)", "demo/Good"))
+    (tmp_path / "plugins.xml").write_text(f"<library>{classes}</library>")
+    (tmp_path / "package.xml").write_text('<package><export><nodelet plugin="${prefix}/plugins.xml"/></export></package>')
+    assert [found.command for found in discover.nodelets("demo", [str(tmp_path)], "loader")] == [["loader", "standalone", "demo/Good"]]
+
+
+def test_what_a_build_says_is_cut_and_made_harmless(tmp_path: Path) -> None:
+    log = tmp_path / "log"
+    lines = [
+        "fine",
+        "/ws/a.cpp:1: error: \x1b]0;owned\x07 bell",
+        "CMake Error at x:1:",
+        "  \u202egnorw " + "x" * 1000,
+        *["error: again"] * 9,
+    ]
+    log.write_text("\n".join([*lines, *(f"error: number {number}" for number in range(9))]))
+    said = load("setup/build")._errors(str(log), "/ws")
+    assert said == [
+        "a.cpp:1: error:  ]0;owned  bell",
+        "CMake Error at x:1:  gnorw " + "x" * 273,
+        "error: again",
+        "error: number 0",
+        "error: number 1",
+    ]
+
+
 def test_the_compiler_is_told_what_debian_needs(tmp_path: Path) -> None:
     compiler = tmp_path / "c++"
     compiler.write_text('#!/bin/sh\nprintf "%s\\n" "$@"\n')

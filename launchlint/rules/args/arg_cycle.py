@@ -27,18 +27,23 @@ else.
   <node pkg="map_server" type="map_server" name="map_server" args="$(arg map).yaml"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` moves a declaration that comes too late up, above what reads it. roslaunch loads the file then. Circles are left to their author.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, move_before, spot
 from launchlint.rules.rule import Rule
 from launchlint.source import Place
 
-RULE = Rule("LL205", "arg-cycle", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL205", "arg-cycle", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -63,4 +68,16 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         related=related,
         notes=("roslaunch reads from top to bottom and stops here",),
         help=advice,
+        fix=None if cycle else _fix(problem, view),
     )
+
+
+def _fix(problem: Problem, view: object) -> Fix | None:
+    """The declaration moves up, above what stands in ``<launch>`` around the place that reads it."""
+    reader, declared = spot(view, problem.place), spot(view, problem.related[0][0]) if problem.related else None
+    if reader is None or declared is None or declared.document is not reader.document:
+        return None
+    above = reader.element
+    while above.parent is not None and above.parent is not declared.element.parent:
+        above = above.parent
+    return fix(f"move the declaration of {problem.facts['name']} up", move_before(declared, above), safe=True, changes=LOADS)

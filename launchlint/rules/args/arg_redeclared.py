@@ -27,17 +27,22 @@ The second declaration does not replace the first: roslaunch refuses the file.
   <node pkg="map_server" type="map_server" name="map_server" args="$(arg map).yaml"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` removes the second declaration where it says the same as the first. roslaunch loads the file then.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, remove_element, spot
 from launchlint.rules.rule import Rule
 
-RULE = Rule("LL203", "arg-redeclared", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL203", "arg-redeclared", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -53,4 +58,15 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         related=problem.related,
         notes=(f"roslaunch stops with: arg '{name}' has already been declared",),
         help="remove one, or give them conditions that exclude each other",
+        fix=_fix(problem, view),
     )
+
+
+def _fix(problem: Problem, view: object) -> Fix | None:
+    """Of two declarations that say the same, the second goes."""
+    second = spot(view, problem.place)
+    first = spot(view, problem.related[0][0]) if problem.related else None
+    if first is None or second is None or first.document is not second.document or first.element.tag != second.element.tag:
+        return None
+    said = [{name: each.value for name, each in at.element.attributes.items()} for at in (first, second)]
+    return fix("remove this declaration", remove_element(second), safe=True, changes=LOADS) if said[0] == said[1] else None

@@ -23,17 +23,22 @@ roslaunch refuses the file, even where both are the same.
   <node pkg="map_server" type="map_server" name="map_server" args="$(arg map).yaml"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` removes `value` where `default` says the same: then others may change the arg.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, remove_attribute, spot
 from launchlint.rules.rule import Rule
 
-RULE = Rule("LL204", "arg-value-and-default", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL204", "arg-value-and-default", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -47,4 +52,13 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         related=problem.related,
         notes=("roslaunch stops with: <arg> tag must have one and only one of value/default.",),
         help="keep default if others may change the arg, value if it is fixed",
+        fix=_fix(problem, view),
     )
+
+
+def _fix(problem: Problem, view: object) -> Fix | None:
+    """Where both say the same, the value goes: then others may change the arg, as its default says."""
+    at = spot(view, problem.place)
+    if at is None or at.element.get("value") != at.element.get("default") or "value" not in at.element.attributes:
+        return None
+    return fix("keep default", remove_attribute(at._replace(attribute=at.element.attributes["value"])), safe=False, changes=LOADS)

@@ -22,19 +22,24 @@ roslaunch refuses the file when it gets to the value.
   <node pkg="map_server" type="map_server" name="map_server" args="$(dirname)/office.yaml"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` writes the command that the name is one slip away from: `$(args x)` becomes `$(arg x)`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, replace, spot
 from launchlint.rules.rule import Rule
-from launchlint.spelling import closest
+from launchlint.spelling import closest, surely
 from launchlint.syntax.ros1.dialect import ROS2_SUBSTITUTIONS
 
-RULE = Rule("LL207", "bad-substitution", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL207", "bad-substitution", Severity.ERROR, roslaunch="refuses", fixable="safe")
 COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
 EVAL_ALONE = "$(eval …) must be the whole value: write the text around it as strings in the expression"
 
@@ -52,7 +57,17 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         notes=("roslaunch stops when it gets here",),
         help=_advice(reason, command, words),
+        fix=_fix(problem, view, command),
     )
+
+
+def _fix(problem: Problem, view: object, command: str) -> Fix | None:
+    """A misspelt command becomes the only one that it is a slip for."""
+    meant = None if command in COMMANDS else surely(command, COMMANDS)
+    text = problem.place.text
+    if meant is None or not text.startswith("$(") or text.count(command) != 1:
+        return None
+    return fix(f"write {meant}", replace(spot(view, problem.place), problem.place, text.replace(command, meant)), safe=True, changes=LOADS)
 
 
 def _advice(reason: str, command: str, words: list[str]) -> str:

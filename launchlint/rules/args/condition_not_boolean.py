@@ -25,6 +25,10 @@ roslaunch refuses the file with `Value error`, and does not say which line.
   <node pkg="gazebo_ros" type="gzserver" name="gazebo" if="$(arg sim)"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` writes `true` or `false` for a literal word that means it, or is one slip away. roslaunch loads the file then.
 """
 
 from __future__ import annotations
@@ -32,12 +36,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
-from launchlint.spelling import closest
+from launchlint.spelling import closest, surely
 
-RULE = Rule("LL214", "condition-not-boolean", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL214", "condition-not-boolean", Severity.ERROR, roslaunch="refuses", fixable="safe")
 WORDS = {"yes": "true", "on": "true", "enabled": "true", "y": "true", "no": "false", "off": "false", "disabled": "false", "n": "false"}
 COMPUTED = re.compile(r"[=!<>]=|[<>]|\b(?:and|or|not|in)\b")
 
@@ -58,7 +63,16 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         label="must be true, false, 1 or 0",
         notes=(f"roslaunch stops with: Value error: {value.lower().strip()[:60]} is not a 'bool' type".replace(":  is", ": is"),),
         help=_advice(name, value, text),
+        fix=_fix(problem, view, value),
     )
+
+
+def _fix(problem: Problem, view: object, value: str) -> Fix | None:
+    word = value.strip().lower()
+    meant = WORDS.get(word) or surely(word, ("true", "false"))
+    if meant is None or not is_literal(problem.place, value):
+        return None
+    return fix(f"write {meant}", set_value(spot(view, problem.place), meant), safe=True, changes=LOADS)
 
 
 def _advice(name: str, value: str, text: str) -> str:

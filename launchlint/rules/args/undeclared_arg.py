@@ -24,18 +24,23 @@ day of the demonstration.
   <node pkg="amcl" type="amcl" name="amcl"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` reads the arg with the most similar name.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, replace, spot
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest
 
-RULE = Rule("LL201", "undeclared-arg", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL201", "undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -50,4 +55,13 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         notes=(f"roslaunch stops here, since {name} has no value",),
         help=f"did you mean {near}?" if near is not None else f'declare it above: <arg name="{name}" default="…"/>',
         topic=name,
+        fix=None if near is None else _fix(problem, view, name, near),
     )
+
+
+def _fix(problem: Problem, view: object, name: str, near: str) -> Fix | None:
+    """The arg with the near name is read instead, where the place is the name or a substitution with it."""
+    text = problem.place.text
+    if text.count(name) != 1:
+        return None
+    return fix(f"read {near}", replace(spot(view, problem.place), problem.place, text.replace(name, near)), safe=False, changes=LOADS)

@@ -27,17 +27,26 @@ roslaunch loads the file and says nothing. The node gets the text as it stands, 
   <param name="odom_frame" value="$(arg frame)_odom"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` writes `$(arg a)` for `$(arg a`, `${arg a}`, `$[arg a]` and `$ (arg a)`, likewise with `find`, `env` and `anon`, and
+removes a parenthesis too many. The value is another one then.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import fix, replace, spot
 from launchlint.rules.rule import Rule
 
-RULE = Rule("LL215", "unexpanded-substitution", Severity.WARNING)
+_NEARLY = re.compile(r"\$\s*[({\[]\s*(arg|find|env|anon)\s+([\w.-]+)\s*[)}\]]?")
+
+RULE = Rule("LL215", "unexpanded-substitution", Severity.WARNING, fixable="unsafe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -51,7 +60,21 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     else:
         message = f"{text.strip()[:60]} is no substitution: it stays in the value as it is"
         advice = _advice(text)
-    yield RULE.at(problem.origin, message, label="plain text", help=advice)
+    yield RULE.at(problem.origin, message, label="plain text", help=advice, fix=_fix(problem, view))
+
+
+def _fix(problem: Problem, view: object) -> Fix | None:
+    """What is nearly a substitution of an arg, a package or a variable becomes one; a parenthesis too many goes."""
+    place, at = problem.place, spot(view, problem.place)
+    if problem.facts.get("rosparam"):
+        return None
+    if problem.facts["extra"]:
+        return fix("remove it", replace(at, place, ""), safe=False, changes="the ) is no longer part of the value")
+    match = _NEARLY.fullmatch(place.text.strip())
+    if match is None:
+        return None
+    text = f"$({match[1]} {match[2]})"
+    return fix(f"write {text}", replace(at, place, text), safe=False, changes="it is replaced by what it stands for")
 
 
 def _advice(text: str) -> str:

@@ -28,6 +28,10 @@ behind it: the value that was meant to use the arg uses another one.
   <node pkg="map_server" type="map_server" name="map_server" args="$(arg map).yaml"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` removes the arg, unless a launch file that is checked too gives it a value. It can no longer be given then.
 """
 
 from __future__ import annotations
@@ -36,11 +40,12 @@ import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.rules.edits import fix, remove_element, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.syntax.tree import Comment, Document, Element
 
-RULE = Rule("LL206", "unused-arg", Severity.WARNING)
+RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
 
 # Whatever looks like a read counts as one, closed or not: what is wrong with it is told by other rules.
 READ = re.compile(r"[({\[]\s*arg\s+([^\s(){}\[\]$]+)")
@@ -82,6 +87,9 @@ def check(view: FileView) -> Iterator[Finding]:
             related=tuple((place, "declared here too") for place in others),
             notes=("only a comment reads it",) if name in in_comments else ("a value that is given for it has no effect",),
             help=f"remove it here and in the includes that pass it, or use it as $(arg {name})",
+            fix=None
+            if others
+            else fix("remove the arg", remove_element(spot(view, first)), safe=False, changes=f"{name} can no longer be given"),
         )
 
 

@@ -42,20 +42,25 @@ roslaunch refuses the whole launch.
   </node>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` passes the arg on where the including file has one of that name.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, append_child, fix, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
 from launchlint.spelling import closest
 
-RULE = Rule("LL404", "include-missing-arg", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL404", "include-missing-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
@@ -76,7 +81,18 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         notes=tuple(notes),
         help=f"is {near}, which is passed, meant to be {name}? Else {help}" if near is not None else help,
         topic=name,
+        fix=_fix(problem, view, name) if near is None and not given else None,
     )
+
+
+def _fix(problem: Problem, view: LaunchView, name: str) -> Fix | None:
+    """An arg of the same name in the including file is passed on."""
+    source, step = problem.place.source, problem.origin.step
+    own = (each for each in view.launch.declared if each.name == name and not each.passed and not each.in_group)
+    if not any(each.origin.place.source is source and each.origin.step == step for each in own):
+        return None
+    child = f'<arg name="{name}" value="$(arg {name})"/>'
+    return fix(f"pass {name} on", append_child(spot(view, problem.place), child), safe=False, changes=LOADS)
 
 
 def _all_pass_on(origin: Origin, view: LaunchView) -> bool:

@@ -36,6 +36,11 @@ roslaunch reads every include before it starts the first node, and stops at one 
   <node pkg="usb_cam" type="usb_cam_node" name="camera"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` writes `$(dirname)/` before a plain name that exists beside the including file: roslaunch finds it then wherever it is started.
+`--unsafe-fixes` writes the similar name that the help proposes.
 """
 
 from __future__ import annotations
@@ -43,8 +48,9 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.installed import installed_from
 from launchlint.rules.made_up import is_made_up
 from launchlint.rules.other_file import is_inside, root_of, shown
@@ -55,7 +61,7 @@ from launchlint.source import Source
 from launchlint.spelling import closest
 from launchlint.workspace.looking import is_file, names, walk
 
-RULE = Rule("LL401", "include-not-found", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL401", "include-not-found", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _MOST_DIRECTORIES = 300
@@ -107,7 +113,21 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         label="found only beside this file" if beside else "not found",
         notes=tuple(notes),
         help=advice,
+        fix=None if environment else _fix(problem, view, written, f"$(dirname)/{file}" if beside else _meant(advice), sure=beside),
     )
+
+
+def _meant(advice: str) -> str:
+    """The name that :func:`_suggestion` proposes, where it is one that can be written into any file."""
+    name = advice.removeprefix("did you mean ").removesuffix("?")
+    return name if name != advice and name.startswith("$(") else ""
+
+
+def _fix(problem: Problem, view: LaunchView, written: str, name: str, *, sure: bool) -> Fix | None:
+    if not name or problem.place.text != written or (sure and "$" in written):
+        return None
+    changes = "roslaunch finds it wherever it is started" if sure else f"{name} is included"
+    return fix(f'write file="{name}"', set_value(spot(view, problem.place), name), safe=sure, changes=changes)
 
 
 def _suggestion(file: str, source: Source, written: str, view: LaunchView, root: str) -> str:

@@ -44,6 +44,10 @@ roslaunch refuses the whole launch. It is also how a mistyped arg shows.
   </node>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` passes the most similar arg that the included file declares, where it is not passed yet.
 """
 
 from __future__ import annotations
@@ -51,14 +55,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place, Span
-from launchlint.spelling import did_you_mean
+from launchlint.spelling import closest, did_you_mean
 
-RULE = Rule("LL403", "include-undeclared-arg", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL403", "include-undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 _MOST_NAMED = 8
 
@@ -79,7 +84,17 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         help="declare it at the top level of the included file, without a condition"
         if conditional is not None
         else did_you_mean(name, known) or "remove it here, or declare it there",
+        fix=None if conditional is not None else _fix(problem, view, name, closest(name, known)),
     )
+
+
+def _fix(problem: Problem, view: LaunchView, name: str, near: str | None) -> Fix | None:
+    at = spot(view, problem.place)
+    if near is None or at is None or at.element.parent is None or not is_literal(problem.place, name):
+        return None
+    if any(each.get("name") == near for each in at.element.parent.children):
+        return None
+    return fix(f"pass {near}", set_value(at, near), safe=False, changes=f"{LOADS}, and the value is that of {near}")
 
 
 def _declared_elsewhere(name: str, file: str, view: LaunchView) -> Place | None:

@@ -39,6 +39,10 @@ The launch breaks on the next robot, for the next user, or as soon as the packag
 ```yaml config/limits.yaml
 speed: 1.0
 ```
+
+## Fix
+
+`--fix` writes the path with `$(find …)` or `$(dirname)` where it leads to the same file here, which is proved before it is done.
 """
 
 from __future__ import annotations
@@ -48,13 +52,14 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
+from launchlint.rules.edits import Spot, fix, set_value
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.source import Place
 from launchlint.workspace.looking import exists
 
-RULE = Rule("LL406", "non-portable-path", Severity.WARNING)
+RULE = Rule("LL406", "non-portable-path", Severity.WARNING, fixable="safe")
 
 _ATTRIBUTES = {"include": ("file",), "rosparam": ("file",), "param": ("textfile", "binfile")}
 _SYSTEM = r"/(?:etc|dev|tmp|var|run|mnt|media|sys|proc|opt/(?!ros/))"
@@ -79,7 +84,22 @@ def check(view: FileView) -> Iterator[Finding]:
             fault = _fault(attribute.value, element.tag, view)
             if fault is not None:
                 place = Place(document.source, attribute.shown_span)
-                yield RULE.at(place, fault.message, label="not portable", notes=(fault.note,), help=fault.help)
+                yield RULE.at(
+                    place,
+                    fault.message,
+                    label="not portable",
+                    notes=(fault.note,),
+                    help=fault.help,
+                    fix=_fix(fault, Spot(document, element, attribute)),
+                )
+
+
+def _fix(fault: _Fault, at: Spot) -> Fix | None:
+    """The portable name, where the advice is one and no pattern; whether it leads to the same file is proved before it is written."""
+    name = fault.help.removeprefix("write ")
+    written = "" if at.attribute is None else at.attribute.value
+    unseen = "…" in name or (written.startswith("/") and not exists(written))
+    return None if unseen else fix(fault.help, set_value(at, name), safe=True)
 
 
 def _fault(value: str, tag: str, view: FileView) -> _Fault | None:

@@ -38,20 +38,25 @@ anything as soon as two nodes share one, often because a file is included twice.
   <node pkg="ekf" type="filter" name="odometry_filter"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` puts a number behind the name of the second node: `camera_2`. Other launch files and nodes may know it by its old name.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Node
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
 
-RULE = Rule("LL301", "duplicate-node-name", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL301", "duplicate-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
@@ -79,7 +84,18 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         related=related,
         notes=(stops,),
         help=_advice(first, second, twice),
+        fix=None if twice else _fix(second, view),
     )
+
+
+def _fix(second: Node, view: LaunchView) -> Fix | None:
+    """The second node gets a number behind its name, the first one that no node here has."""
+    place = second.attributes.get("name")
+    if place is None or not is_literal(place, second.name):
+        return None
+    taken = {node.name for node in (*view.launch.nodes, *view.launch.tests)}
+    name = next(each for number in range(2, len(taken) + 3) if (each := f"{second.name}_{number}") not in taken)
+    return fix(f"call the second {name}", set_value(spot(view, place), name), safe=False, changes=f"{LOADS}, and the second node is {name}")
 
 
 def _way_to(first: Node, second: Node) -> tuple[tuple[Place, str], ...]:

@@ -23,19 +23,24 @@ rostest tells tests apart by their `test-name` alone. Where two share one it run
   <test pkg="rostest" type="hztest" test-name="image_rate" name="image_rate"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` puts a number behind the second `test-name`: rostest runs both then.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Node
+from launchlint.rules.edits import fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
 
-RULE = Rule("LL311", "duplicate-test-name", Severity.WARNING)
+RULE = Rule("LL311", "duplicate-test-name", Severity.WARNING, fixable="unsafe")
 
 
 def check(view: LaunchView) -> Iterator[Finding]:
@@ -58,4 +63,15 @@ def check(view: LaunchView) -> Iterator[Finding]:
             related=related,
             notes=(f"rostest runs neither and fails with: Duplicate tests named [{name}] in rostest suite",),
             help="give each test a test-name of its own",
+            fix=None if here else _fix(test, name, view),
         )
+
+
+def _fix(test: Node, name: str, view: LaunchView) -> Fix | None:
+    """The second test gets a number behind its test-name, the first one that no test here has."""
+    place = test.attributes.get("test-name")
+    if place is None or not is_literal(place, name):
+        return None
+    taken = {each.test_name for each in view.launch.tests}
+    new = next(each for number in range(2, len(taken) + 3) if (each := f"{name}_{number}") not in taken)
+    return fix(f"call the second {new}", set_value(spot(view, place), new), safe=False, changes=f"rostest runs both, the second as {new}")

@@ -27,6 +27,10 @@ C++ nodes end at start with an invalid-name exception. Python nodes end up under
   </group>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` writes the namespace that the help proposes.
 """
 
 from __future__ import annotations
@@ -34,12 +38,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 
-RULE = Rule("LL314", "invalid-namespace", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL314", "invalid-namespace", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
@@ -51,6 +56,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
             problem.origin, f"the namespace {namespace} is private", label="~ stands for a node's own namespace",
             notes=(f"roslaunch stops with: cannot turn [{namespace}] into a global name",),
             help=f'write ns="{base}"' if base else "write the namespace without ~",
+            fix=_fix(problem, view, base, LOADS),
         )  # fmt: skip
         return
     good = re.sub(r"[^\w/]", "_", namespace.strip(), flags=re.ASCII)
@@ -59,4 +65,11 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         problem.origin, f"the namespace {namespace!r} is not a valid ROS name", severity=Severity.WARNING, label="invalid",
         notes=("roslaunch takes it, but C++ nodes in it end at start with an invalid-name exception",),
         help=f"use letters, digits, _ and /, a letter first: {good}",
+        fix=_fix(problem, view, good, f"the namespace is {good}"),
     )  # fmt: skip
+
+
+def _fix(problem: Problem, view: LaunchView, namespace: str, changes: str) -> Fix | None:
+    if not namespace or not is_literal(problem.place, problem.facts["namespace"]):
+        return None
+    return fix(f'write ns="{namespace}"', set_value(spot(view, problem.place), namespace), safe=False, changes=changes)

@@ -24,6 +24,10 @@ set for it by name.
   <node pkg="amcl" type="amcl" name="amcl" ns="robot1"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` writes the name that the help proposes, or moves the namespace in it to `ns`.
 """
 
 from __future__ import annotations
@@ -31,12 +35,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, add_attribute, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 
-RULE = Rule("LL302", "invalid-node-name", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL302", "invalid-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
@@ -48,6 +53,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
             problem.origin, f"the node name {name} has a slash in it", label="a node name has no namespace",
             notes=("roslaunch stops with: node name cannot contain a namespace",),
             help=f'write name="{base}" ns="{namespace}"' if namespace else f'write name="{base}"',
+            fix=_split(problem, view, name, base, namespace),
         )  # fmt: skip
     elif reason == "private":
         base = name.lstrip("~/")
@@ -74,7 +80,24 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
             label=_fault(name),
             notes=("a C++ node ends at start with an invalid-name exception, and tools such as rosnode may not find a Python one",),
             help=f"use letters, digits and _, a letter first: {good}" if own else f'give the test a name as well: name="{good}"',
+            fix=_rename(problem, view, name, good) if own else None,
         )
+
+
+def _split(problem: Problem, view: LaunchView, name: str, base: str, namespace: str) -> Fix | None:
+    """The namespace moves from the name to ``ns``, which the node has not got yet."""
+    at = spot(view, problem.place)
+    if at is None or not base or not namespace or not is_literal(problem.place, name) or "ns" in at.element.attributes:
+        return None
+    namespace = f"/{namespace}" if name.startswith("/") else namespace
+    edits = (*set_value(at, base), *add_attribute(at, "ns", namespace))
+    return fix(f'write name="{base}" ns="{namespace}"', edits, safe=False, changes=LOADS)
+
+
+def _rename(problem: Problem, view: LaunchView, name: str, good: str) -> Fix | None:
+    if not is_literal(problem.place, name):
+        return None
+    return fix(f"write {good}", set_value(spot(view, problem.place), good), safe=False, changes=f"the node is {good}")
 
 
 def _is_own_name(problem: Problem) -> bool:

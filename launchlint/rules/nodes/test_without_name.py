@@ -22,6 +22,10 @@ test that ends is done, not to be restarted: `retry` repeats a failed one.
   <test pkg="rostest" type="hztest" name="scan_rate" test-name="scan_rate"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` removes `output`, `respawn` and `respawn_delay` from a test. roslaunch loads the file then. A `test-name` has to be thought of.
 """
 
 from __future__ import annotations
@@ -30,10 +34,11 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, remove_attribute, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, LaunchView
 
-RULE = Rule("LL310", "test-without-name", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL310", "test-without-name", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
 def tell(problem: Problem, view: FileView | LaunchView) -> Iterator[Finding]:
@@ -51,4 +56,5 @@ def tell(problem: Problem, view: FileView | LaunchView) -> Iterator[Finding]:
             problem.origin, f"a test cannot have {name}", label="not allowed here",
             notes=(f"roslaunch stops with: <test> tags cannot have '{name}' attribute",),
             help="remove it; rostest --text shows the output of tests" if name == "output" else "remove it; retry repeats a failed test",
+            fix=fix(f"remove {name}", remove_attribute(spot(view, problem.place)), safe=True, changes=LOADS),
         )  # fmt: skip

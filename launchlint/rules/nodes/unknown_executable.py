@@ -60,13 +60,19 @@ find_package(catkin REQUIRED)
 catkin_package()
 add_executable(drive_node src/drive.cpp)
 ```
+
+## Fix
+
+`--unsafe-fixes` writes the executable of the package that the name is one slip away from.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
+from launchlint.model import Node
+from launchlint.rules.edits import fix, is_literal, set_value, spot
 from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -74,7 +80,7 @@ from launchlint.source import Origin
 from launchlint.spelling import closest, one_slip
 from launchlint.workspace.packages import SYSTEM_SHARE
 
-RULE = Rule("LL304", "unknown-executable", Severity.ERROR, roslaunch="reports")
+RULE = Rule("LL304", "unknown-executable", Severity.ERROR, roslaunch="reports", fixable="unsafe")
 
 _MOST_NAMED = 6
 
@@ -108,7 +114,15 @@ def check(view: LaunchView) -> Iterator[Finding]:
             label="not found",
             notes=(has, "roslaunch loads the file and fails when it starts this node"),
             help=f"did you mean {near}?" if near else f"correct the type, or add {name} to the CMakeLists.txt or scripts of {node.package}",
+            fix=None if slip is None else _fix(node, view, slip),
         )
+
+
+def _fix(node: Node, view: LaunchView, slip: str) -> Fix | None:
+    place = node.attributes.get("type")
+    if place is None or not is_literal(place, node.executable):
+        return None
+    return fix(f"write {slip}", set_value(spot(view, place), slip), safe=False, changes=f"{slip} is started")
 
 
 def _slip(name: str, names: list[str]) -> str | None:

@@ -26,21 +26,26 @@ roslaunch loads the file and then refuses to start anything.
   <node pkg="usb_cam" type="usb_cam_node" name="camera" machine="onboard"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` writes the machine with the most similar name.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Launch
 from launchlint.problem import Problem
+from launchlint.rules.edits import fix, is_literal, set_value, spot
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
-from launchlint.spelling import did_you_mean
+from launchlint.spelling import closest, did_you_mean
 
-RULE = Rule("LL306", "unknown-machine", Severity.ERROR, roslaunch="reports")
+RULE = Rule("LL306", "unknown-machine", Severity.ERROR, roslaunch="reports", fixable="unsafe")
 _DEFINE = ("<machine", "<group", "<include")
 
 
@@ -73,7 +78,14 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
             f"defined are: {', '.join(known)}" if known else "no machine is defined: this works only where the including file defines it",
         ),
         help=did_you_mean(name, known) or f'define it: <machine name="{name}" address="…"/>',
+        fix=_fix(problem, view, name, closest(name, known)),
     )
+
+
+def _fix(problem: Problem, view: LaunchView, name: str, near: str | None) -> Fix | None:
+    if near is None or not is_literal(problem.place, name):
+        return None
+    return fix(f"write {near}", set_value(spot(view, problem.place), near), safe=False, changes=f"the node runs on {near}")
 
 
 def _may_be_elsewhere(launch: Launch) -> bool:

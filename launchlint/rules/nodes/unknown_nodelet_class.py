@@ -27,22 +27,29 @@ roslaunch loads the file without a word. The manager then fails to load the node
   <node pkg="nodelet" type="nodelet" name="rectify" args="load image_proc/rectify camera_manager"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` writes the class with the most similar name.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import Instance
+from launchlint.model import Node
+from launchlint.rules.edits import fix, replace, spot
 from launchlint.rules.nodes.exported_nodelets import exported_nodelets
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
 from launchlint.spelling import closest, one_slip
 
-RULE = Rule("LL309", "unknown-nodelet-class", Severity.ERROR)
+RULE = Rule("LL309", "unknown-nodelet-class", Severity.ERROR, fixable="unsafe")
 
 SHORTEST_SLIP = 6
 """Below this many letters most names are one slip away from some other name."""
@@ -76,7 +83,16 @@ def check(view: GraphView) -> Iterator[Finding]:
             help=f"did you mean {judged.near}?"
             if judged.near
             else "correct the class, or export it in a plugin description of its package",
+            fix=_fix(node, view, instance.program, judged.near),
         )
+
+
+def _fix(node: Node, view: GraphView, name: str, near: str | None) -> Fix | None:
+    place = node.attributes.get("args")
+    if near is None or place is None or place.text.split().count(name) != 1 or "&" in place.text:
+        return None
+    words = re.sub(rf"(?<!\S){re.escape(name)}(?!\S)", lambda _: near, place.text)
+    return fix(f"write {near}", replace(spot(view, place), place, words), safe=False, changes=f"the nodelet is a {near}")
 
 
 def _consequence(instance: Instance) -> str:

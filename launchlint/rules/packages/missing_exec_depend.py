@@ -48,6 +48,11 @@ farm, a fresh robot) the launch fails, unless something else brings the package 
   <exec_depend>robot_state_publisher</exec_depend>
 </package>
 ```
+
+## Fix
+
+`--fix` adds the line to `package.xml`, below the last dependency, and proves that nothing else changes in it. What is declared for tests
+only is left alone.
 """
 
 from __future__ import annotations
@@ -55,7 +60,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.rules.missing_package import is_placeholder
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.packages.metapackages import members
@@ -70,7 +75,7 @@ if TYPE_CHECKING:
     from launchlint.workspace.manifest import Manifest
     from launchlint.workspace.packages import Package, Packages
 
-RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports")
+RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports", fixable="safe")
 
 _FIND = re.compile(r"\$\(\s*find\s+([A-Za-z][\w-]*)\s*\)|\bfind\(\s*['\"]([A-Za-z][\w-]*)['\"]\s*\)")
 _ANY_FIND = re.compile(r"\$\(\s*find\s+([^\s()$]+)\s*\)")
@@ -115,7 +120,21 @@ def check(view: FileView) -> Iterator[Finding]:
             notes=(f"it works only where something else brings {name} along",),
             help=f"{'change it to' if tested else 'add'} {_line(name, manifest.format, is_test=is_test)}",
             topic=name,
+            fix=None if tested else _fix(place, manifest, _line(name, manifest.format, is_test=is_test)),
         )
+
+
+def _fix(place: Place, manifest: Manifest, line: str) -> Fix | None:
+    """The line goes below the last dependency, or else below the name, indented as that is."""
+    source, span = place
+    if manifest.last_dependency is None and manifest.name_span is None:
+        return None
+    number = source.position(span.start).line
+    start = source.line(number)
+    indent = start[: len(start) - len(start.lstrip())]
+    alone = source.with_lines(span) != span
+    newline = "\r\n" if "\r\n" in source.text else "\n"
+    return Fix(f"add {line}", True, (Edit(source.path, span.end, span.end, f"{newline}{indent}{line}" if alone else line),))
 
 
 def _line(name: str, format_: int, *, is_test: bool) -> str:

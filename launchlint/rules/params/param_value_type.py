@@ -28,6 +28,11 @@ roslaunch refuses the file.
   </node>
 </launch>
 ```
+
+## Fix
+
+`--fix` writes the type that is meant by a word of other formats (`integer`, `float`), or the only one that is one slip away, and `true` or
+`false` for `yes`, `no`, `on` and `off`. A type that is further off takes `--unsafe-fixes`. roslaunch loads the file then.
 """
 
 from __future__ import annotations
@@ -35,14 +40,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
-from launchlint.spelling import closest
+from launchlint.spelling import closest, surely
 
-RULE = Rule("LL501", "param-value-type", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL501", "param-value-type", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 TYPES = ("str", "string", "int", "double", "bool", "boolean", "yaml", "auto")
+WORDS = {"yes": "true", "on": "true", "no": "false", "off": "false"}
 ALSO_KNOWN_AS = {
     "integer": "int", "long": "int", "unsigned": "int", "uint": "int", "int32": "int", "uint32": "int", "int64": "int",
     "float": "double", "float32": "double", "float64": "double", "number": "double", "real": "double", "decimal": "double",
@@ -63,6 +70,9 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
             related=problem.related,
             notes=(f"roslaunch stops with: Unknown type '{type_}'",),
             help=f"write type={instead!r}" if instead else f"the types are {', '.join(TYPES)}",
+            fix=None
+            if instead is None
+            else _fix_type(problem, view, instead, sure=instead == ALSO_KNOWN_AS.get(type_, surely(type_, TYPES))),
         )
         return
     yield RULE.at(
@@ -72,13 +82,29 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         related=problem.related,
         notes=("roslaunch refuses the file",),
         help=_instead(value.strip(), type_),
+        fix=_fix_boolean(problem, view, value) if type_ in ("bool", "boolean") else None,
     )
+
+
+def _fix_type(problem: Problem, view: object, type_: str, *, sure: bool) -> Fix | None:
+    at = spot(view, problem.place)
+    attribute = None if at is None else at.element.attributes.get("type")
+    if at is None or attribute is None or "$" in attribute.raw:
+        return None
+    return fix(f"write type={type_!r}", set_value(at, type_, attribute), safe=sure, changes=LOADS)
+
+
+def _fix_boolean(problem: Problem, view: object, value: str) -> Fix | None:
+    meant = WORDS.get(value.strip().lower())
+    if meant is None or not is_literal(problem.place, value):
+        return None
+    return fix(f"write {meant}", set_value(spot(view, problem.place), meant), safe=True, changes=LOADS)
 
 
 def _instead(value: str, type_: str) -> str:
     """What was probably meant."""
     if type_ in ("bool", "boolean"):
-        meant = {"yes": "true", "on": "true", "no": "false", "off": "false"}.get(value.lower())
+        meant = WORDS.get(value.lower())
         meant = meant or (closest(value.lower(), ("true", "false")) if len(value) > 2 else None)
         return f"write {meant}" if meant else "write true or false"
     if re.fullmatch(r"[-+]?\d*,\d+", value):

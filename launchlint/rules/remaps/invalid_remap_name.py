@@ -25,6 +25,10 @@ roslaunch refuses the file.
   </node>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` writes the name that the help proposes. roslaunch loads the file then.
 """
 
 from __future__ import annotations
@@ -32,11 +36,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 
-RULE = Rule("LL607", "invalid-remap-name", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL607", "invalid-remap-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -59,7 +64,15 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         related=problem.related,
         notes=(f"roslaunch stops with: remap {attribute} [{value}] is not a valid ROS name",),
         help=help_,
+        fix=_fix(problem, view, value, help_),
     )
+
+
+def _fix(problem: Problem, view: object, value: str, help_: str) -> Fix | None:
+    name = help_.removeprefix("write ")
+    if name == help_ or " " in name or not is_literal(problem.place, value):
+        return None
+    return fix(help_, set_value(spot(view, problem.place), name), safe=False, changes=LOADS)
 
 
 def _fault(name: str) -> tuple[str, str]:

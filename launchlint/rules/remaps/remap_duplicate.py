@@ -28,6 +28,11 @@ One of the two remaps does nothing, and roslaunch does not say so.
   </node>
 </launch>
 ```
+
+## Fix
+
+`--fix` removes the first of two remaps that say the same, `--unsafe-fixes` also the first of two that do not. The nodes get the same as
+before, which is proved before it is done; that the last one was meant is a guess.
 """
 
 from __future__ import annotations
@@ -35,13 +40,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.model import Launch, Remap
+from launchlint.model import Remap
+from launchlint.rules.edits import fix, remove_element, spot
 from launchlint.rules.remaps.resolved import has_known_name, resolve
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin, Place
 
-RULE = Rule("LL604", "remap-duplicate", Severity.WARNING)
+RULE = Rule("LL604", "remap-duplicate", Severity.WARNING, fixable="safe")
 
 
 def check(view: LaunchView) -> Iterator[Finding]:
@@ -51,8 +57,8 @@ def check(view: LaunchView) -> Iterator[Finding]:
         if problem.kind == "remap-replaced" and problem.facts["always"] and not problem.assumed:
             first = problem.related[0][0]
             facts = problem.facts
-            yield _finding(facts["key"], problem.origin, first, facts["old"], facts["new"])
-    yield from _in_one_scope(launch)
+            yield _finding(facts["key"], problem.origin, first, facts["old"], facts["new"], view)
+    yield from _in_one_scope(view)
     for node in (*launch.nodes, *launch.tests):
         if len(node.remaps) < 2 or not has_known_name(node) or any(condition.assumed for condition in node.conditions):
             continue
@@ -64,8 +70,9 @@ def check(view: LaunchView) -> Iterator[Finding]:
                 yield _two_spellings(name, earlier, remap)
 
 
-def _in_one_scope(launch: Launch) -> Iterator[Finding]:
+def _in_one_scope(view: LaunchView) -> Iterator[Finding]:
     """A remap that is replaced before any node has followed."""
+    launch = view.launch
     settings = {(item.origin.place.source.path, item.origin.place.span.start): item for item in launch.settings if item.kind == "remap"}
     for setting in settings.values():
         replaced = setting.replaced
@@ -73,10 +80,12 @@ def _in_one_scope(launch: Launch) -> Iterator[Finding]:
         if earlier is None or earlier.reached or not set(setting.conditions) <= set(earlier.conditions):
             continue
         if not any(condition.assumed for condition in earlier.conditions):
-            yield _finding(setting.key, setting.origin, earlier.origin.place, earlier.value.target, setting.value.target)
+            yield _finding(setting.key, setting.origin, earlier.origin.place, earlier.value.target, setting.value.target, view)
 
 
-def _finding(name: str, second: Origin, first: Place, old: str, new: str) -> Finding:
+def _finding(name: str, second: Origin, first: Place, old: str, new: str, view: LaunchView) -> Finding:
+    # The later one stays: it is the one that acts, at its place among the others.
+    removal = fix("remove the first", remove_element(spot(view, first)), safe=old == new)
     if old == new:
         return RULE.at(
             second,
@@ -85,6 +94,7 @@ def _finding(name: str, second: Origin, first: Place, old: str, new: str) -> Fin
             label="once more",
             related=((first, "the first one"),),
             help="remove one of the two",
+            fix=removal,
         )
     return RULE.at(
         second,
@@ -92,6 +102,7 @@ def _finding(name: str, second: Origin, first: Place, old: str, new: str) -> Fin
         label="this one acts",
         related=((first, "has no effect"),),
         help=f"remove one of the two; nothing can be remapped to two names, but a node such as topic_tools/relay can copy {new} to {old}",
+        fix=removal,
     )
 
 

@@ -24,6 +24,10 @@ only there to show the name it can go, and where one side is a slip of the pen, 
   </node>
 </launch>
 ```
+
+## Fix
+
+`--fix` removes it. The nodes work as before, which is proved before it is done.
 """
 
 from __future__ import annotations
@@ -32,11 +36,12 @@ from collections.abc import Iterator, Mapping
 
 from launchlint.evaluate.names import canonical
 from launchlint.finding import Finding, Severity
+from launchlint.rules.edits import Spot, fix, remove_element
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.syntax.tree import Element
 
-RULE = Rule("LL605", "remap-identity", Severity.INFO)
+RULE = Rule("LL605", "remap-identity", Severity.INFO, fixable="safe")
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -53,6 +58,7 @@ def check(view: FileView) -> Iterator[Finding]:
                 f"{source} is remapped to itself",
                 label="does nothing",
                 help="remove it, or correct one of the names",
+                fix=fix("remove it", remove_element(Spot(document, element, None)), safe=True),
             )
         remapped.setdefault(element.parent.index, set()).add(source)
 

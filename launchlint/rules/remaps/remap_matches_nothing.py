@@ -30,26 +30,33 @@ The remap does nothing, nobody says so, and the node goes on talking under the n
   </node>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` swaps `from` and `to`, or writes the name of the node that the help proposes.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, Instance
 from launchlint.graph.names import Applied, absolute, kind
 from launchlint.model import Remap
+from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.remaps.own_names import OwnNames, own_names
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
 from launchlint.spelling import closest, one_slip
 
-RULE = Rule("LL601", "remap-matches-nothing", Severity.WARNING)
+RULE = Rule("LL601", "remap-matches-nothing", Severity.WARNING, fixable="unsafe")
 UNIVERSAL = ("~get_loggers", "~set_logger_level", "/rosout", "/clock", "/use_sim_time", "/statistics")
 """Names that every node has (roscpp, rospy)."""
+_PROPOSED = re.compile(r'from="([^"]+)"(?: to="([^"]+)")?')
 _MOST_NAMES = 6
 _MOST_CANDIDATES = 300
 
@@ -94,7 +101,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     yield from (RULE.fine(origin) for origin in fine.values())
     for (path, start, topic), misses in missed.items():
         if (path, start) not in fine:
-            yield _finding(misses, topic)
+            yield _finding(misses, topic, view)
 
 
 def _key(origin: Origin) -> tuple[str, int]:
@@ -124,7 +131,7 @@ def _has(instance: Instance, names: OwnNames, applied: Applied) -> bool:
     return "params" in instance.open and applied.target not in names.spelled and one_slip(source, names.spelled) is None
 
 
-def _finding(misses: list[_Miss], topic: str) -> Finding:
+def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
     origin, instance, applied, names = misses[0]
     rule = applied.rule
     written = rule.remap.source if rule.remap is not None else rule.source
@@ -149,7 +156,21 @@ def _finding(misses: list[_Miss], topic: str) -> Finding:
         notes=tuple(notes),
         help=help_ or "remove it, or write the name that the node's code uses",
         topic=topic,
+        fix=None if topic else _fix(origin, help_, view),
     )
+
+
+def _fix(origin: Origin, help_: str, view: GraphView) -> Fix | None:
+    """The names that :func:`_help` proposes for ``from``, or for both sides."""
+    at = spot(view, origin.place)
+    match = _PROPOSED.search(help_)
+    if match is None or at is None or at.element.tag.lower() != "remap" or any("$" in each.raw for each in at.element.attributes.values()):
+        return None
+    edits = set_value(at, match[1], at.element.attributes.get("from"))
+    if match[2] is None:
+        return fix(f'write from="{match[1]}"', edits, safe=False, changes=f"{match[1]} is remapped")
+    edits += set_value(at, match[2], at.element.attributes.get("to"))
+    return fix("swap from and to", edits, safe=False, changes=f"{match[1]} is remapped to {match[2]}")
 
 
 def _is_harmless(miss: _Miss) -> bool:

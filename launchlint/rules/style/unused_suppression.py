@@ -29,6 +29,10 @@ in place that somebody thought was dealt with.
   </node>
 </launch>
 ```
+
+## Fix
+
+`--fix` removes the comment, or the rules in it that find nothing, and corrects a name that is one slip away from that of a rule.
 """
 
 from __future__ import annotations
@@ -39,10 +43,10 @@ from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.rules.registry import RULES
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import SuppressionView
-from launchlint.spelling import closest
+from launchlint.spelling import closest, surely
 from launchlint.suppression import Name, Suppression, unused
 
-RULE = Rule("LL802", "unused-suppression", Severity.WARNING)
+RULE = Rule("LL802", "unused-suppression", Severity.WARNING, fixable="safe")
 
 
 def check(view: SuppressionView) -> Iterator[Finding]:
@@ -73,7 +77,14 @@ def _unknown(suppression: Suppression, name: Name, names: tuple[str, ...]) -> Fi
         help=f"did you mean {near}?" if near is not None else "launchlint rules lists all rules",
         topic=name.text,
         element=_element(suppression),
+        fix=_renamed(suppression, name, surely(name.text.lower(), names)),
     )
+
+
+def _renamed(suppression: Suppression, name: Name, near: str | None) -> Fix | None:
+    if near is None or suppression.location.start == name.span.start:  # out of an entity
+        return None
+    return Fix(f"write {near}", True, (Edit(suppression.location.path, *name.span, near),))
 
 
 def _unused(suppression: Suppression, idle: tuple[Name, ...]) -> Finding:

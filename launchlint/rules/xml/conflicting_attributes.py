@@ -23,6 +23,10 @@ roslaunch refuses the file.
   <node pkg="amcl" type="amcl" name="amcl" respawn="true"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` removes an `ns=""`. Which of two other attributes is meant, only the author can tell. roslaunch loads the file then.
 """
 
 from __future__ import annotations
@@ -30,11 +34,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, remove_attribute, spot
 from launchlint.rules.rule import Rule
 
-RULE = Rule("LL110", "conflicting-attributes", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL110", "conflicting-attributes", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 # Reason → message, what roslaunch prints, help.
 WORDS = {
@@ -92,4 +97,13 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         notes=notes,
         help=advice,
         topic=reason,
+        fix=_fix(problem, view),
     )
+
+
+def _fix(problem: Problem, view: object) -> Fix | None:
+    """An ``ns`` with nothing in it goes; what else excludes each other, only its author can tell."""
+    at = spot(view, problem.place)
+    if problem.facts["reason"] != "empty-ns" or at is None or at.attribute is None or at.attribute.raw:
+        return None
+    return fix("remove ns", remove_attribute(at), safe=False, changes=LOADS)

@@ -24,17 +24,24 @@ Some are ignored, some still work, some make roslaunch refuse the file: none doe
   <node pkg="amcl" type="amcl" name="amcl"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` removes `<master>` and attributes that are empty, and writes `param` for the `ns` of a `<rosparam>`: nothing changes, which is
+proved before it is done. It writes `xacro` for `xacro.py`: the command is another one then. `--unsafe-fixes` removes attributes of
+`<machine>` that roslaunch refuses.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, remove_attribute, remove_element, rename_attribute, replace, spot
 from launchlint.rules.rule import Rule
 
-RULE = Rule("LL111", "deprecated-construct", Severity.WARNING)
+RULE = Rule("LL111", "deprecated-construct", Severity.WARNING, fixable="safe")
 
 
 STOPS = "roslaunch stops with: <machine>: {} not supported since ROS Fuerte."
@@ -70,4 +77,21 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     if construct.startswith("machine") and not problem.refused:
         note = "not supported since ROS Fuerte"
     severity = Severity.ERROR if problem.refused else Severity.INFO if construct == "rosparam ns" else Severity.WARNING
-    yield RULE.at(problem.origin, message, severity=severity, label="out of date", notes=(note,), help=advice)
+    yield RULE.at(
+        problem.origin, message, severity=severity, label="out of date", notes=(note,), help=advice, fix=_fix(construct, problem, view)
+    )
+
+
+def _fix(construct: str, problem: Problem, view: object) -> Fix | None:
+    at = spot(view, problem.place)
+    if construct == "<master>":
+        return fix("remove it", remove_element(at), safe=True)
+    if construct == "rosparam ns":
+        return fix("write param", rename_attribute(at, "param"), safe=True)
+    if construct == "xacro.py":
+        return fix("write xacro", replace(at, problem.place, "xacro"), safe=True, changes="the command is xacro")
+    if construct == "machine env" or at is None or at.attribute is None:
+        return None
+    if not at.attribute.value:
+        return fix(f"remove {at.attribute.name}", remove_attribute(at), safe=True)
+    return fix(f"remove {at.attribute.name}", remove_attribute(at), safe=False, changes=LOADS)

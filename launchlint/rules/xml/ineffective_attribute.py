@@ -22,17 +22,23 @@ Whoever wrote it expects an effect. `<launch if="false">`, for one, loads like a
   <node pkg="amcl" type="amcl" name="amcl" respawn="true" respawn_delay="5"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` removes `required` from a `<test>`, `--unsafe-fixes` an empty group without comments. Nothing changes, which is proved before it
+is done.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import fix, remove_attribute, remove_element, spot
 from launchlint.rules.rule import Rule
 
-RULE = Rule("LL113", "ineffective-attribute", Severity.WARNING)
+RULE = Rule("LL113", "ineffective-attribute", Severity.WARNING, fixable="safe")
 
 # Reason → message, label, help.
 WORDS = {
@@ -60,4 +66,14 @@ WORDS = {
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
     """Say why it does nothing; facts: ``tag``, ``attribute``, ``reason``."""
     message, label, advice = (words.format(attribute=problem.facts["attribute"]) for words in WORDS[problem.facts["reason"]])
-    yield RULE.at(problem.origin, message, label=label, help=advice, topic=problem.facts["reason"])
+    yield RULE.at(problem.origin, message, label=label, help=advice, topic=problem.facts["reason"], fix=_fix(problem, view))
+
+
+def _fix(problem: Problem, view: object) -> Fix | None:
+    reason = problem.facts["reason"]
+    at = spot(view, problem.place)
+    if reason == "required-on-test":
+        return fix("remove required", remove_attribute(at), safe=True)
+    if reason == "empty-group" and at is not None and "<!--" not in at.document.place(at.element.span).text:
+        return fix("remove the group", remove_element(at), safe=False)
+    return None

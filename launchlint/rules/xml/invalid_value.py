@@ -25,19 +25,25 @@ everything down.
   <node pkg="amcl" type="amcl" name="amcl" output="screen"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` writes the value that is meant by a word of other formats (`1`, `yes`, `integer`), or the only one that is one slip away; a value
+that is further off takes `--unsafe-fixes`. Values made by substitutions are left alone. roslaunch loads the file then.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
-from launchlint.spelling import closest
+from launchlint.spelling import closest, surely
 from launchlint.syntax.ros1.dialect import TAGS
 
-RULE = Rule("LL109", "invalid-value", Severity.ERROR, roslaunch="refuses")
+RULE = Rule("LL109", "invalid-value", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 MEANT = {"1": "true", "yes": "true", "on": "true", "0": "false", "no": "false", "off": "false", "integer": "int", "float": "double"}
 """Words of other formats, and what is meant where the attribute takes that."""
@@ -65,7 +71,8 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     value = facts["value"]
     rule = TAGS[facts["tag"].lower()].attribute(name)
     expected, choices = (facts["expected"], ()) if rule is None else (rule.domain.expected, rule.domain.choices)
-    near = next((each for each in choices if MEANT.get(value.strip().lower()) == each), None) or closest(value.strip(), choices)
+    meant = next((each for each in choices if MEANT.get(value.strip().lower()) == each), None) or surely(value.strip(), choices)
+    near = meant or closest(value.strip(), choices)
     problem_text = f"{name} is empty" if not value else f"{name}={value[:60]!r} is not {expected}"
     yield RULE.at(
         problem.origin,
@@ -73,4 +80,12 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         severity=severity,
         label=f"must be {expected}",
         help=f"did you mean {near}?" if near is not None else f"write {expected}" if choices else f"{name} takes {expected}",
+        fix=None if near is None else _fix(problem, view, near, sure=near == meant),
     )
+
+
+def _fix(problem: Problem, view: object, near: str, *, sure: bool) -> Fix | None:
+    if not is_literal(problem.place, problem.facts["value"]):
+        return None
+    at = spot(view, problem.place)
+    return fix(f"write {near}", set_value(at, near), safe=sure, changes=LOADS)

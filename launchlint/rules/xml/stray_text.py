@@ -24,18 +24,24 @@ into an attribute. roslaunch says nothing about it.
   <node pkg="amcl" type="amcl" name="amcl"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` makes a comment of a line that begins with `#` or `//`. `--unsafe-fixes` removes other text, unless it stands in a tag that takes
+a value. Nothing changes for roslaunch, which is proved before it is done.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import has_placeholder
+from launchlint.source import Place
 
-RULE = Rule("LL107", "stray-text", Severity.WARNING)
+RULE = Rule("LL107", "stray-text", Severity.WARNING, fixable="safe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -69,4 +75,20 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         label="ignored",
         notes=(reason,),
         help=advice,
+        fix=_fix(problem.place, words, comment=comment, of_a_value=because == "tag" and parent in ("param", "env", "arg")),
     )
+
+
+def _fix(place: Place, words: str, *, comment: bool, of_a_value: bool) -> Fix | None:
+    """A line that begins as comments do elsewhere becomes a comment; other text goes, unless it may be a value."""
+    if "&" in place.text or "]]>" in place.text:
+        return None
+    source, span = place
+    if comment and "--" not in words and not words.endswith("-") and "\n" not in place.text:
+        text = words.lstrip("#/").strip()
+        return Fix("make it a comment", True, (Edit(source.path, *span, f"<!-- {text} -->"),))
+    if of_a_value or source.text.endswith("<![CDATA[", 0, span.start):
+        return None
+    whole = source.with_lines(span)
+    start = whole.start if whole != span else len(source.text[: span.start].rstrip(" \t"))
+    return Fix("remove the text", False, (Edit(source.path, start, whole.end, ""),))

@@ -23,18 +23,24 @@ then runs without the setting that somebody wrote down.
   <node pkg="amcl" type="amcl" name="amcl" respawn="true"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` writes the attribute that the name is one slip away from, where there is only one and the element has not got it yet; a name that
+is further off, or belongs to another tag, takes `--unsafe-fixes`. The value that was dropped takes effect then.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import Spot, fix, rename_attribute, spot
 from launchlint.rules.rule import Rule
-from launchlint.spelling import closest
+from launchlint.spelling import closest, surely
 
-RULE = Rule("LL104", "unknown-attribute", Severity.ERROR, roslaunch="reports")
+RULE = Rule("LL104", "unknown-attribute", Severity.ERROR, roslaunch="reports", fixable="safe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -54,7 +60,15 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         label="dropped",
         notes=notes,
         help=advice,
+        fix=None
+        if near is None
+        else _fix(name, near, sure=not owners and surely(name, facts["known"]) == near, at=spot(view, problem.place)),
     )
+
+
+def _fix(name: str, near: str, *, sure: bool, at: Spot | None) -> Fix | None:
+    value = "" if at is None or at.attribute is None else at.attribute.value
+    return fix(f"write {near}", rename_attribute(at, near), safe=sure, changes=f'{near}="{value[:60]}" takes effect')
 
 
 def _tags(tags: tuple[str, ...]) -> str:

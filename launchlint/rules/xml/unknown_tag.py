@@ -24,18 +24,24 @@ missing on the robot.
   <node pkg="map_server" type="map_server" name="map_server"/>
 </launch>
 ```
+
+## Fix
+
+`--fix` writes the tag that the name is one slip away from (`<nodes>` becomes `<node>`), where there is only one; a name that is further
+off takes `--unsafe-fixes`. What the element says takes effect then: the node is started, the parameter set.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import Spot, fix, rename_tag, spot
 from launchlint.rules.rule import Rule
-from launchlint.spelling import closest
+from launchlint.spelling import closest, surely
 
-RULE = Rule("LL103", "unknown-tag", Severity.ERROR, roslaunch="reports")
+RULE = Rule("LL103", "unknown-tag", Severity.ERROR, roslaunch="reports", fixable="safe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -57,4 +63,10 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         label="skipped",
         notes=(said,),
         help=advice,
+        fix=None if near is None else _fix(near, sure=surely(tag, known) == near, at=spot(view, problem.place)),
     )
+
+
+def _fix(near: str, *, sure: bool, at: Spot | None) -> Fix | None:
+    changes = f"what the <{near}> says takes effect"
+    return fix(f"make it <{near}>", rename_tag(at, near), safe=sure, changes=changes)

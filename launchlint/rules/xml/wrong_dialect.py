@@ -25,17 +25,26 @@ place of `type` is refused as well.
   <node pkg="map_server" type="map_server" name="map_server" args="$(arg map).yaml"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` writes `type` for `exec`, `ns` for `namespace`, `args` for `ros_args`, `doc` for `description`, `$(arg …)` for `$(var …)`
+and `$(find …)` for `$(find-pkg-share …)`.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
+from launchlint.rules.edits import LOADS, fix, rename_attribute, replace, spot
 from launchlint.rules.rule import Rule
 
-RULE = Rule("LL112", "wrong-dialect", Severity.ERROR, roslaunch="refuses")
+_SAME = re.compile(r"\$\(\s*(var|find-pkg-share)\s+([\w-]+)\s*\)")
+
+RULE = Rule("LL112", "wrong-dialect", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -56,4 +65,18 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         label="ROS 2",
         notes=(note,),
         help=f"in ROS 1: {instead}" if instead else "ROS 1 has nothing like it: remove it",
+        fix=_fix(problem, view),
     )
+
+
+def _fix(problem: Problem, view: object) -> Fix | None:
+    """What has another name in ROS 1 and means the same gets that."""
+    what, instead, place = problem.facts["what"], problem.facts["instead"], problem.place
+    at = spot(view, place)
+    if what == "attribute" and instead.isidentifier():
+        return fix(f"write {instead}", rename_attribute(at, instead), safe=False, changes=LOADS)
+    match = _SAME.fullmatch(place.text)
+    if what == "substitution" and match is not None:
+        text = f"$({'arg' if match[1] == 'var' else 'find'} {match[2]})"
+        return fix(f"write {text}", replace(at, place, text), safe=False, changes=LOADS)
+    return None

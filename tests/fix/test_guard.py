@@ -1,0 +1,235 @@
+"""The guard: what may be changed in a launch file without changing what it does, and what may not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from launchlint.fix.guard import Caller, Guard
+from tests.evaluate.comparison import MAIN, case, content, inside, session_in, write
+
+SIM = '<arg name="sim" default="false"/>'
+BOT = '<arg name="bot"/>'
+
+SAME: dict[str, tuple[str, str]] = {
+    "blanks and attribute order": ('[[n ns="a"]]', '\n  <node  ns="a" type="t" name="n"\n pkg="p"\t/>\n'),
+    "a comment": ("[[n]]", "<!-- why -->[[n]]"),
+    "quotes and references": ('<param name="a" value="&quot;x&quot;"/>', "<param name='a' value='\"x\"'/>"),
+    "args in another order": ('<arg name="a" default="1"/>' + SIM, SIM + '<arg name="a" default="1"/>'),
+    "an arg after a node that does not read it": ("[[n]]" + SIM, SIM + "[[n]]"),
+    "a remap that only the nodes after it see": ("[[n]]<remap from='a' to='b'/>", "[[n]]"),
+    "parameters in another order": (
+        '<param name="a" value="1"/><param name="b" value="2"/>', '<param name="b" value="2"/><param name="a" value="1"/>',
+    ),
+    "a parameter set twice to the same": ('<param name="a" value="1"/><param name="a" value="1"/>', '<param name="a" value="1"/>'),
+    "a number in another spelling": ('<param name="a" value="1.0"/>', '<param name="a" value="1.00"/>'),
+    "an unknown attribute": ('[[n outputt="screen"]]', "[[n]]"),
+    "a group around nothing that scopes": ("[[n]]", "<group>[[n]]</group>"),
+    "a remap to itself": ('[[n | <remap from="a" to="b"/><remap from="c" to="c"/>]]', '[[n | <remap from="a" to="b"/>]]'),
+    "a remap of nodes that are never taken, in another node": (
+        '[[m | <remap from="a" to="a"/>]]<group if="false">[[n]]</group>',
+        '[[m]]<group if="false">[[n]]</group>',
+    ),
+    "what is refused, as long as the rest stays": ("[[n]][[n]]", "[[n]] [[n]]"),
+    "never taken, but as it was": ('<group if="false">[[n]]</group>[[m]]', '<group if="false">\n [[n]]\n</group> [[m]]'),
+    "args before what is never taken": (
+        '<arg name="a" default="1"/><arg name="b" default="1"/><group if="false">[[n]]</group>',
+        '<arg name="b" default="1"/><arg name="a" default="1"/><group if="false">[[n]]</group>',
+    ),
+}  # fmt: skip
+
+CHANGED: dict[str, tuple[str, str, str]] = {
+    "a node goes": ("[[n]][[m]]", "[[n]]", "the node '/m' would be gone"),
+    "a node comes": ("[[n]]", "[[n]][[m]]", "there would be another node '/m'"),
+    "the order of nodes": ("[[n]][[m]]", "[[m]][[n]]", "the order of the nodes would change, beginning with '/n'"),
+    "an attribute of a node": (
+        '[[n respawn="true" required="false"]]', "[[n]]", "the node '/n' would change: respawn from True to False",
+    ),
+    "a remap in force": (
+        "[[n]]<remap from='a' to='b'/>[[m]]", "<remap from='a' to='b'/>[[n]][[m]]",
+        "the node '/n' would change: remaps from nothing to (('a', 'b'),)",
+    ),
+    "the order of remaps": (
+        "<remap from='a' to='b'/><remap from='/a' to='c'/>[[n]]", "<remap from='/a' to='c'/><remap from='a' to='b'/>[[n]]",
+        "the node '/n' would change: remaps from (('a', 'b'), ('/a', 'c')) to (('/a', 'c'), ('a', 'b'))",
+    ),
+    "a remap to itself that takes another one back": (
+        '<remap from="a" to="b"/>[[n ns="r" | <remap from="/r/a" to="/r/a"/>]]',
+        '<remap from="a" to="b"/>[[n ns="r"]]',
+        "the node '/r/n' would change: remaps from (('a', 'b'), ('/r/a', '/r/a')) to (('a', 'b'),)",
+    ),
+    "the environment": (
+        "<env name='A' value='1'/>[[n]]", "[[n]]<env name='A' value='1'/>",
+        "the node '/n' would change: environment from (('A', '1'),) to nothing",
+    ),
+    "a parameter": ('<param name="a" value="1"/>', '<param name="a" value="2"/>', "the parameter '/a' would change from 1 to 2"),
+    "a type": ('<param name="a" value="1"/>', '<param name="a" value="1.0"/>', "the parameter '/a' would change from 1 to 1.0"),
+    "a type inside": (
+        '<rosparam param="a">[1, {b: 1}]</rosparam>', '<rosparam param="a">[1, {b: true}]</rosparam>',
+        "the parameter '/a' would change from [1, {'b': 1}] to [1, {'b': True}]",
+    ),
+    "which parameter is set last": (
+        '<param name="a" value="1"/><param name="a" value="2"/>', '<param name="a" value="2"/><param name="a" value="1"/>',
+        "the parameter '/a' would change from 2 to 1",
+    ),
+    "a parameter below another": (
+        '<param name="a/b" value="1"/><param name="a" value="1"/>', '<param name="a" value="1"/><param name="a/b" value="1"/>',
+        "the order of the nested parameters would change",
+    ),
+    "commands run in another order": (
+        '<param name="a" command="x"/><param name="b" command="y"/>', '<param name="b" command="y"/><param name="a" command="x"/>',
+        "the order of the param commands would change",
+    ),
+    "rosparam steps": (
+        '<rosparam command="delete" param="a"/><rosparam command="dump" param="a" file="f"/>',
+        '<rosparam command="dump" param="a" file="f"/><rosparam command="delete" param="a"/>',
+        "the order of the rosparam steps would change",
+    ),
+    "clear_params": (
+        '<group ns="a" clear_params="true">[[n]]</group>', '<group ns="a">[[n]]</group>', "the cleared namespace '/a/' would be gone",
+    ),
+    "a machine": (
+        '<machine name="m" address="a"/>', '<machine name="m" address="a" timeout="3"/>',
+        ("the machine 'm' would change from ('m', 'a', '/opt/ros/noetic/env.sh', 22, None, None, True, 10.0)"
+         " to ('m', 'a', '/opt/ros/noetic/env.sh', 22, None, None, True, 3.0)"),
+    ),
+    "the default of an arg": (SIM, '<arg name="sim" default="true"/>', "the arg 'sim' would change: default from 'false' to 'true'"),
+    "default into value": (
+        SIM, '<arg name="sim" value="false"/>', "the arg 'sim' would change: value from None to 'false'",
+    ),
+    "only in another configuration": (
+        SIM + '[[n if="$(arg sim)" ns="a"]]', SIM + '[[n if="$(arg sim)" ns="b"]]', "the node '/a/n' would be gone (with sim:=true)",
+    ),
+    "a configuration that only the result has": (
+        SIM + "[[n]]", SIM + '[[n unless="$(arg sim)"]]', "the node '/n' would be gone (with sim:=true)",
+    ),
+    "loads and would be refused": ("[[n]]", '[[n respawn="yes"]]', "roslaunch would refuse the file (invalid value)"),
+    "refused and would load": ("[[n]][[n]]", "[[n]]", "roslaunch would no longer refuse the file (duplicate node)"),
+    "refused for another reason": (
+        "[[n]][[n]]", '[[n]][[m respawn="yes"]]', "roslaunch would refuse the file for another reason (invalid value)",
+    ),
+    "arg use before its declaration": (
+        '<param name="a" value="$(arg sim)"/>' + SIM, SIM + '<param name="a" value="$(arg sim)"/>',
+        "roslaunch would no longer refuse the file (used before declaration)",
+    ),
+    "a parameter of a node whose namespace is a required arg": (
+        BOT + '<group ns="$(arg bot)">[[n | <param name="a" value="1"/>]]</group>',
+        BOT + '<group ns="$(arg bot)">[[n | <param name="a" value="2"/>]]</group>',
+        "the parameter '/unknown_namespace/n/a' would change from 1 to 2",
+    ),
+    "two required args that are swapped": (
+        BOT + '<arg name="other"/>[[n args="$(arg bot) $(arg other)"]]', BOT + '<arg name="other"/>[[n args="$(arg other) $(arg bot)"]]',
+        "the node '/n' would change: arguments from '$(arg bot) $(arg other)' to '$(arg other) $(arg bot)'",
+    ),
+    "a parameter of a node whose name is a required arg": (
+        BOT + '<node pkg="p" type="t" name="$(arg bot)"><param name="a" value="1"/></node>',
+        BOT + '<node pkg="p" type="t" name="$(arg bot)"><param name="a" value="2"/></node>',
+        "the parameter '/value_of_bot/a' would change from 1 to 2 (with bot:=value_of_bot)",
+    ),
+    "a parameter of a node whose name is an unset variable": (
+        '<node pkg="p" type="t" name="$(env BOT)"><param name="a" value="1"/></node>',
+        '<node pkg="p" type="t" name="$(env BOT)"><param name="a" value="2"/></node>',
+        "the parameter '/value_of_BOT/a' would change from 1 to 2",
+    ),
+    "a parameter of a node whose name is never known": (
+        '<node pkg="p" type="t" name="$(eval unknown)"><param name="a" value="1"/></node>',
+        '<node pkg="p" type="t" name="$(eval unknown)"><param name="a" value="2"/></node>',
+        "no configuration shows what this does to the <node> under a condition that is never met, or of unknown name",
+    ),
+    "a parameter of a node whose namespace is an unset variable": (
+        '<group ns="$(env BOT)">[[n | <param name="a" value="1"/>]]</group>',
+        '<group ns="$(env BOT)">[[n | <param name="a" value="2"/>]]</group>',
+        "the parameter '/unknown_namespace/n/a' would change from 1 to 2",
+    ),
+    "never taken": (
+        '<group if="false">[[n ns="a"]]</group>', '<group if="false">[[n ns="b"]]</group>',
+        "no configuration shows what this does to the <group> under a condition that is never met, or of unknown name",
+    ),
+    "a remap before what is never taken": (
+        '<remap from="a" to="b"/><group if="false">[[n]]</group>', '<group if="false">[[n]]</group><remap from="a" to="b"/>',
+        "no configuration shows what this does to the <group> under a condition that is never met, or of unknown name",
+    ),
+    "an arg before what is never taken": (
+        SIM + '<group if="false">[[n args="$(arg sim)"]]</group>', '<group if="false">[[n args="$(arg sim)"]]</group>' + SIM,
+        "no configuration shows what this does to the <group> under a condition that is never met, or of unknown name",
+    ),
+    "a parameter after what is never taken": (
+        '<param name="a" value="1"/><param if="false" name="a" value="2"/><param name="a" value="1"/>',
+        '<param name="a" value="1"/><param if="false" name="a" value="2"/>',
+        "no configuration shows what this does to the <param> under a condition that is never met, or of unknown name",
+    ),
+    "a remap before an include that is not here": (
+        '<remap from="a" to="b"/><include file="$(find nowhere)/x.launch"/>',
+        '<include file="$(find nowhere)/x.launch"/><remap from="a" to="b"/>',
+        "the unresolved item 'a' would change: includes from 1 to 0",
+    ),
+    "an arg for an include that is not here": (
+        '<include file="$(find nowhere)/x.launch"><arg name="a" value="1"/></include>',
+        '<include file="$(find nowhere)/x.launch"><arg name="a" value="2"/></include>',
+        "the unresolved item '$(find nowhere)/x.launch' would change: arguments from (('a', '1'),) to (('a', '2'),)",
+    ),
+    "a condition of unknown value": (
+        '<param name="a" value="1"/><param name="a" value="2" if="$(env WHO)"/>',
+        '<param name="a" value="3"/><param name="a" value="2" if="$(env WHO)"/>',
+        "the unresolved item '/a' would change: value from 1 to 3",
+    ),
+}  # fmt: skip
+
+
+def refusal(before: str, after: str, directory: Path) -> str:
+    write(case(before), directory)
+    with inside(directory):
+        guard = Guard(session_in(directory))
+        return guard.refusal(str(directory / MAIN), content(MAIN, before), content(MAIN, after))
+
+
+@pytest.mark.parametrize(("before", "after"), SAME.values(), ids=SAME.keys())
+def test_means_the_same(before: str, after: str, tmp_path: Path) -> None:
+    assert refusal(before, after, tmp_path) == ""
+    assert refusal(after, before, tmp_path) == ""
+
+
+@pytest.mark.parametrize(("before", "after", "why"), CHANGED.values(), ids=CHANGED.keys())
+def test_does_not_mean_the_same(before: str, after: str, why: str, tmp_path: Path) -> None:
+    assert refusal(before, after, tmp_path) == why
+    assert refusal(after, before, tmp_path) != ""
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "why"),
+    [
+        (b"<launch>", b"<launch/>", "the file is no launch file that roslaunch can read"),
+        (b"<launch/>", b"<launch>", "the result is no launch file that roslaunch can read"),
+        (b"<launch/>", b"<a/>", "the result is no launch file that roslaunch can read"),
+        (b"<launch>", b"<launch>", ""),
+        (b"\xef\xbb\xbf<launch/>", "<?xml version='1.0' encoding='utf-16'?><launch/>".encode("utf-16"), ""),
+    ],
+)
+def test_what_cannot_be_read(before: bytes, after: bytes, why: str, tmp_path: Path) -> None:
+    assert Guard(session_in(tmp_path)).refusal(str(tmp_path / MAIN), before, after) == why
+
+
+def test_what_only_a_file_that_includes_it_shows(tmp_path: Path) -> None:
+    """A ~param acts on the nodes after it, and those may stand in the including file, if that has set one before."""
+    caller = '<param name="~a" value="1"/><include file="part.launch"/>[[n]]'
+    before, after = '<param name="~b" value="1"/>', ""
+    write(case(caller, files={"part.launch": before}), tmp_path)
+    file = str(tmp_path / "part.launch")
+    edit = (file, content("part.launch", before), content("part.launch", after))
+    with inside(tmp_path):
+        session = session_in(tmp_path)
+        assert Guard(session).refusal(*edit) == ""
+        guard = Guard(session, lambda each: [Caller(str(tmp_path / MAIN))] if each == file else [])
+        assert guard.refusal(*edit) == f"the parameter '/n/b' would be gone (with {MAIN})"
+
+
+def test_other_files_are_read_from_the_session(tmp_path: Path) -> None:
+    write(case('<include file="part.launch"/>', files={"part.launch": "[[a]]"}), tmp_path)
+    before = content(MAIN, '<include file="part.launch"/>')
+    after = content(MAIN, "[[a]]")
+    with inside(tmp_path):
+        session = session_in(tmp_path)
+        assert Guard(session).refusal(str(tmp_path / MAIN), before, after) == ""
+        overlaid = session.with_text(str(tmp_path / "part.launch"), content("part.launch", "[[b]]"))
+        assert Guard(overlaid).refusal(str(tmp_path / MAIN), before, after) == "the node '/b' would be gone"

@@ -1,0 +1,183 @@
+"""scripts/grow_library.py, on a small library and a small clone."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.library.samples import library, written
+
+ROOT = Path(__file__).resolve().parents[2]
+PERSON = "some/where@0123456789ab:node.py:1"
+NODE = """#!/usr/bin/env python3
+import rospy
+from std_msgs.msg import String
+
+rospy.init_node("node")
+rate = rospy.get_param("~rate", 10)
+rospy.Publisher("chatter", String, queue_size=1)
+if rospy.myargv()[1:]:
+    rospy.Subscriber(input(), String, print)
+"""
+
+
+def git(directory: Path, *words: str) -> str:
+    identity = ["-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false", "-c", "init.defaultBranch=main"]
+    environment = {**os.environ, "GIT_CONFIG_GLOBAL": "/dev/null", "GIT_CONFIG_NOSYSTEM": "1"}
+    done = subprocess.run(["git", "-C", str(directory), *identity, *words], capture_output=True, text=True, env=environment, check=True)
+    return done.stdout.strip()
+
+
+class Place:
+    """A library of one described program, a clone with two packages, and a list that names it."""
+
+    def __init__(self, directory: Path) -> None:
+        self.directory = directory
+        self.bundled = directory / "bundled"
+        self.bundled.mkdir()
+        described = {"publishers": [{"name": "out", "type": "std_msgs/String", "evidence": [{"by": "manual", "at": PERSON}]}]}
+        source = {"id": "some/where@0123456789ab", "url": "https://github.com/some/where", "commit": "0123456789ab" + 28 * "0"}
+        document = {**library(robot={"executables": {"described": self.program(described)}}), "sources": [source]}
+        written(self.bundled / "robot.json", document)
+        clone = directory / "clones" / "team" / "robots"
+        for package, names in (("robot", ("described", "node", "test_node")), ("secret_package", ("node",)), ("turtlesim", ("node",))):
+            (clone / package / "scripts").mkdir(parents=True)
+            (clone / package / "package.xml").write_text(f"<package format='2'><name>{package}</name></package>\n")
+            for name in names:
+                (clone / package / "scripts" / name).write_text(NODE)
+                (clone / package / "scripts" / name).chmod(0o755)
+        git(clone, "init", "--quiet")
+        git(clone, "add", "-A")
+        git(clone, "commit", "--quiet", "-m", "all")
+        self.commit = git(clone, "rev-parse", "HEAD")
+        (directory / "list.yaml").write_text(f"team/robots: {{commit: {self.commit}, packages: [robot]}}\n")
+
+    @staticmethod
+    def program(interface: dict[str, Any]) -> dict[str, Any]:
+        return {"class": "rospy", "variants": {"default": interface}}
+
+    def grow(self, *words: str) -> tuple[int, str]:
+        command = [sys.executable, str(ROOT / "scripts" / "grow_library.py"), "--list", "list.yaml", "--directory", "bundled", *words]
+        done = subprocess.run(
+            command, cwd=self.directory, capture_output=True, text=True, check=False, env={**os.environ, "PYTHONPATH": str(ROOT)}
+        )
+        assert done.stderr == ""
+        return done.returncode, done.stdout
+
+    def known(self, package: str) -> dict[str, Any]:
+        document: dict[str, Any] = json.loads((self.bundled / f"{package}.json").read_text())
+        return document
+
+    def files(self) -> dict[str, str]:
+        return {path.name: path.read_text() for path in sorted(self.bundled.iterdir())}
+
+
+@pytest.fixture
+def place(tmp_path: Path) -> Place:
+    return Place(tmp_path)
+
+
+def test_source_code_adds_programs_that_nobody_has_described(place: Place) -> None:
+    before = place.known("robot")["packages"]["robot"]["executables"]["described"]
+    assert place.grow("--checkouts", "clones") == (
+        0,
+        "team/robots: 2 programs\nbundled: changed 2 files\nbundled: wrote 1 of 3 files\n",
+    )
+    assert sorted(place.files()) == ["index.json", "robot.json", "turtlesim.json"]
+    document = place.known("robot")
+    where = f"team/robots@{place.commit[:12]}"
+    assert document["sources"] == [
+        {"id": "some/where@0123456789ab", "url": "https://github.com/some/where", "commit": "0123456789ab" + 28 * "0"},
+        {"id": where, "url": "https://github.com/team/robots", "commit": place.commit},
+    ]
+    assert document["packages"]["robot"]["executables"] == {
+        "described": before,
+        "node": place.program(
+            {
+                "publishers": [
+                    {
+                        "name": "chatter",
+                        "type": "std_msgs/String",
+                        "queue": 1,
+                        "evidence": [{"by": "static", "at": f"{where}:robot/scripts/node:7"}],
+                    }
+                ],
+                "params": [{"name": "~rate", "default": 10, "evidence": [{"by": "static", "at": f"{where}:robot/scripts/node:6"}]}],
+                "open": {
+                    "subscribers": "a name that is not known (robot/scripts/node:9)",
+                    "params": "read from source code by a program, which may miss some",
+                },
+            }
+        ),
+    }
+
+
+def test_the_same_list_gives_the_same_files_and_an_empty_one_takes_all_away(place: Place) -> None:
+    place.grow("--checkouts", "clones")
+    first = place.files()
+    assert place.grow("--checkouts", "clones")[1].splitlines()[1] == "bundled: changed 0 files"
+    assert place.files() == first
+    assert place.grow("--no-sources")[1].splitlines()[0] == "bundled: changed 0 files"
+    (place.directory / "list.yaml").write_text("{}")
+    place.grow("--checkouts", "clones")
+    assert sorted(place.files()) == ["index.json", "robot.json"]
+    assert list(place.known("robot")["packages"]["robot"]["executables"]) == ["described"]
+    assert [source["id"] for source in place.known("robot")["sources"]] == ["some/where@0123456789ab"]
+
+
+def test_a_probe_confirms_what_is_described_and_says_what_is_missing(place: Place) -> None:
+    seen = [{"by": "dynamic", "run": "debian"}]
+    md5 = "992ce8a1687cec8c8bd883ec73ca41d1"
+    interface = {
+        "publishers": [
+            {"name": "out", "type": "std_msgs/String", "md5": md5, "evidence": seen},
+            {"name": "more", "type": "std_msgs/String", "evidence": seen},
+        ],
+        "open": {"clients": "why"},
+    }
+    other = {"publishers": [{"name": "x", "evidence": seen}]}
+    programs = {"described": place.program(interface), "other": place.program(other), "broken": {"class": "rospy", "status": "failed"}}
+    written(place.directory / "probed.json", library(robot={"version": "1.2.3", "executables": programs}))
+    assert place.grow("--no-sources", "--probed", "probed.json") == (
+        0,
+        (
+            "probed.json: 2 programs\n"
+            "  seen, but not described: robot: described: publishers: more std_msgs/String\n"
+            "bundled: changed 1 files\n"
+            "bundled: wrote 1 of 2 files\n"
+        ),
+    )
+    run = [{"by": "dynamic", "run": "debian, robot 1.2.3"}]
+    assert place.known("robot")["packages"]["robot"]["executables"] == {
+        "described": place.program(
+            {"publishers": [{"name": "out", "type": "std_msgs/String", "md5": md5, "evidence": [{"by": "manual", "at": PERSON}, *run]}]}
+        ),
+        "other": place.program({"publishers": [{"name": "x", "evidence": run}]}),
+    }
+    first = place.files()
+    place.grow("--no-sources", "--probed", "probed.json")
+    assert place.files() == first
+
+
+def test_a_commit_that_is_not_there(place: Place) -> None:
+    (place.directory / "list.yaml").write_text(f"team/robots: {{commit: {40 * '0'}}}\n")
+    command = [
+        sys.executable,
+        str(ROOT / "scripts" / "grow_library.py"),
+        "--list",
+        "list.yaml",
+        "--directory",
+        "bundled",
+        "--checkouts",
+        "clones",
+    ]
+    done = subprocess.run(
+        command, cwd=place.directory, capture_output=True, text=True, check=False, env={**os.environ, "PYTHONPATH": str(ROOT)}
+    )
+    assert (done.returncode, done.stderr) == (2, f"grow_library: clones/team/robots: there is no commit {40 * '0'}\n")
