@@ -13,7 +13,8 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from launchlint.extract.fact import Plugin
-from launchlint.workspace.cmake_facts import CMakeFacts, Target, read_cmake
+from launchlint.workspace.cmake_facts import read_cmake
+from launchlint.workspace.cmake_targets import CMakeFacts, Target
 from launchlint.workspace.nodelets import NodeletClass, plugin_classes
 from launchlint.workspace.packages import Package
 from launchlint.workspace.reading import read_bytes

@@ -13,7 +13,7 @@ from launchlint.extract.assembly import Workspace
 from launchlint.extract.fact import Plugin
 from launchlint.extract.origin import Origin, origin_of
 from launchlint.spelling import did_you_mean
-from launchlint.workspace.cmake_facts import CMakeFacts, Target
+from launchlint.workspace.cmake_targets import CMakeFacts, Target
 from launchlint.workspace.executables import Executables, executables
 from launchlint.workspace.nodelets import NodeletClass
 from launchlint.workspace.packages import Package, Packages

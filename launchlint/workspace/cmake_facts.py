@@ -10,11 +10,11 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
 from launchlint.workspace.cmake import CMakeError, Command, commands
 from launchlint.workspace.cmake_blocks import block_end, never, section
 from launchlint.workspace.cmake_scope import Scope, Value, merged, together, united
+from launchlint.workspace.cmake_targets import CMakeFacts, Generated, Install, Target
 from launchlint.workspace.cmake_words import HARMLESS, HARMLESS_PREFIXES
 from launchlint.workspace.reading import read_bytes
 
@@ -43,59 +43,6 @@ _ASSIGNING = _COMPUTING | {"set", "list", "file"}
 _COMPUTING_FIRST = frozenset(
     ("get_filename_component", "get_target_property", "get_property", "option", "find_path", "find_file", "find_program")
 )
-
-
-class Install(NamedTuple):
-    """One installed file or directory tree (absolute path), with the name patterns of ``install(DIRECTORY)``.
-
-    ``only`` are the patterns behind FILES_MATCHING (empty: all files), ``without`` those with EXCLUDE; not those of REGEX.
-    ``destination`` is ``None`` where it cannot be known.
-    """
-
-    path: str
-    is_directory: bool
-    destination: Value
-    only: tuple[str, ...] = ()
-    without: tuple[str, ...] = ()
-
-
-class Target:
-    """What one executable or library is made of.
-
-    ``sources`` are absolute paths, ``libraries`` what is linked to it (names of targets or libraries); ``complete`` says that the sources
-    are all known. ``output`` is the name of the file, without ``lib``.
-    """
-
-    __slots__ = ("complete", "is_library", "libraries", "output", "sources")
-
-    def __init__(self, name: str, is_library: bool) -> None:
-        self.output = name
-        self.is_library = is_library
-        self.sources: list[str] = []
-        self.libraries: list[str] = []
-        self.complete = True
-
-
-class CMakeFacts:
-    """What was found: ``executables`` maps the name of each executable to the command that makes it, ``targets`` the name of each target
-    to what it is made of. ``programs`` are the files that are installed to be run, absolute; ``include_directories`` where headers are.
-
-    ``executables_reasons`` and ``installs_reasons`` say why the respective list may be incomplete; empty lists mean: it is complete.
-    """
-
-    __slots__ = (
-        "executables", "executables_reasons", "include_directories", "installs", "installs_reasons", "programs", "project", "targets",
-    )  # fmt: skip
-
-    def __init__(self) -> None:
-        self.project = ""
-        self.executables: dict[str, str] = {}
-        self.targets: dict[str, Target] = {}
-        self.programs: dict[str, str] = {}
-        self.include_directories: dict[str, None] = {}
-        self.executables_reasons: list[str] = []
-        self.installs: list[Install] = []
-        self.installs_reasons: list[str] = []
 
 
 def read_cmake(directory: str, files: Callable[[], Sequence[str]]) -> CMakeFacts:

@@ -12,7 +12,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from fnmatch import fnmatchcase
 from typing import NamedTuple
 
-from launchlint.workspace.cmake_facts import CMAKE_FILE, CMakeFacts, Install, read_cmake
+from launchlint.workspace.cmake_facts import CMAKE_FILE, read_cmake
+from launchlint.workspace.cmake_targets import CMakeFacts, Install
 from launchlint.workspace.looking import start
 from launchlint.workspace.manifest import PACKAGE_FILE
 from launchlint.workspace.nodelets import NodeletClass, read_nodelet_classes
