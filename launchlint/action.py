@@ -48,8 +48,7 @@ def main() -> int:
         return 0
     status = _check(inputs)
     if inputs.report and status != 2:
-        words = ["report", *inputs.options, *(["--base", inputs.base] if inputs.base else []), "-o", inputs.report, "--", *inputs.paths]
-        status = max(status, _run(inputs.root, words, told=True)[0])
+        status = max(status, _report(inputs))
     written = {"sarif-file": inputs.sarif, "report": inputs.report}
     outputs = {name: file if file and os.path.isfile(file) else "" for name, file in written.items()}
     _write_outputs({**outputs, "findings": str(_count(inputs.sarif)), "exit-code": str(status), "root": inputs.root})
@@ -160,6 +159,17 @@ def _check(inputs: Inputs) -> int:
     if inputs.summary:
         _write_summary(inputs, told)
     return status
+
+
+def _report(inputs: Inputs) -> int:
+    """Write the HTML report, also into a directory that is not there yet. Returns the exit status."""
+    try:
+        os.makedirs(os.path.dirname(inputs.report), exist_ok=True)
+    except OSError as error:
+        _tell(f"report: the directory of {inputs.report} cannot be made: {error.strerror}")
+        return 2
+    base = ["--base", inputs.base] if inputs.base else []
+    return _run(inputs.root, ["report", *inputs.options, *base, "-o", inputs.report, "--", *inputs.paths], told=True)[0]
 
 
 def _write_summary(inputs: Inputs, told: str) -> None:

@@ -136,6 +136,15 @@ def test_a_pull_request_shows_what_it_changes(repository: Repository, installed:
     assert "::notice title=launchlint::what this pull request changes in the topology is not told" in ran.log
 
 
+def test_the_report(repository: Repository, installed: Path) -> None:
+    """A page for Pages or an artifact, in a directory that need not be there yet; what is found does not keep it from being made."""
+    repository.write(**{"launch/bad.launch": DOUBLE})
+    ran = run(repository, installed, report="site/index.html", fail_on="never")
+    assert ran.status == 0, ran.log
+    assert ran.outputs["report"] == str(repository.directory / "site/index.html")
+    assert "two nodes are named /talker" in (repository.directory / "site/index.html").read_text(encoding="utf-8")
+
+
 def test_what_cannot_be_done_is_an_annotation_and_fails(repository: Repository, installed: Path) -> None:
     ran = run(repository, installed, paths="gone.launch")
     assert ran.status == 2
