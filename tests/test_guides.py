@@ -45,6 +45,10 @@ def test_workflows_are_valid_and_safe(file: Path, tmp_path: Path) -> None:
     passes(tool("zizmor"), "--offline", "--quiet", "--config", policy, file)
 
 
+def test_the_host_of_the_site_is_told_how_to_build_it() -> None:
+    passes(tool("check-jsonschema"), "--builtin-schema", "vendor.readthedocs", ROOT / ".readthedocs.yaml")
+
+
 def test_every_workflow_is_explained() -> None:
     told = (DOCS / "github-action.md").read_text(encoding="utf-8")
     assert sorted(re.findall(r"\]\(workflows/([\w.]+)\)", told)) == [file.name for file in WORKFLOWS if DOCS in file.parents]
