@@ -13,6 +13,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from launchlint.extract.fact import Plugin
+from launchlint.extract.template import Template, filled, template_of
 from launchlint.workspace.cmake_facts import read_cmake
 from launchlint.workspace.cmake_targets import CMakeFacts, Target
 from launchlint.workspace.nodelets import NodeletClass, plugin_classes
@@ -29,13 +30,15 @@ _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n\0]{1,300})[>"]'
 _QUOTED = re.compile(r'"([\w:/]{3,200})"')
 _EXPORTED = re.compile(r"<\w+\s[^>]*?\bplugin\s*=\s*[\"']([^\"'\n\0]{1,300})[\"']")
 _LOADER = re.compile(r"\bnodelet::Loader\b")
+_MAIN = re.compile(r"^[ \t]*int[ \t\n]+main[ \t\n]*\(", re.MULTILINE)
 _CLASS_LOADER = re.compile(r"\bClassLoader\s*<")
 
 
 class Assembled(NamedTuple):
-    """The files of a program, where their headers are, the plugins it can load, and why there may be more."""
+    """The files of a program and which are templates, where their headers are, the plugins it can load, and why there may be more."""
 
     sources: tuple[str, ...]
+    templates: tuple[Template, ...]
     includes: tuple[str, ...]
     plugins: tuple[Plugin, ...]
     doubts: tuple[str, ...]
@@ -144,6 +147,7 @@ class _Assembly:
         self.includes = dict.fromkeys(workspace.includes(name))
         self.packages = {name}
         self.plugins: dict[Plugin, None] = {}
+        self.templates: dict[str, Template] = {}
         self.words: set[str] = set()
         self.loads_nodelets = self.loads_classes = False
         self._pending: list[str] = []
@@ -154,7 +158,7 @@ class _Assembly:
         self._scan()
         while self._add_plugins():
             self._scan()
-        return Assembled(tuple(self.sources), tuple(self.includes), tuple(self.plugins), tuple(self.doubts))
+        return Assembled(tuple(self.sources), tuple(self.templates.values()), tuple(self.includes), tuple(self.plugins), tuple(self.doubts))
 
     def _add_target(self, target: Target, parts: Parts) -> None:
         """A target with the libraries of its package that are linked to it."""
@@ -165,6 +169,9 @@ class _Assembly:
                 self.doubts[f"not all sources of {each.output} are known"] = None
             for path in cpp_sources(each):
                 self._add_source(path)
+            for output, made in each.generated.items():
+                if output.endswith(CPP_ENDINGS):
+                    self._add_template(template_of(made), each)
             for library in each.libraries:
                 inner = parts.cmake.targets.get(library)
                 if inner is not None and id(inner) not in seen:
@@ -176,6 +183,12 @@ class _Assembly:
             self.sources[path] = None
             self._pending.append(path)
 
+    def _add_template(self, template: Template | None, target: Target) -> None:
+        if template is None or self.templates.setdefault(template.path, template) != template:
+            self.doubts[f"not all sources of {target.output} are known"] = None
+        else:
+            self._add_source(template.path)
+
     def _scan(self) -> None:
         """Read what the files include, and add the sources of the libraries of other packages that come in with their headers."""
         while self._pending and len(self._scanned) < _MOST_SCANNED:
@@ -183,7 +196,7 @@ class _Assembly:
             if path in self._scanned:
                 continue
             self._scanned.add(path)
-            text = text_of(path)
+            text = filled(text_of(path), path, tuple(self.templates.values()))
             self.loads_nodelets = self.loads_nodelets or _LOADER.search(text) is not None
             self.loads_classes = self.loads_classes or _CLASS_LOADER.search(text) is not None
             self.words.update(_QUOTED.findall(text))
@@ -231,6 +244,11 @@ def cpp_sources(target: Target) -> list[str]:
         tried = (path,) if os.path.splitext(path)[1] else tuple(path + ending for ending in CPP_ENDINGS)
         found += [each for each in tried if each.endswith(CPP_ENDINGS) and os.path.isfile(each)][:1]
     return found
+
+
+def has_main(target: Target) -> bool:
+    """Whether one of its sources defines ``main()``."""
+    return any(_MAIN.search(text_of(path)) is not None for path in cpp_sources(target))
 
 
 def found_header(name: str, quoted: bool, includer: str, directories: Sequence[str]) -> str | None:

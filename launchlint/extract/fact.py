@@ -24,7 +24,7 @@ class Fact(NamedTuple):
         latched: of publishers.
         queue: of publishers and subscribers; None where it is not known.
         default: of params; None where there is none or it is not known.
-        value_type: of params: ``bool``, ``int``, ``double``, ``str``, ``list``, ``dict``; empty where it is not known.
+        value_type: of params: ``bool``, ``int``, ``double``, ``str``, ``list``, ``dict``, ``*`` for any; empty where it is not known.
         condition: the source text of the conditions around the call, joined with ``and``; empty where there are none.
         when: ``start``, or ``message`` where the call stands in a callback.
     """

@@ -9,9 +9,10 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from launchlint.errors import UsageError
-from launchlint.extract.assembly import Workspace
+from launchlint.extract.assembly import Workspace, has_main
 from launchlint.extract.fact import Plugin
 from launchlint.extract.origin import Origin, origin_of
+from launchlint.extract.template import Template
 from launchlint.spelling import did_you_mean
 from launchlint.workspace.cmake_targets import CMakeFacts, Target
 from launchlint.workspace.executables import Executables, executables
@@ -26,7 +27,8 @@ _NO_PROGRAMS = ("setup.py", "conf.py", "__init__.py")
 class Task(NamedTuple):
     """One program to be read: what a worker needs to know of it.
 
-    ``plugins`` are the classes that it can load and whose sources are among its own.
+    ``plugins`` are the classes that it can load and whose sources are among its own; ``templates`` are those of its sources that the build
+    fills in.
     """
 
     package: str
@@ -40,6 +42,7 @@ class Task(NamedTuple):
     origin: Origin
     doubts: tuple[str, ...]
     plugins: tuple[Plugin, ...] = ()
+    templates: tuple[Template, ...] = ()
 
 
 class Skipped(NamedTuple):
@@ -138,7 +141,8 @@ class _Reader:
                 done.add(name)
         for target_name, target in sorted(self.cmake.targets.items()):
             how = self.cmake.executables.get(target.output, "")
-            if not target.is_library and target.output not in done and "gtest" not in how and "gmock" not in how:
+            is_program = has_main(target) if target.assumed else not target.is_library and "gtest" not in how and "gmock" not in how
+            if is_program and target.output not in done:
                 done.add(target.output)
                 self._executable(target_name, target)
         for class_name, described in self.programs.nodelet_classes.items():
@@ -181,7 +185,9 @@ class _Reader:
             self.skipped.append(Skipped(self.package.name, shown, self._shown(self.package.directory), "its source files are not here"))
             return
         task = self._task(kind, name, client, made.sources)
-        self.tasks.append(task._replace(entry=entry, includes=made.includes, plugins=made.plugins, doubts=made.doubts))
+        self.tasks.append(
+            task._replace(entry=entry, includes=made.includes, plugins=made.plugins, doubts=made.doubts, templates=made.templates)
+        )
 
     def _task(self, kind: str, name: str, client: str, sources: tuple[str, ...]) -> Task:
         return Task(self.package.name, self.package.directory, kind, name, client, sources, "", (), self.origin, ())

@@ -12,10 +12,11 @@ import re
 from collections.abc import Callable, Sequence
 
 from launchlint.workspace.cmake import CMakeError, Command, commands
-from launchlint.workspace.cmake_blocks import block_end, never, section
-from launchlint.workspace.cmake_scope import Scope, Value, merged, together, united
-from launchlint.workspace.cmake_targets import CMakeFacts, Generated, Install, Target
-from launchlint.workspace.cmake_words import HARMLESS, HARMLESS_PREFIXES
+from launchlint.workspace.cmake_blocks import block_end, never, parsed, section, sources_and_rest
+from launchlint.workspace.cmake_installs import install, install_programs
+from launchlint.workspace.cmake_scope import Scope, Value, together
+from launchlint.workspace.cmake_targets import CMakeFacts, Generated, Target
+from launchlint.workspace.cmake_words import CATKIN_WORDS, HARMLESS, HARMLESS_PREFIXES
 from launchlint.workspace.reading import read_bytes
 
 CMAKE_FILE = "CMakeLists.txt"
@@ -27,11 +28,15 @@ _DEEPEST_BLOCK = 40
 _LONGEST_NAME = 100
 _MOST_TARGETS = 2_000
 _MOST_SOURCES = 2_000
+_MOST_GENERATED = 300
+_MOST_ARGUMENTS = 20
 
 _TARGET = re.compile(r"(?:\w+_)?add_(?:\w+_)?executable(?:_with_gtest)?")
 _TEST_TARGET = re.compile(r"(?:\w+_)?add_(?:\w+_)?(?:gtest|gmock)(?:_test)?")
 _LIBRARY = re.compile(r"(?:\w+_)?add_(?:\w+_)?library")
 _MAKES_TARGETS = re.compile(r"add_(?:\w+_)?(?:executable|library)|target_(?:link|sources)")
+_WRAPPER = re.compile(r"(?:\w+_)?(?:binary|executable|exe|node|program)(?:_\w+)?")
+_NO_WRAPPER = re.compile(r"test|library|plugin|nodelet|install")
 _TARGET_WORDS = frozenset(
     """SHARED STATIC MODULE OBJECT INTERFACE PUBLIC PRIVATE EXCLUDE_FROM_ALL WIN32 MACOSX_BUNDLE LINK_PUBLIC LINK_PRIVATE
     LINK_INTERFACE_LIBRARIES
@@ -39,10 +44,8 @@ _TARGET_WORDS = frozenset(
 )
 _TOOLING = re.compile(r"coverage|clang|cppcheck|doxygen|sphinx")
 _COMPUTING = frozenset(("string", "math", "execute_process", "cmake_path", "separate_arguments"))
-_ASSIGNING = _COMPUTING | {"set", "list", "file"}
-_COMPUTING_FIRST = frozenset(
-    ("get_filename_component", "get_target_property", "get_property", "option", "find_path", "find_file", "find_program")
-)
+_ASSIGNING = _COMPUTING | {"set", "list", "file", "get_filename_component"}
+_COMPUTING_FIRST = frozenset(("get_target_property", "get_property", "option", "find_path", "find_file", "find_program"))
 
 
 def read_cmake(directory: str, files: Callable[[], Sequence[str]]) -> CMakeFacts:
@@ -52,6 +55,7 @@ def read_cmake(directory: str, files: Callable[[], Sequence[str]]) -> CMakeFacts
     """
     reader = _Reader(os.path.abspath(directory), files)
     reader.read(os.path.join(reader.scope.root, CMAKE_FILE), 0)
+    reader.find_generated()
     for target, name in reader.renamed.items():
         if target in reader.facts.targets:
             reader.facts.targets[target].output = name
@@ -64,7 +68,7 @@ def read_cmake(directory: str, files: Callable[[], Sequence[str]]) -> CMakeFacts
 class _Reader:
     """One run over the CMake files of a package."""
 
-    __slots__ = ("_blocks", "facts", "macros", "parameters", "renamed", "scope", "steps")
+    __slots__ = ("_blocks", "facts", "generated", "macros", "parameters", "renamed", "scope", "steps")
 
     def __init__(self, root: str, files: Callable[[], Sequence[str]]) -> None:
         self.scope = Scope(root, files)
@@ -72,6 +76,7 @@ class _Reader:
         self.macros: dict[str, Sequence[Command]] = {}
         self.parameters: dict[str, tuple[str, ...]] = {}
         self.renamed: dict[str, str] = {}
+        self.generated: dict[str, Generated] = {}
         self.steps = 0
         self._blocks = 0
 
@@ -149,8 +154,7 @@ class _Reader:
                     outcomes.append(self.scope.variables)
                 start, skip = position + 1, command.name == "elseif" and never(command)
                 has_else = has_else or command.name == "else"
-        self.scope.unions.update(united(before, outcomes))
-        self.scope.variables = merged(before, outcomes, exhaustive=has_else)
+        self.scope.branch(before, outcomes, exhaustive=has_else)
 
     def _foreach(self, opening: Command, body: Sequence[Command], depth: int) -> None:
         arguments = self.scope.expand(opening.arguments)
@@ -159,7 +163,8 @@ class _Reader:
             return
         variable = arguments[0]
         outer = self.scope.variables.get(variable)
-        for item in self._items(arguments[1:]):
+        words = self.scope.expand(opening.arguments, any_way=True)[1:] if None in arguments else arguments[1:]
+        for item in dict.fromkeys([*self._items(words), *self._items(arguments[1:])]):
             self.steps += 1
             if self.steps > _MOST_STEPS:
                 break
@@ -180,6 +185,8 @@ class _Reader:
                 mode = str(word)
             elif mode == "LISTS" and word is not None:
                 value = self.scope.variables.get(word)
+                if value is None:
+                    chosen += [each for each in self.scope.unions.get(word, "").split(";") if each]
                 chosen += [None] if value is None else [each for each in value.split(";") if each]
             else:
                 chosen.append(None if mode == "ZIP_LISTS" else word)
@@ -205,17 +212,28 @@ class _Reader:
             self._target_parts(first, words, sources=name == "target_sources")
         elif name in ("include_directories", "target_include_directories"):
             self._include_directories(arguments if name == "include_directories" else arguments[1:])
+        elif name == "catkin_package":
+            self._include_directories(section(arguments, "INCLUDE_DIRS", CATKIN_WORDS))
         elif name == "project":
             self.scope.project(first)
             self.facts.project = self.facts.project or first or ""
         elif name == "set" and first is not None:
             self.scope.assign(first, arguments[1:])
+            if None in arguments:
+                self.scope.assign_any(first, self.scope.expand(command.arguments, any_way=True)[1:])
         elif name == "unset" and first is not None:
             self.scope.assign(first, [])
         elif name == "list":
             self.scope.list_command(arguments)
         elif name == "file":
             self._file(arguments)
+        elif name == "get_filename_component":
+            self.scope.filename_command(arguments)
+        elif name == "string":
+            self.scope.string_command(arguments)
+        elif name == "cmake_parse_arguments":
+            for variable, values in parsed(self.scope.given_arguments(arguments)).items():
+                self.scope.assign(variable, values)
         elif name in _COMPUTING:
             self.scope.forget(arguments)
         elif name in _COMPUTING_FIRST:
@@ -223,13 +241,14 @@ class _Reader:
         elif name == "set_target_properties":
             self._properties(arguments)
         elif name == "install":
-            self._install(arguments)
+            install(self.facts, self.scope, arguments)
         elif name == "catkin_install_python":
-            self._programs(name, arguments)
+            install_programs(self.facts, self.scope, name, arguments)
         elif name == "cs_install_scripts":
-            self._programs(name, ["PROGRAMS", *arguments])
+            install_programs(self.facts, self.scope, name, ["PROGRAMS", *arguments])
         elif name == "configure_file":
             self._generated(name, arguments[1:2])
+            self._configured(command)
         elif name == "add_custom_command":
             self._generated(name, section(arguments, "OUTPUT") or [None])
         elif name == "add_custom_target":
@@ -242,6 +261,8 @@ class _Reader:
             self._call(name, command, depth)
         elif name not in HARMLESS and not name.startswith(HARMLESS_PREFIXES) and not _TOOLING.search(name):
             self._unknown(f"the command {name} (line {command.line}) is not known")
+            if _WRAPPER.fullmatch(name) and not _NO_WRAPPER.search(name):
+                self._wrapped(self.scope.expand(command.arguments, any_way=True))
 
     def _executable(self, name: Value, how: str) -> None:
         if name is None or "$<" in name:
@@ -264,6 +285,37 @@ class _Reader:
                     if path not in target.sources:
                         target.sources.append(path)
 
+    def _wrapped(self, words: Sequence[Value]) -> None:
+        """A command that is not known, but called like one that makes an executable: ``x_binary(name SRCS a.cc)``."""
+        name = words[0] if words else None
+        sources, rest = sources_and_rest(words[1:])
+        if name and sources and name not in self.facts.targets and len(self.facts.targets) < _MOST_TARGETS:
+            self._target(name, sources, is_library=False)
+            target = self.facts.targets.get(name)
+            if target is not None:
+                target.assumed, target.complete = True, False
+                target.libraries += rest[:_MOST_SOURCES]
+
+    def _configured(self, command: Command) -> None:
+        """``configure_file(template output …)``: remembered, since the output may be a source."""
+        words = self.scope.expand(command.arguments, any_way=True)
+        output = words[1] if len(words) > 1 else None
+        if output is None or "$<" in output or len(self.generated) >= _MOST_GENERATED:
+            return
+        template = self.scope.template(command.arguments[0])
+        if template is not None and self._inside(template):
+            path = os.path.normpath(os.path.join(self.scope.built(self.scope.here), output))
+            self.generated[path] = Generated(template, dict(self.scope.variables), "@ONLY" in words, "COPYONLY" in words)
+
+    def find_generated(self) -> None:
+        """Note at each target which of its sources are made of a template."""
+        if self.generated:
+            for target in self.facts.targets.values():
+                for source in target.sources:
+                    made = self.generated.get(source) or self.generated.get(self.scope.built(source))
+                    if made is not None and not os.path.isfile(source):
+                        target.generated[source] = made
+
     def _target_parts(self, name: Value, words: Sequence[Value], *, sources: bool) -> None:
         target = self.facts.targets.get(name or "")
         if target is None:
@@ -277,10 +329,11 @@ class _Reader:
                 target.libraries.append(word)
 
     def _include_directories(self, words: Sequence[Value]) -> None:
-        for word in words:
+        for given in words:
+            word = given.removeprefix("$<BUILD_INTERFACE:").removesuffix(">") if given else ""
             if word and word not in _TARGET_WORDS and "$<" not in word and len(self.facts.include_directories) < _MOST_SOURCES:
                 path = self.scope.path(word)
-                if self._inside(path):
+                if path == self.scope.root or self._inside(path):
                     self.facts.include_directories[path] = None
 
     def _file(self, arguments: Sequence[Value]) -> None:
@@ -314,57 +367,6 @@ class _Reader:
                 self.facts.executables_reasons.append(f"{how} makes a file whose name is not known")
             elif output:
                 self.facts.executables.setdefault(os.path.basename(output), how)
-
-    # -- install ------------------------------------------------------------------------------------------------------
-
-    def _install(self, arguments: Sequence[Value]) -> None:
-        kind = arguments[0] if arguments else None
-        if kind == "PROGRAMS":
-            self._programs("install", arguments)
-        elif kind in ("FILES", "DIRECTORY"):
-            self._files(arguments, kind == "DIRECTORY")
-        elif kind in ("CODE", "SCRIPT") or kind is None:
-            self.facts.installs_reasons.append(f"install({kind or ''}) runs code")
-            self.facts.executables_reasons.append(f"install({kind or ''}) runs code")
-
-    def _programs(self, how: str, arguments: Sequence[Value]) -> None:
-        renamed = section(arguments, "RENAME")
-        for program in section(arguments, "PROGRAMS"):
-            if program is None or "$<" in program:
-                self.facts.executables_reasons.append(f"{how} with a file that is not known")
-                self.facts.installs_reasons.append(f"{how} with a file that is not known")
-            elif program:
-                name = os.path.basename(renamed[0] or "" if renamed else program)
-                self.facts.executables.setdefault(name, f"{how}(PROGRAMS)")
-                self.facts.programs.setdefault(name, self.scope.path(program))
-                self._installed(program, False, arguments)
-
-    def _files(self, arguments: Sequence[Value], is_directory: bool) -> None:
-        for path in section(arguments, "DIRECTORY" if is_directory else "FILES"):
-            if path is None or "$<" in path:
-                self.facts.installs_reasons.append("install with a path that is not known")
-            else:
-                self._installed(path, is_directory, arguments)
-        if is_directory and "FILE_PERMISSIONS" in arguments:
-            self.facts.executables_reasons.append("install(DIRECTORY) gives permissions")
-
-    def _installed(self, path: str, is_directory: bool, arguments: Sequence[Value]) -> None:
-        only: list[str] = []
-        without: list[str] = []
-        matching = False
-        for position, word in enumerate(arguments):
-            if word == "FILES_MATCHING":
-                matching = True
-            elif word in ("PATTERN", "REGEX") and position + 1 < len(arguments):
-                pattern = arguments[position + 1]
-                if word == "REGEX" or pattern is None:
-                    self.facts.installs_reasons.append("install(DIRECTORY) chooses files by a pattern that is not known")
-                elif arguments[position + 2 : position + 3] == ["EXCLUDE"]:
-                    without.append(pattern)
-                elif matching:
-                    only.append(pattern)
-        where = section(arguments, "DESTINATION")
-        self.facts.installs.append(Install(self.scope.path(path), is_directory, where[0] if where else None, tuple(only), tuple(without)))
 
     # -- other files --------------------------------------------------------------------------------------------------
 
@@ -417,12 +419,15 @@ class _Reader:
             self.scope.assign(parameter, [value])
         self.scope.assign("ARGN", arguments[len(parameters) :])
         self.scope.assign("ARGV", arguments)
+        numbered = {f"ARGV{number}": value for number, value in enumerate(arguments[:_MOST_ARGUMENTS])}
+        for variable, value in numbered.items():
+            self.scope.assign(variable, [value])
         self._blocks += 1
         self.run(body, depth)
         self._blocks -= 1
         after = self.scope.variables
         self.facts, self.scope.variables = facts, scope
-        known = {*parameters, "ARGN", "ARGV"}
+        known = {*parameters, "ARGN", "ARGV", *numbered}
         for each, value in after.items():
             if value and each not in known and scope.get(each) != value:
                 self.scope.unions[each] = together([self.scope.unions.get(each, ""), value])

@@ -17,6 +17,7 @@ _LONGEST_VALUE = 1 << 14
 _MOST_VARIABLES = 1_000
 _MOST_GLOBS = 50
 _DEEPEST_REFERENCE = 8
+_MOST_WAYS = 8
 
 _REFERENCE = re.compile(r"\$\{([^${}]*)\}")
 _ESCAPE = re.compile(r"\\(.)", re.DOTALL)
@@ -35,16 +36,18 @@ _DESTINATIONS = {
     "CMAKE_INSTALL_DATADIR": "share",
     "CMAKE_INSTALL_LIBDIR": "lib",
 }
+_BUILD_DIRECTORIES = ("CMAKE_BINARY_DIR", "PROJECT_BINARY_DIR", "CMAKE_CURRENT_BINARY_DIR")
 _PACKAGE_DESTINATIONS = {"BIN": "lib", "ETC": "etc", "INCLUDE": "include", "SHARE": "share"}
 
 
 class Scope:
     """The variables of one package's CMake files; ``files`` gives its files relative to ``root``, with ``/``.
 
-    ``unions`` has, for lists that are not known since ways through an ``if`` differ, what any of the ways puts into them.
+    ``unions`` has, for lists that are not known since ways through an ``if`` differ, what any of the ways puts into them; ``ways`` has,
+    for variables of which some ways are known, the values on those.
     """
 
-    __slots__ = ("_files", "_globs", "root", "unions", "variables")
+    __slots__ = ("_files", "_globs", "root", "unions", "variables", "ways")
 
     def __init__(self, root: str, files: Callable[[], Sequence[str]]) -> None:
         self.root = root
@@ -52,6 +55,7 @@ class Scope:
         self._globs = 0
         self.variables: dict[str, Value] = dict(_DESTINATIONS)
         self.unions: dict[str, str] = {}
+        self.ways: dict[str, tuple[str, ...]] = {}
         for name in ("CMAKE_SOURCE_DIR", "CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR", "PROJECT_SOURCE_DIR"):
             self.variables[name] = root
 
@@ -64,17 +68,32 @@ class Scope:
         """An absolute path for one relative to the directory whose CMake file is being read."""
         return os.path.normpath(os.path.join(self.here, relative))
 
+    def built(self, path: str) -> str:
+        """The place in the build directory that is for ``path`` in the package; there is no such directory on the disk."""
+        return os.path.join(self.root, "<build>", os.path.relpath(path, self.root)).removesuffix("/.")
+
+    def template(self, argument: Argument) -> str | None:
+        """The file in the package that an argument means; where a variable in it depends on an ``if``, the one that there is."""
+        known = self._value(argument.text)
+        tried = {known}
+        if known is None:
+            for name in _REFERENCE.findall(argument.text):
+                tried |= {self._value(argument.text.replace(f"${{{name}}}", way)) for way in self.ways.get(name, ())}
+        found = {path for each in tried if each and "\0" not in each and os.path.isfile(path := self.path(each))}
+        return found.pop() if len(found) == 1 else None
+
     def expand(self, arguments: Sequence[Argument], *, any_way: bool = False) -> list[Value]:
         """Arguments with variables put in; unquoted ones are split at semicolons.
 
-        With ``any_way`` a list that is not known stands for all that may be in it, where that is known.
+        With ``any_way`` a list that is not known stands for all that may be in it, where that is known; and what is said to be in the build
+        directory is known by the place that ``built`` gives it.
         """
         expanded: list[Value] = []
         for argument in arguments:
             if argument.literal:
                 expanded.append(argument.text)
                 continue
-            value = self._value(argument.text)
+            value = self._value(argument.text, any_way=any_way)
             if value is None and any_way and (whole := _REFERENCE.fullmatch(argument.text)) is not None:
                 value = self.unions.get(whole[1])
             if value is None or argument.quoted:
@@ -101,6 +120,23 @@ class Scope:
             kept.append(value)
         self._put(name, _joined(kept))
 
+    def assign_any(self, name: str, values: Sequence[Value]) -> None:
+        """What a variable that is not known has in it, expanded with ``any_way``."""
+        value = _joined(values)
+        if value is None:
+            self.unions.pop(name, None)
+        elif len(self.unions) < _MOST_VARIABLES:
+            self.unions[name] = value
+
+    def branch(self, before: dict[str, Value], outcomes: Sequence[dict[str, Value]], *, exhaustive: bool) -> None:
+        """After an ``if``: what the variables are, and what is known of the ways through it (see ``merged``)."""
+        for name, values in differing(before, outcomes).items():
+            if len(values) > 1 and len("".join(values)) <= _LONGEST_VALUE:
+                self.unions[name] = together(values)
+            if values:
+                self.ways[name] = tuple(dict.fromkeys(values))[:_MOST_WAYS]
+        self.variables = merged(before, outcomes, exhaustive=exhaustive)
+
     def forget(self, names: Sequence[Value]) -> None:
         """Commands that compute what cannot be known here: the variables they may set are unknown from now on."""
         for name in names:
@@ -108,7 +144,7 @@ class Scope:
                 self._put(name, None)
 
     def list_command(self, arguments: Sequence[Value]) -> None:
-        """``list(…)``: appending is followed, other changes make the list unknown."""
+        """``list(…)``: what adds or removes items is followed, other changes make the list unknown."""
         action = arguments[0] if arguments else None
         if len(arguments) < 2 or action in ("SORT", "REVERSE", "REMOVE_DUPLICATES"):
             return
@@ -118,10 +154,55 @@ class Scope:
                 more = [each for each in arguments[2:] if each is not None]
                 self.unions[arguments[1]] = together([self.unions[arguments[1]], *more])
             self._put(arguments[1], _joined([*([before] if before != "" else []), *arguments[2:]]))
+        elif action in ("PREPEND", "REMOVE_ITEM") and (name := arguments[1]) is not None:
+            listed, items = self.variables.get(name), arguments[2:]
+            if listed is None or None in items:
+                self.forget([name])
+            elif action == "PREPEND":
+                self._put(name, _joined([*items, *([listed] if listed else [])]))
+            else:
+                removed = set(items)
+                self._put(name, ";".join(each for each in listed.split(";") if each not in removed))
         elif action in ("LENGTH", "GET", "FIND", "JOIN", "SUBLIST"):
             self.forget(arguments[-1:])
         else:
             self.forget(arguments[1:])
+
+    def filename_command(self, arguments: Sequence[Value]) -> None:
+        """``get_filename_component(variable file mode)``: parts of a name are followed."""
+        name = arguments[0] if arguments else None
+        path, mode = arguments[1:] if len(arguments) == 3 else (None, None)
+        value: Value = None
+        if path and ";" not in path:
+            if mode == "NAME":
+                value = os.path.basename(path)
+            elif mode == "NAME_WE":
+                value = os.path.basename(path).split(".")[0] or None
+            elif mode in ("DIRECTORY", "PATH"):
+                value = os.path.dirname(path)
+            elif mode == "ABSOLUTE":
+                value = self.path(path)
+        if name:
+            self._put(name, value)
+
+    def given_arguments(self, arguments: Sequence[Value]) -> Sequence[Value]:
+        """``cmake_parse_arguments(PARSE_ARGV n prefix …)`` with what it stands for: the arguments of the function from ``n`` on."""
+        if arguments[:1] != ["PARSE_ARGV"]:
+            return arguments
+        first, given = arguments[1] if len(arguments) > 1 else None, self.variables.get("ARGV")
+        if first is None or not re.fullmatch(r"[0-9]{1,3}", first) or given is None:
+            return []
+        return [*arguments[2:6], *(each for each in given.split(";")[int(first) :] if each)]
+
+    def string_command(self, arguments: Sequence[Value]) -> None:
+        """``string(…)``: replacing text is followed, everything else makes the variable unknown."""
+        if arguments[:1] == ["REPLACE"] and len(arguments) >= 5 and arguments[1] and arguments[3] and None not in arguments:
+            old, new, name, *parts = (str(each) for each in arguments[1:])
+            text = "".join(parts)
+            if len(text) + text.count(old) * len(new) <= _LONGEST_VALUE:
+                self._put(name, text.replace(old, new))
+                return
+        self.forget(arguments)
 
     def glob(self, arguments: Sequence[Value], recurse: bool) -> None:
         """``file(GLOB variable …)`` over the package's own files."""
@@ -161,13 +242,15 @@ class Scope:
         if name in self.variables or len(self.variables) < _MOST_VARIABLES:
             self.variables[name] = value
 
-    def _value(self, text: str) -> Value:
+    def _value(self, text: str, *, any_way: bool = False) -> Value:
         """``text`` with its variables put in, the innermost first; ``None`` where one of them is not known."""
         unknown = False
 
         def put_in(match: re.Match[str]) -> str:
             nonlocal unknown
             value = self.variables.get(match[1])
+            if value is None and any_way and match[1] in _BUILD_DIRECTORIES:
+                value = self.built(self.here if match[1] == "CMAKE_CURRENT_BINARY_DIR" else self.root)
             unknown = unknown or value is None
             return value or ""
 
@@ -199,15 +282,10 @@ def merged(before: dict[str, Value], outcomes: Sequence[dict[str, Value]], *, ex
     return result
 
 
-def united(before: dict[str, Value], outcomes: Sequence[dict[str, Value]]) -> dict[str, str]:
-    """For the lists in which the ways through an ``if`` differ, what any of the ways puts into them."""
+def differing(before: dict[str, Value], outcomes: Sequence[dict[str, Value]]) -> dict[str, list[str]]:
+    """For the variables in which the ways through an ``if`` differ, what is known of the ways."""
     names = {name for outcome in outcomes for name, value in outcome.items() if name not in before or before[name] != value}
-    found: dict[str, str] = {}
-    for name in sorted(names):
-        values = [value for each in (before, *outcomes) if (value := each.get(name)) is not None]
-        if len(values) > 1 and len("".join(values)) <= _LONGEST_VALUE:
-            found[name] = together(values)
-    return found
+    return {name: [value for each in (before, *outcomes) if (value := each.get(name)) is not None] for name in sorted(names)}
 
 
 def together(values: Sequence[str]) -> str:

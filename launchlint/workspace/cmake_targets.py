@@ -39,10 +39,10 @@ class Target:
 
     ``sources`` are absolute paths; those of them that the build makes of a template are in ``generated``, too. ``libraries`` is what is
     linked to it (names of targets or libraries); ``complete`` says that the sources are all known. ``output`` is the name of the file,
-    without ``lib``.
+    without ``lib``. ``assumed``: a command that is not known gets a name and sources; it makes an executable if one of them has a main().
     """
 
-    __slots__ = ("complete", "generated", "is_library", "libraries", "output", "sources")
+    __slots__ = ("assumed", "complete", "generated", "is_library", "libraries", "output", "sources")
 
     def __init__(self, name: str, is_library: bool) -> None:
         self.output = name
@@ -51,6 +51,7 @@ class Target:
         self.generated: dict[str, Generated] = {}
         self.libraries: list[str] = []
         self.complete = True
+        self.assumed = False
 
 
 class CMakeFacts:

@@ -1,16 +1,19 @@
 """How much of a hand-written library ``launchlint extract`` finds in the sources that were read for it.
 
 ``python -m tests.bench.extraction CORPUS [--client rospy] [--only NAME] [--show N] [--probe LIBRARY.json]``. CORPUS holds a directory
-``owner+name@commit`` (the first twelve digits) for each source checked out; the bundled library is the ground truth for programs
-whose evidence is from there. Two names are equal where their templates at their defaults are. Recall counts all entries of the
-ground truth that are in that commit, precision leaves conditional entries out, and so it does with categories that the ground truth leaves
-open. With ``--probe`` the ground truth is a library that ``launchlint probe`` wrote of programs of the same packages.
+``owner+name@commit`` (the first twelve digits) for each source checked out; the bundled library is the ground truth for programs whose
+evidence is from there. Two names are equal where their templates at their defaults are. Recall counts all entries of the ground truth
+that are in that commit, precision leaves conditional entries out, and so it does with categories that the ground truth leaves open.
+``unseen`` counts the names of programs that extraction does not see at all; the last line but one takes them for missed. Programs whose
+package is in none of the checkouts that the ground truth cites for it are not measured, and the last line tells their number. With
+``--probe`` the ground truth is a library that ``launchlint probe`` wrote of programs of the same packages.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import re
 import time
 from collections import Counter
 from collections.abc import Iterator
@@ -28,16 +31,29 @@ NO_INTERFACE = ("like", "status")
 Key = tuple[str, str, str]
 
 
-def ground_truth() -> dict[str, list[tuple[str, str, str, dict[str, Any]]]]:
-    """Source id → (package, kind, program name, program) of what the bundled library says from there."""
-    found: dict[str, list[tuple[str, str, str, dict[str, Any]]]] = {}
+Program = tuple[str, str, str, dict[str, Any]]
+
+STRANGE = "a source that is not there"
+_NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
+
+
+def ground_truth(corpus: Path) -> dict[str, list[Program]]:
+    """Source id → (package, kind, program name, program) of what the bundled library says of packages in that checkout."""
+    holds: dict[str, set[str]] = {}
+    for directory in sorted(corpus.iterdir()):
+        manifests = (path.read_text(encoding="utf-8", errors="replace") for path in directory.rglob("package.xml"))
+        holds[directory.name] = {name for text in manifests for name in _NAME.findall(text)[:1]}
+    found: dict[str, list[Program]] = {}
     for path in sorted(BUNDLED.glob("*.json")):
         for package, known in json.loads(path.read_text(encoding="utf-8")).get("packages", {}).items():
             for kind in ("executables", "nodelets"):
                 for name, program in known.get(kind, {}).items():
                     sources = Counter(source for entry in all_entries(program) for source in sources_of(entry))
                     if sources and not any(key in program for key in NO_INTERFACE):
-                        found.setdefault(sources.most_common(1)[0][0], []).append((package, kind, name, program))
+                        cited = [source for source, _ in sources.most_common() if source.replace("/", "+") in holds]
+                        home = next((source for source in cited if package in holds[source.replace("/", "+")]), STRANGE)
+                        if cited:
+                            found.setdefault(home, []).append((package, kind, name, program))
     return found
 
 
@@ -80,6 +96,10 @@ class Score:
     def __init__(self) -> None:
         self.counts: Counter[str] = Counter()
 
+    def miss(self, truth: dict[str, Any]) -> None:
+        """A program that was not seen at all."""
+        self.counts["names unseen"] += sum(key[0] != "params" and not is_older(entry) for key, entry in keyed(truth).items())
+
     def compare(self, label: str, truth: dict[str, Any], found: dict[str, Any], show: list[str]) -> None:
         wanted, got = keyed(truth), keyed(found)
         open_truth, open_found = opened(truth), opened(found)
@@ -114,7 +134,7 @@ class Score:
         return (
             f"{percent(c['names found'], c['names'])} {c['names found']:4}/{c['names']:<4} {percent(c['names false'], c['names said'])} "
             f"{percent(c['types right'], c['types'])}  {percent(c['params found'], c['params'])} {c['params found']:4}/{c['params']:<4} "
-            f"{percent(c['params false'], c['params said'])}"
+            f"{percent(c['params false'], c['params said'])} {c['names unseen']:6}"
         )
 
 
@@ -126,17 +146,21 @@ def percent(part: int, whole: int) -> str:
     return f"{100 * part / whole:5.1f}" if whole else "    –"
 
 
-HEAD = f"{'':44} names found     false types  params found     false"
+HEAD = f"{'':44} names found     false types  params found     false unseen"
 
 
 def against_library(corpus: Path, client: str, only: str, show: int, jobs: int) -> None:
     total = Score()
     lines: list[str] = []
     print(HEAD)
-    for source, programs in sorted(ground_truth().items()):
+    truth = ground_truth(corpus)
+    chosen = {
+        source: [each for each in listed if not client or each[3].get("class") in client.split(",")] for source, listed in truth.items()
+    }
+    strangers = chosen.pop(STRANGE, [])
+    for source, programs in sorted(chosen.items()):
         directory = corpus / source.replace("/", "+")
-        programs = [each for each in programs if not client or each[3].get("class") in client.split(",")]
-        if not directory.is_dir() or not programs or (only and only not in source):
+        if not programs or only not in source:
             continue
         begin = time.monotonic()
         try:
@@ -146,15 +170,20 @@ def against_library(corpus: Path, client: str, only: str, show: int, jobs: int) 
             continue
         score = Score()
         absent = []
-        for package, kind, name, truth in programs:
+        for package, kind, name, program in programs:
             found = packages.get(package, {}).get(kind, {}).get(name)
             if found is None:
                 absent.append(f"{package}/{name}")
-                continue
             for each in (score, total):
-                each.compare(f"{package}/{name}", truth, found, lines if each is total else [])
+                if found is None:
+                    each.miss(program)
+                else:
+                    each.compare(f"{package}/{name}", program, found, lines if each is total else [])
         print(f"{source:44} {score.row()}  {time.monotonic() - begin:5.1f} s{'  not there: ' + ', '.join(absent) if absent else ''}")
     print(f"{'total':44} {total.row()}")
+    c = total.counts
+    print(f"{'with what is unseen':44} {percent(c['names found'], c['names'] + c['names unseen'])}")
+    print(f"not measured, since their package is not in these checkouts: {len(strangers)} programs")
     print("\n".join(lines[:show]))
 
 

@@ -108,6 +108,9 @@ class Declarations:
         self.constants: dict[str, tuple[Node | None, int]] = {}
         self.messages: dict[str, None] = {}
         self._owned: list[Function] = []
+        self._unnamed = 0  # namespaces without a name around what is being read
+        self._local: set[str] = set()  # classes in those: nothing of another file belongs to them
+        self._strange: set[tuple[str, str]] = set()  # second classes of a name, of which one is local, with their files
         self._assigned: set[str] | None = None
 
     # -- reading ------------------------------------------------------------------------------------------------------
@@ -137,7 +140,9 @@ class Declarations:
             body = node.field("body")
             inner = joined(scope, _spelled(name).replace(" ", "")) if name else scope
             if body:
+                self._unnamed += name is None
                 self._scope(body.children, inner, path, (), depth + 1)
+                self._unnamed -= name is None
         elif kind == "template_declaration":
             names = _template(node.field("parameters"))
             self._scope(
@@ -203,6 +208,12 @@ class Declarations:
         clause = node.child("base_class_clause")
         kinds = ("type_identifier", "qualified_identifier", "template_type")
         bases = [parse_type(each.text) for each in (clause.children if clause else ()) if each.kind in kinds]
+        before = self.classes.get(qualified)
+        if before is not None and before.path != path and (self._unnamed or qualified in self._local):
+            self._strange.add((qualified, path))
+            return
+        if self._unnamed:
+            self._local.add(qualified)
         found = self.classes.setdefault(qualified, Class(qualified, scope, tuple(bases), template, path))
         if bases and not found.bases:
             found.bases = tuple(bases)
@@ -303,6 +314,8 @@ class Declarations:
                         break
                 else:
                     owner = self._by_alias(owner)
+            if (owner, function.path) in self._strange or (owner in self._local and self.classes[owner].path != function.path):
+                continue
             if owner in self.classes:
                 function.owner = owner
                 function.scope = owner

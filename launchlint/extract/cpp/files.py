@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 from launchlint.extract.assembly import found_header
 from launchlint.extract.cpp.syntax import Node, parse
+from launchlint.extract.template import Template, filled
 from launchlint.workspace.reading import LARGEST_FILE, read_bytes
 
 _MOST_FILES = 600
@@ -29,8 +30,10 @@ class File:
         self.root = root
 
 
-def read_files(sources: Sequence[str], include_directories: Sequence[str], root: str) -> tuple[list[File], list[str]]:
-    """The files, included ones before those that include them; and what could not be read, each with the reason."""
+def read_files(
+    sources: Sequence[str], include_directories: Sequence[str], root: str, templates: Sequence[Template] = ()
+) -> tuple[list[File], list[str]]:
+    """The files, included ones before those that include them, templates filled in; and what could not be read, each with the reason."""
     found: list[File] = []
     problems: list[str] = []
     seen: set[str] = set()
@@ -54,6 +57,8 @@ def read_files(sources: Sequence[str], include_directories: Sequence[str], root:
             problems.append(f"{_relative(path, root)} cannot be read: {error.strerror or error}")
             continue
         total += len(data)
+        if any(each.path == path for each in templates):
+            data = filled(data.decode("utf-8", "replace"), path, templates).encode()
         pending.append((path, _tree(path, data)))
         spelled = [(match[2].decode("utf-8", "replace"), match[1] == b'"') for match in _INCLUDE.finditer(data)]
         included = [found_header(name, quoted, path, include_directories) for name, quoted in spelled]

@@ -12,6 +12,7 @@ from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.values import UNKNOWN, Thing
 from launchlint.extract.fact import Doubt, Fact, Plugin
+from launchlint.extract.template import Template
 
 _EVERYWHERE = frozenset(
     (
@@ -29,7 +30,12 @@ _EVERYWHERE = frozenset(
 
 
 def cpp_program(
-    sources: Sequence[str], include_directories: Sequence[str], root: str, entry: str | None, plugins: Sequence[Plugin] = ()
+    sources: Sequence[str],
+    include_directories: Sequence[str],
+    root: str,
+    entry: str | None,
+    plugins: Sequence[Plugin] = (),
+    templates: Sequence[Template] = (),
 ) -> tuple[tuple[Fact, ...], tuple[Doubt, ...]]:
     """What a program says, found by following its source code; nothing is run.
 
@@ -39,6 +45,7 @@ def cpp_program(
         root: what the paths of facts are relative to.
         entry: the class whose constructor and ``onInit`` are the start (``image_proc::RectifyNodelet``); ``main()`` if None.
         plugins: classes that can be loaded and whose sources are among these.
+        templates: those of the sources that the build fills in.
 
     Returns:
         Facts, sorted by category, name and place; and doubts, why there may be more than these.
@@ -46,7 +53,7 @@ def cpp_program(
     Raises:
         UsageError: tree-sitter is not installed.
     """
-    files, problems = read_files(sources, include_directories, root)
+    files, problems = read_files(sources, include_directories, root, templates)
     declarations = Declarations()
     for file in files:
         declarations.read(file.root, file.path)

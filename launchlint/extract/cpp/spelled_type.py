@@ -46,6 +46,8 @@ INTEGERS = frozenset(
 ) | {"long long", "long int", "short int", "long unsigned int", "long long int"}
 LISTS = frozenset(("std::vector", "vector", "std::list", "std::array", "std::set", "std::deque"))
 MAPPINGS = frozenset(("std::map", "map", "std::unordered_map"))
+ANYTHING = frozenset(("XmlRpc::XmlRpcValue", "XmlRpcValue"))
+"""Types that hold a param of any type."""
 
 
 @lru_cache(maxsize=8192)

@@ -1,6 +1,7 @@
 """C++ source as a plain tree: what tree-sitter reads, without comments and punctuation, each node with its line.
 
-A file is parsed whole and never preprocessed: both sides of every ``#if`` are in the tree. What tree-sitter cannot make sense of is an
+A file is parsed whole and never preprocessed: both sides of every ``#if`` are in the tree, but for those amid a list of arguments, of which
+the first side is. What tree-sitter cannot make sense of is an
 ``ERROR`` node; macros that would make one of sound code are blanked out beforehand, line numbers unchanged.
 """
 
@@ -30,9 +31,16 @@ _EXPORTED = re.compile(r"\b(?:class|struct)[ \t]+([A-Z][A-Z0-9_]+(?:\([^()\n]*\)
 _SLOTS = re.compile(r"\b(?:public|private|protected)[ \t]+(Q_SLOTS|slots)[ \t]*:|^[ \t]*(Q_SIGNALS|signals)[ \t]*:", re.MULTILINE)
 _ATTRIBUTE = re.compile(
     r"__attribute__[ \t]*\(\([^()\n]*(?:\([^()\n]*\)[^()\n]*)*\)\)|\bROS_FORCE_INLINE\b|\b__forceinline\b|\bROS_DEPRECATED\b"
+    r"|\b(?:ABSL_)?(?:(?:PT_)?GUARDED_BY|(?:EXCLUSIVE|SHARED)_LOCKS_REQUIRED|LOCKS_EXCLUDED)[ \t]*\([^()\n]*\)"
 )
 _ADJACENT = re.compile(r"(?<==)([ \t]*[A-Z][A-Z0-9_]{2,})((?:[ \t]+[A-Z][A-Z0-9_]{2,})+)(?=[ \t]*;)")
 _EACH = re.compile(r"\b(?:BOOST_|Q_)?FOREACH[ \t]*\(|\bforeach[ \t]*\(|\bQ_FOREACH[ \t]*\(")
+
+_AMID = re.compile(r"[,(][ \t]*(?://[^\n]*)?\n(?=[ \t]*#[ \t]*if)")
+_DIRECTIVE = re.compile(r"[ \t]*#[ \t]*(if|el|endif)")
+_NEVER = re.compile(r"[ \t]*#[ \t]*if[ \t]+0\b")
+_LONGEST_CONDITIONAL = 200
+_MOST_ENDLESS = 20
 
 
 class Node:
@@ -174,13 +182,49 @@ def _name(parent: Node, name: str, node: Node) -> None:
 def _readable(source: bytes) -> bytes:
     """``source`` with what the grammar stumbles over blanked out, of the same number of lines."""
     text = source.decode("utf-8", "replace").replace("\r\n", "\n").replace("\r", "\n").replace("\0", " ")
-    text = _BLANKED.sub(lambda match: " " * len(match[0]), _calls_blanked(text))
+    text = _BLANKED.sub(lambda match: " " * len(match[0]), _calls_blanked(_one_side(text)))
     text = _EXPORTED.sub(lambda match: match[0].replace(match[1], " " * len(match[1]), 1), text)
     text = _SLOTS.sub(lambda match: "public:" if match[2] else match[0].replace(match[1], ""), text)
     text = _ATTRIBUTE.sub(lambda match: " " * len(match[0]), text)
     # Macros side by side are strings side by side, which the grammar takes where one of them is a literal.
     text = _ADJACENT.sub(lambda match: f'{match[1]} ""{match[2]}', text)
     return _loops(text).encode()
+
+
+def _one_side(text: str) -> str:
+    """The text with one side of each ``#if`` that stands amid a list of arguments, where the grammar has no place for it."""
+    parts: list[str] = []
+    at = endless = 0
+    for match in _AMID.finditer(text):
+        if match.end() < at or endless > _MOST_ENDLESS:
+            continue
+        kept = _side(text, match.end())
+        endless += kept is None
+        if kept is not None:
+            parts += [text[at : match.end()], *kept]
+            at = match.end() + sum(map(len, kept))
+    return "".join([*parts, text[at:]])
+
+
+def _side(text: str, start: int) -> list[str] | None:
+    """The lines from ``#if`` to its ``#endif``, all blank but those of the first sides that can be; None where that is too long."""
+    lines: list[str] = []
+    sides: list[int] = []  # of this conditional and of those in it: which of their sides the line is on
+    position = start
+    while position < len(text) and len(lines) < _LONGEST_CONDITIONAL:
+        end = text.find("\n", position) + 1 or len(text)
+        directive = _DIRECTIVE.match(text, position, end)
+        if directive is not None and directive[1] == "if":
+            sides.append(-1 if _NEVER.match(text, position, end) else 0)
+        elif directive is not None and directive[1] == "el":
+            sides[-1] += 1
+        lines.append(" " * (end - position - 1) + "\n" if directive is not None or any(sides) else text[position:end])
+        if directive is not None and directive[1] == "endif":
+            sides.pop()
+            if not sides:
+                return lines
+        position = end
+    return None
 
 
 def _calls_blanked(text: str) -> str:

@@ -12,6 +12,11 @@ PARAMS = {
     "returned": ('bool b = nh.param("b", true);', "params b bool 3 default=true"),
     "returned, explicit": ('auto s = nh.param<std::string>("s", "x");', 'params s str 3 default="x"'),
     "getParam": ('std::vector<double> v;\nnh.getParam("v", v);', "params v list 4"),
+    "of any type": ('XmlRpc::XmlRpcValue v;\nnh.getParam("v", v);', "params v * 4"),
+    "also of any type": (
+        'std::string s;\nXmlRpc::XmlRpcValue v;\nnh.getParam("v", s);\nnh.getParam("v", v);',
+        "params v str 5\nparams v * 6",
+    ),
     "cached": ('int n;\nnh.getParamCached("/n", n);', "params /n int 4"),
     "hasParam": ('if (nh.hasParam("n")) return 1;', "params n - 3"),
     "ros::param": ('std::string s;\nros::param::param<std::string>("~s", s, "x");', 'params ~s str 4 default="x"'),

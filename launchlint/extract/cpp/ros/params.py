@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from launchlint.extract.cpp.naming import ANY, finished, in_namespace
-from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, LISTS, MAPPINGS, TEXTS, UNTYPED, Type
+from launchlint.extract.cpp.spelled_type import ANYTHING, DOUBLES, INTEGERS, LISTS, MAPPINGS, TEXTS, UNTYPED, Type
 from launchlint.extract.cpp.values import UNKNOWN, Cell, Handle, Items, Null, Number, Text, Unknown, Value, both, choices, either, plain
 
 TYPE_CHECKING = False
@@ -50,7 +50,7 @@ def value_type(asked: Call, type_: Type, value: Value = UNKNOWN) -> str:
             return "list"
         if name in MAPPINGS:
             return "dict"
-        return ""
+        return "*" if name in ANYTHING else ""
     for _, each in choices(value):
         if isinstance(each, Text):
             return "str" if not each.param else ""

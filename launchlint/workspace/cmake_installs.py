@@ -1,0 +1,65 @@
+"""What ``install()``, and commands like it, install."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+from launchlint.workspace.cmake_blocks import section
+from launchlint.workspace.cmake_scope import Scope, Value
+from launchlint.workspace.cmake_targets import CMakeFacts, Install
+
+
+def install(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
+    """``install(…)``: note what it installs, and why there may be more."""
+    kind = arguments[0] if arguments else None
+    if kind == "PROGRAMS":
+        install_programs(facts, scope, "install", arguments)
+    elif kind in ("FILES", "DIRECTORY"):
+        _files(facts, scope, arguments, kind == "DIRECTORY")
+    elif kind in ("CODE", "SCRIPT") or kind is None:
+        facts.installs_reasons.append(f"install({kind or ''}) runs code")
+        facts.executables_reasons.append(f"install({kind or ''}) runs code")
+
+
+def install_programs(facts: CMakeFacts, scope: Scope, how: str, arguments: Sequence[Value]) -> None:
+    """The files behind PROGRAMS of ``install`` or of a command like it: they are installed to be run."""
+    renamed = section(arguments, "RENAME")
+    for program in section(arguments, "PROGRAMS"):
+        if program is None or "$<" in program:
+            facts.executables_reasons.append(f"{how} with a file that is not known")
+            facts.installs_reasons.append(f"{how} with a file that is not known")
+        elif program:
+            name = os.path.basename(renamed[0] or "" if renamed else program)
+            facts.executables.setdefault(name, f"{how}(PROGRAMS)")
+            facts.programs.setdefault(name, scope.path(program))
+            _installed(facts, scope, program, False, arguments)
+
+
+def _files(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value], is_directory: bool) -> None:
+    for path in section(arguments, "DIRECTORY" if is_directory else "FILES"):
+        if path is None or "$<" in path:
+            facts.installs_reasons.append("install with a path that is not known")
+        else:
+            _installed(facts, scope, path, is_directory, arguments)
+    if is_directory and "FILE_PERMISSIONS" in arguments:
+        facts.executables_reasons.append("install(DIRECTORY) gives permissions")
+
+
+def _installed(facts: CMakeFacts, scope: Scope, path: str, is_directory: bool, arguments: Sequence[Value]) -> None:
+    only: list[str] = []
+    without: list[str] = []
+    matching = False
+    for position, word in enumerate(arguments):
+        if word == "FILES_MATCHING":
+            matching = True
+        elif word in ("PATTERN", "REGEX") and position + 1 < len(arguments):
+            pattern = arguments[position + 1]
+            if word == "REGEX" or pattern is None:
+                facts.installs_reasons.append("install(DIRECTORY) chooses files by a pattern that is not known")
+            elif arguments[position + 2 : position + 3] == ["EXCLUDE"]:
+                without.append(pattern)
+            elif matching:
+                only.append(pattern)
+    where = section(arguments, "DESTINATION")
+    facts.installs.append(Install(scope.path(path), is_directory, where[0] if where else None, tuple(only), tuple(without)))
