@@ -89,6 +89,7 @@ class Fixing:
             self._make()
             if not self._refused or len(self._made) == made:
                 break  # else what could not be made at first may be possible now
+        self._refused += [Refused(finding, f"{_name(error)} is to be mended first") for finding, error in self._waiting()]
         self._fix_manifests()
         files = {file: (before, self._state.text(file)) for file, before in self._before.items()}
         for file, after in self._manifests.items():
@@ -124,12 +125,22 @@ class Fixing:
         """The findings whose fixes can be made together, in report order."""
         claims = Claims()
         refused = {_key(each.finding) for each in self._refused}
+        refused.update(_key(finding) for finding, _ in self._waiting())
         for finding in self._wanted():
             fix = finding.fix
             if fix is None or bool(fix.changes) is not changing or _key(finding) in refused or any(map(_is_manifest, _paths(finding))):
                 continue
             if claims.take(fix.edits):
                 yield finding
+
+    def _waiting(self) -> Iterator[tuple[Finding, Finding]]:
+        """What would be removed as useless from a file with an error, which may be why nothing uses it; each with that error."""
+        errors = {each.location.path: each for each in reversed(self._outcome.findings) if each.severity is Severity.ERROR}
+        for finding in self._wanted():
+            fix, error = finding.fix, errors.get(finding.location.path)
+            removes = fix is not None and fix.changes and not fix.safe and not any(edit.text for edit in fix.edits)
+            if removes and error is not None and finding.severity is not Severity.ERROR:
+                yield finding, error
 
     def _wanted(self) -> Iterator[Finding]:
         return (finding for finding in self._told(self._outcome).findings if self._is_wanted(finding))

@@ -54,13 +54,18 @@ def spot(view: object, place: Place) -> Spot | None:
     if document is None or document.source is not place.source:
         return None
     at = place.span.start
-    after = document.element_from(at + 1)
-    index = (len(document.elements) if after is None else after.index) - 1
-    element = document.elements[index] if index >= 0 else None
+    element = begun_before(document, at)
     if element is None or not _is_written(document, element) or not element.start_span.start <= at < element.start_span.end:
         return None
     inside = (each for each in element.attributes.values() if each.span.start <= at < each.span.end and _has_name(document, each))
     return Spot(document, element, next(inside, None))
+
+
+def begun_before(document: Document, at: int) -> Element | None:
+    """The last element that begins at ``at`` or before: the one whose start tag, or whose text before any child, is there."""
+    after = document.element_from(at + 1)
+    index = (len(document.elements) if after is None else after.index) - 1
+    return document.elements[index] if index >= 0 else None
 
 
 def _is_written(document: Document, element: Element) -> bool:

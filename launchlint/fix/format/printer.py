@@ -10,6 +10,7 @@ from launchlint.fix.format.start_tag import attributes_of, start_tag
 from launchlint.fix.format.style import Style
 from launchlint.fix.format.tables import in_columns
 from launchlint.fix.format.tokens import SPACE, Token, tokens
+from launchlint.fix.format.yaml_block import indented
 
 MOST_ADDED = 1 << 20
 MOST_TIMES = 4
@@ -110,12 +111,21 @@ class _Printer:
         self._begin_line()
         self._write(start_tag(start, closed=empty, style=self._style, column=self._column))
         if stays:
-            self._write(f"{self._text[self._offset(number + 1) : self._offset(start.partner)]}</{start.name}>")
+            self._write(f"{self._inside(number)}</{start.name}>")
         if stays or empty:
             return start.partner
         self._depth += 1
         self._first = self._depth > 1
         return number
+
+    def _inside(self, number: int) -> str:
+        """All between the tags of the element that starts here and stays as it is; YAML alone moves with its element."""
+        start = self._tokens[number]
+        text = self._text[self._offset(number + 1) : self._offset(start.partner)]
+        if start.name != "rosparam" or start.partner != number + 2 or self._tokens[number + 1].kind != "text" or "xml:space" in start.text:
+            return text
+        depth, indent = self._depth, self._style.indent
+        return indented(text, (depth + 1) * indent, depth * indent)
 
     def _stays(self, number: int) -> bool:
         """Whether white space means something in the element that starts here: YAML, text alone, and what ``xml:space`` says."""

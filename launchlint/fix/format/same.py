@@ -1,7 +1,8 @@
 """The proof that two texts say the same in XML, where only white space and the order of attributes may differ.
 
 What is compared is what expat reads, in the manner of canonical XML (C14N): elements, attributes with their values, text, comments and
-processing instructions, in order. White space counts in the text of ``<rosparam>``, which is YAML. roslaunch reads no other text (in
+processing instructions, in order. White space counts in the text of ``<rosparam>``, which is YAML, though not
+in which column all of it stands. roslaunch reads no other text (in
 ``roslaunch.xmlloader.XmlLoader`` only ``_rosparam_tag`` calls ``_get_text``), and there it counts only where ``xml:space`` says so.
 """
 
@@ -9,6 +10,8 @@ from __future__ import annotations
 
 import pyexpat as expat
 import re
+
+from launchlint.fix.format.yaml_block import unindented
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -60,7 +63,10 @@ class _Reader:
         if self._text:
             text = "".join(self._text)
             self._text.clear()
-            text = text if self._exact else _SPACE.sub("", text)
+            if not self._exact:
+                text = _SPACE.sub("", text)
+            elif event == ("end", "rosparam") and self.found[-1][:2] == ("start", "rosparam"):
+                text = unindented(text)
             if text:
                 self.found.append(("text", text))
         self.found.append(event)

@@ -32,6 +32,7 @@ behind it: the value that was meant to use the arg uses another one.
 ## Fix
 
 `--unsafe-fixes` removes the arg, unless a launch file that is checked too gives it a value. It can no longer be given then.
+Not while there is an error in the file: that may be what should read it.
 """
 
 from __future__ import annotations

@@ -2,7 +2,8 @@
 
 What it does: it looks for topics that command something (`cmd_vel`, `cmd`, `command` and the like) with two or more publishers of
 different nodes. Publishers that may or may not be there do not count, and neither does a second relay of the same input. Only the
-publishers of that very topic count: behind a mux there is one.
+publishers of that very topic count: behind a mux there is one. Trajectories do not count, whatever the topic is called: nodes take turns
+in sending those.
 
 ## Why it matters
 
@@ -48,8 +49,9 @@ from launchlint.rules.view import GraphView
 RULE = Rule("LL616", "competing-publishers", Severity.WARNING)
 
 COMMANDS = frozenset({"cmd_vel", "cmd_vel_unstamped", "cmd_vel_stamped", "cmd", "cmd_drive", "ackermann_cmd", "command", "commands"})
-"""Last parts of the names of topics that command something. A driver obeys each message on them; trajectories and goals are not among
-them: nodes take turns in sending those."""
+"""Last parts of the names of topics that command something: a driver obeys each message on them."""
+TURNS = "trajectory_msgs/"
+"""The package of messages that say all that is to be done: nodes take turns in sending them."""
 
 
 def check(view: GraphView) -> Iterator[Finding]:
@@ -69,7 +71,7 @@ def _sources(channel: Channel, known: Owners) -> list[Endpoint]:
     found: dict[str, Endpoint] = {}
     inputs: set[str] = set()
     for endpoint in channel.offers:
-        if not endpoint.certain or endpoint.action or known[id(endpoint)].node.is_test:
+        if not endpoint.certain or endpoint.action or endpoint.type.startswith(TURNS) or known[id(endpoint)].node.is_test:
             continue  # tests run one after another
         if endpoint.declaration.when == "message":
             heard = {each.name for each in known[id(endpoint)].endpoints if each.role == "subscriber"}

@@ -26,7 +26,8 @@ _CONNECTING_HUBS = frozenset({"/tf", "/tf_static"})
 class Missed(NamedTuple):
     """A loose end and what it was probably meant for.
 
-    ``how`` is the relation of the names, empty where only the type agrees; ``loose`` says whether the other end is a loose one too;
+    ``how`` is the relation of the names, empty where only the type agrees, and ``only`` says that no other name is so related;
+    ``loose`` says whether the other end is a loose one too;
     ``alike`` are all ends of the other name that are like it, itself included; ``feeding`` are those that it has on its other side.
     """
 
@@ -35,6 +36,7 @@ class Missed(NamedTuple):
     other: Endpoint
     partner: Instance
     how: str
+    only: bool
     loose: bool
     alike: tuple[Instance, ...]
     feeding: tuple[Instance, ...]
@@ -102,7 +104,7 @@ class LooseEnds:
         partner = self.owners[id(other)]
         same = tuple(self.owners[id(each)] for each in ends if self.owners[id(each)].program == partner.program)
         opposite = {self.owners[id(each)].name: self.owners[id(each)] for each in (channel.offers if offers else channel.uses)}
-        return Missed(end, instance, other, partner, how, bool(loose), same, tuple(opposite.values()), level)
+        return Missed(end, instance, other, partner, how, len(ranked[how]) == 1, bool(loose), same, tuple(opposite.values()), level)
 
     def _level(self, end: Endpoint, other: Endpoint, how: str, *, loose: bool) -> Severity | None:
         """How sure it is that the two ends were meant for each other; None: not enough to say anything.

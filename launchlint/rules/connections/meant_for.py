@@ -8,6 +8,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance
 from launchlint.graph.names import kind
 from launchlint.rules.connections.loose_ends import Missed
+from launchlint.rules.connections.misspelt import Repairs
 from launchlint.rules.connections.near_names import NAMESPACE, SLIP
 from launchlint.rules.connections.places import TALKS, acting_origin, how, node_origin, remap_origin, write_remap
 from launchlint.rules.rule import Rule
@@ -22,7 +23,7 @@ _PLURAL = {"publisher": "publish", "subscriber": "subscribe to", "server": "serv
 _MOST_NODES = 5
 
 
-def tell(rule: Rule, missed: Missed, consequence: str) -> Finding:
+def tell(rule: Rule, missed: Missed, consequence: str, repairs: Repairs) -> Finding:
     """The finding of ``rule`` about a loose end; ``consequence`` says why it matters."""
     end, other = missed.end, missed.other
     nobody, label = _ALONE[end.role]
@@ -48,6 +49,7 @@ def tell(rule: Rule, missed: Missed, consequence: str) -> Finding:
         notes=tuple(notes),
         help=_help(missed, at_partner=at_partner),
         topic=f"{end.node} {end.role} {end.name}",
+        fix=repairs.of(missed),
     )
 
 

@@ -29,6 +29,11 @@ Both nodes run, neither complains, and no message arrives.
   </node>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` makes two ends meet whose names are one letter apart, where there is only one name so near: it writes the other name
+in the `<remap>` or `<param>` that makes one of them, as global or relative as before, or else puts a `<remap>` into the `<node>`.
 """
 
 from __future__ import annotations
@@ -38,16 +43,18 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.rules.connections.loose_ends import LooseEnds
 from launchlint.rules.connections.meant_for import tell
+from launchlint.rules.connections.misspelt import Repairs
 from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
-RULE = Rule("LL612", "no-publisher", Severity.WARNING)
+RULE = Rule("LL612", "no-publisher", Severity.WARNING, fixable="unsafe")
 
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at the topics that have subscribers only."""
     if view.graph.missing["publishers"].reason or has_odd_boolean(view.launch):
         return
+    repairs = Repairs(view)
     for missed in LooseEnds(view.graph).missed("topic", offers=False):
-        yield tell(RULE, missed, "both nodes run and neither complains, but no message arrives")
+        yield tell(RULE, missed, "both nodes run and neither complains, but no message arrives", repairs)

@@ -28,6 +28,11 @@ The call fails, or the node waits for the service for ever.
   </node>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` makes two ends meet whose names are one letter apart, where there is only one name so near: it writes the other name
+in the `<remap>` or `<param>` that makes one of them, as global or relative as before, or else puts a `<remap>` into the `<node>`.
 """
 
 from __future__ import annotations
@@ -37,11 +42,12 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.rules.connections.loose_ends import LooseEnds
 from launchlint.rules.connections.meant_for import tell
+from launchlint.rules.connections.misspelt import Repairs
 from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
-RULE = Rule("LL614", "no-server", Severity.WARNING)
+RULE = Rule("LL614", "no-server", Severity.WARNING, fixable="unsafe")
 
 
 def check(view: GraphView) -> Iterator[Finding]:
@@ -49,7 +55,7 @@ def check(view: GraphView) -> Iterator[Finding]:
     missing = view.graph.missing
     if (missing["services"].reason and missing["actions"].reason) or has_odd_boolean(view.launch):
         return
-    ends = LooseEnds(view.graph)
+    ends, repairs = LooseEnds(view.graph), Repairs(view)
     for kind in ("service", "action"):
         for missed in ends.missed(kind, offers=False):
-            yield tell(RULE, missed, "the call fails, or waits for the server for ever")
+            yield tell(RULE, missed, "the call fails, or waits for the server for ever", repairs)

@@ -31,6 +31,11 @@ What the node works out or commands reaches nobody.
   </node>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` makes two ends meet whose names are one letter apart, where there is only one name so near: it writes the other name
+in the `<remap>` or `<param>` that makes one of them, as global or relative as before, or else puts a `<remap>` into the `<node>`.
 """
 
 from __future__ import annotations
@@ -40,18 +45,19 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.rules.connections.loose_ends import LooseEnds
 from launchlint.rules.connections.meant_for import tell
+from launchlint.rules.connections.misspelt import Repairs
 from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
-RULE = Rule("LL613", "no-subscriber", Severity.INFO)
+RULE = Rule("LL613", "no-subscriber", Severity.INFO, fixable="unsafe")
 
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at the topics that have publishers only."""
     if view.graph.missing["subscribers"].reason or has_odd_boolean(view.launch):
         return
-    ends = LooseEnds(view.graph)
+    ends, repairs = LooseEnds(view.graph), Repairs(view)
     told: set[tuple[str, str]] | None = None
     for missed in ends.missed("topic", offers=True):
         if missed.loose:
@@ -59,4 +65,4 @@ def check(view: GraphView) -> Iterator[Finding]:
                 told = {(each.other.name, each.end.name) for each in ends.missed("topic", offers=False)}
             if (missed.end.name, missed.other.name) in told:
                 continue  # it is told at the subscriber
-        yield tell(RULE, missed, "what it publishes reaches nobody")
+        yield tell(RULE, missed, "what it publishes reaches nobody", repairs)

@@ -64,20 +64,26 @@ def how(endpoint: Endpoint, instance: Instance) -> str:
     return ""
 
 
-def write_remap(endpoint: Endpoint, instance: Instance, target: str) -> str:
-    """What to write so that ``endpoint`` gets the name ``target``."""
+def new_remap(endpoint: Endpoint, instance: Instance, target: str) -> tuple[str, str]:
+    """The two sides of a remap that gives ``endpoint``, on which none acts, the name ``target``."""
     namespace = instance.namer.namespace.strip("/")
     prefix = f"/{namespace}/" if namespace else "/"
-    remap = endpoint.applied[-1].rule.remap if endpoint.applied else None
+    says = absolute(endpoint.declared, namespace, instance.namer.node)
+    source = endpoint.declared if says == endpoint.unremapped else endpoint.unremapped
+    return source, target[len(prefix) :] if not source.startswith("/") and target.startswith(prefix) else target
+
+
+def write_remap(endpoint: Endpoint, instance: Instance, target: str) -> str:
+    """What to write so that ``endpoint`` gets the name ``target``."""
     if endpoint.applied:
         rule = endpoint.applied[-1].rule
+        remap = rule.remap
+        namespace = instance.namer.namespace.strip("/")
+        prefix = f"/{namespace}/" if namespace else "/"
         shown = target[len(prefix) :] if not rule.target.startswith(("/", "~")) and target.startswith(prefix) else target
         source = rule.source if remap is None else remap.source
         if endpoint.unremapped == target:
             return f"take the remap of {source} away"
         return f'let the remap of {source} lead to="{shown}"'
-    source = (
-        endpoint.declared if absolute(endpoint.declared, namespace, instance.namer.node) == endpoint.unremapped else endpoint.unremapped
-    )
-    shown = target[len(prefix) :] if not source.startswith("/") and target.startswith(prefix) else target
+    source, shown = new_remap(endpoint, instance, target)
     return f'put <remap from="{source}" to="{shown}"/> into the <node> of {instance.name}'

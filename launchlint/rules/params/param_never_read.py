@@ -28,23 +28,29 @@ A param of a name that nobody reads is no error for ROS. The node runs with its 
   </node>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` writes the name of the param that the node reads, where only one is so near: in the `name` of a `<param>`, or as a key of
+the YAML in a `<rosparam>`. Keys in YAML files are left alone.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
 from launchlint.library.lookup import Library
 from launchlint.model import ParameterSetting
+from launchlint.rules.edits import Edits, fix, set_value, spot
 from launchlint.rules.params.reads import UNIVERSAL, Declared, declared_by
 from launchlint.rules.params.values import is_certain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.spelling import closest
 
-RULE = Rule("LL507", "param-never-read", Severity.WARNING)
+RULE = Rule("LL507", "param-never-read", Severity.WARNING, fixable="unsafe")
 
 
 def check(view: GraphView) -> Iterator[Finding | Fine]:
@@ -59,7 +65,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
         if not is_certain(setting) or not _is_known(owner) or reads.any_of(setting.name, owner):
             yield RULE.fine(setting.origin)
             continue
-        yield _finding(setting, owner, reads.declared(owner), graph)
+        yield _finding(setting, owner, reads.declared(owner), view)
 
 
 def _owner(name: str, instances: dict[str, Instance]) -> Instance | None:
@@ -113,11 +119,12 @@ class _Reads:
         return any(doubt.may_be(name) for doubt, _ in self._graph.missing["params"].doubts)
 
 
-def _finding(setting: ParameterSetting, owner: Instance, declared: Declared, graph: ConnectionGraph) -> Finding:
+def _finding(setting: ParameterSetting, owner: Instance, declared: Declared, view: GraphView) -> Finding:
     inner = setting.name[len(owner.name) + 1 :]
     private = {name[len(owner.name) + 1 :]: name for name in declared.names if name.startswith(f"{owner.name}/")}
     elsewhere = next((name for name in sorted(declared.names) if declared.names[name].lstrip("/") == inner), None)
-    near = _near(inner, [name for name, full in private.items() if not graph.parameters.is_set(full)])
+    candidates = _near(inner, [name for name, full in private.items() if not view.graph.parameters.is_set(full)])
+    near = closest(inner, candidates)
     if elsewhere is not None:
         help_ = f"{owner.program} reads {elsewhere}, not a private param: set it outside the <node>"
     elif near is not None:
@@ -132,11 +139,43 @@ def _finding(setting: ParameterSetting, owner: Instance, declared: Declared, gra
         notes=(_reads(private),),
         help=help_,
         topic=inner,
+        fix=_fix(setting, owner, inner, candidates[0], view) if elsewhere is None and len(candidates) == 1 else None,
     )
 
 
-def _near(name: str, names: list[str]) -> str | None:
-    """The name that ``name`` is a slip for: one part of it differs, by a few letters, and not in its digits."""
+def _fix(setting: ParameterSetting, owner: Instance, inner: str, near: str, view: GraphView) -> Fix | None:
+    """The name ``near`` in place of ``inner``, both private to ``owner``."""
+    edits = _in_name(setting, inner, near, view) if setting.tag == "param" else _in_yaml(setting, inner, near, view)
+    return fix(f"write {near}", edits, safe=False, changes=f"{owner.name} reads {near} from the launch file")
+
+
+def _in_name(setting: ParameterSetting, inner: str, near: str, view: GraphView) -> Edits:
+    """In the ``name`` of the ``<param>``, which may say more than ``inner``, or less where it stands in a ``<group>``."""
+    at = spot(view, setting.origin.place)
+    name = at.element.attributes.get("name") if at is not None else None
+    if name is None or name.raw != name.value or "$(" in name.value or "~" in name.value:
+        return ()
+    written, wrong, right = (text.strip().split("/") for text in (name.value, inner, near))
+    shared = min(len(written), len(wrong))
+    if written[-shared:] != wrong[-shared:] or wrong[:-shared] != right[:-shared]:
+        return ()
+    return set_value(at, "/".join((*written[:-shared], *right[-shared:])), name)
+
+
+def _in_yaml(setting: ParameterSetting, inner: str, near: str, view: GraphView) -> Edits:
+    """As the last key in the YAML of the ``<rosparam>``."""
+    source, span = setting.origin.place
+    outer, _, key = inner.rpartition("/")
+    outer_near, _, key_near = near.rpartition("/")
+    if source.path not in view.documents or outer != outer_near or setting.origin.place.text != key:
+        return ()
+    if not key_near.replace("_", "a").isalnum():
+        return ()  # YAML may take it for something else
+    return (Edit(source.path, *span, key_near),)
+
+
+def _near(name: str, names: list[str]) -> list[str]:
+    """The names that ``name`` may be a slip for: one part of it differs, by a few letters, and not in its digits."""
     parts = name.split("/")
     candidates: list[str] = []
     for other in names:
@@ -144,7 +183,7 @@ def _near(name: str, names: list[str]) -> str | None:
         apart = [at for at in range(len(parts)) if parts[at] != others[at]] if len(others) == len(parts) else []
         if len(apart) == 1 and closest(parts[apart[0]], [others[apart[0]]]) is not None and _digits(other) == _digits(name):
             candidates.append(other)
-    return closest(name, candidates)
+    return [other for other in candidates if closest(name, [other]) is not None]
 
 
 def _reads(private: dict[str, str]) -> str:

@@ -23,18 +23,24 @@ The remap does nothing, roslaunch does not say so, and the node talks on the top
   <node pkg="rviz" type="rviz" name="rviz"/>
 </launch>
 ```
+
+## Fix
+
+`--unsafe-fixes` moves it above the node, where there is only one in its scope. It acts on that node then.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Severity
+from launchlint.finding import Finding, Fix, Severity
+from launchlint.model import ScopedSetting
+from launchlint.rules.edits import fix, move_before, spot
 from launchlint.rules.reach import settings_of
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 
-RULE = Rule("LL602", "remap-after-node", Severity.WARNING)
+RULE = Rule("LL602", "remap-after-node", Severity.WARNING, fixable="unsafe")
 
 
 def check(view: LaunchView) -> Iterator[Finding | Fine]:
@@ -50,4 +56,16 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
                 label="acts on no node",
                 related=((setting.before[-1], "stands above it" if count == 1 else f"the last of {count} above it"),),
                 help="put it above the nodes, or into the <node> that it is meant for",
+                fix=_fix(setting, view) if count == 1 else None,
             )
+
+
+def _fix(setting: ScopedSetting, view: LaunchView) -> Fix | None:
+    at, node = spot(view, setting.origin.place), spot(view, setting.before[0])
+    if at is None or node is None or node.document is not at.document:
+        return None
+    other = node.element
+    while other.parent is not None and other.parent is not at.element.parent:
+        other = other.parent
+    what = f"move it above the <{other.tag}>"
+    return fix(what, move_before(at, other), safe=False, changes=f"{setting.key} of that node is remapped to {setting.value.target}")

@@ -7,6 +7,7 @@ import re
 from collections import Counter
 from typing import NamedTuple
 
+import yaml
 from lxml import etree
 
 _SPACE = re.compile(r"\s+")
@@ -30,9 +31,11 @@ def held(data: bytes) -> Held:
 
 
 def canonical(data: bytes) -> bytes:
-    """C14N of a launch file without the white space that means nothing."""
+    """C14N of a launch file without the white space that means nothing, and with what PyYAML reads in place of YAML that it can read."""
     root = _parsed(data)
     for element in (*root.iter(), *_around(root)):
+        if element.tag == "rosparam" and not len(element) and not _kept(element):
+            element.text = _yaml(element.text or "")
         if isinstance(element.tag, str) and element.tag.lower() != "rosparam" and not _kept(element):
             element.text = _SPACE.sub("", element.text or "")
         if not isinstance(element.tag, str) and isinstance(element, etree._Comment):
@@ -43,6 +46,13 @@ def canonical(data: bytes) -> bytes:
     out = io.BytesIO()
     root.getroottree().write_c14n(out, with_comments=True)
     return out.getvalue()
+
+
+def _yaml(text: str) -> str:
+    try:
+        return repr(yaml.safe_load(text)).encode("ascii", "backslashreplace").decode("ascii").replace("\0", "")
+    except (yaml.YAMLError, ValueError):
+        return text
 
 
 def _around(root: etree._Element) -> list[etree._Element]:

@@ -253,12 +253,74 @@ three -->
         "<launch>\n\t<!-- a\n\t\tb -->\n\t<group\tns='x'>\n\t\t<arg\tname='a'/>\t<!-- c -->\n\t</group>\n</launch>\n",
         '<launch>\n  <!-- a\n    b -->\n  <group ns="x">\n    <arg name="a"/> <!-- c -->\n  </group>\n</launch>\n',
     ),
-    "YAML and other text stay byte for byte": Case(
+    "YAML moves as a whole": Case(
+        """<launch>
+        <rosparam  param="a" >
+  # left of the keys
+    x: [1,
+        2]␣␣␣
+
+      # right
+    y: "of
+  two lines"
+        </rosparam>
+    <node name="n" pkg="p" type="t"><rosparam>
+b: 2</rosparam></node>
+</launch>
+""",
+        """\
+<launch>
+  <rosparam param="a">
+    # left of the keys
+      x: [1,
+          2]␣␣␣
+
+        # right
+      y: "of
+    two lines"
+  </rosparam>
+  <node name="n" pkg="p" type="t">
+    <rosparam>
+      b: 2</rosparam>
+  </node>
+</launch>
+""",
+    ),
+    "YAML that its column says something of, and other text, stay byte for byte": Case(
         """<launch>
     <rosparam  param="a" >
-  x: [1,
-      2]␣␣␣
+  x: |
+   text
         </rosparam>
+    <rosparam  param="a" >
+  text: >-
+   folded
+        </rosparam>
+    <rosparam>
+---
+a: 1
+    </rosparam>
+    <rosparam subst_value="true">
+a: $(arg b)
+    </rosparam>
+    <rosparam>
+# far left
+        a: 1
+    </rosparam>
+    <rosparam>
+\ta: 1
+    </rosparam>
+    <rosparam>
+a: &lt;
+    </rosparam>
+    <rosparam>a: 1
+    </rosparam>
+    <rosparam>
+a: [1
+    </rosparam>
+    <rosparam><![CDATA[
+a: 1
+    ]]></rosparam>
     <rosparam> </rosparam><rosparam file="f" command="load"></rosparam>
     <node name="n" pkg="p" type="t"><RosParam>
 a: 1</RosParam></node>
@@ -273,9 +335,38 @@ a: 1</RosParam></node>
         """\
 <launch>
   <rosparam param="a">
-  x: [1,
-      2]␣␣␣
+  x: |
+   text
         </rosparam>
+  <rosparam param="a">
+  text: >-
+   folded
+        </rosparam>
+  <rosparam>
+---
+a: 1
+    </rosparam>
+  <rosparam subst_value="true">
+a: $(arg b)
+    </rosparam>
+  <rosparam>
+# far left
+        a: 1
+    </rosparam>
+  <rosparam>
+\ta: 1
+    </rosparam>
+  <rosparam>
+a: &lt;
+    </rosparam>
+  <rosparam>a: 1
+    </rosparam>
+  <rosparam>
+a: [1
+    </rosparam>
+  <rosparam><![CDATA[
+a: 1
+    ]]></rosparam>
   <rosparam> </rosparam>
   <rosparam command="load" file="f"/>
   <node name="n" pkg="p" type="t">

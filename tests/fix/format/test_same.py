@@ -11,6 +11,10 @@ SAME = {
     "order of attributes, quotes, blanks in a tag": ("<launch a='1' b='2'/>", '<launch   b="2" a="1"></launch>'),
     "indentation in comments": ("<launch><!-- a\n      b --></launch>", "<launch><!-- a\n  b --></launch>"),
     "line ends": ("<launch>\n<rosparam>a\nb</rosparam></launch>", "<launch>\r\n<rosparam>a\r\nb</rosparam></launch>"),
+    "the column of YAML": (
+        "<launch><rosparam>\na: 1\n\nb: 2\n   </rosparam></launch>",
+        "<launch><rosparam>\n  a: 1\n\n  b: 2\n</rosparam></launch>",
+    ),
     "stray text": ("<launch>a\n    b</launch>", "<launch>\na b</launch>"),
 }
 
@@ -19,7 +23,10 @@ DIFFERENT = {
     "an attribute": ('<launch><arg name="a"/></launch>', "<launch><arg/></launch>"),
     "order of elements": ("<launch><a/><b/></launch>", "<launch><b/><a/></launch>"),
     "an element inside another": ("<launch><a/><b/></launch>", "<launch><a><b/></a></launch>"),
-    "YAML": ("<launch><rosparam>\n a: 1</rosparam></launch>", "<launch><rosparam>\na: 1</rosparam></launch>"),
+    "YAML": ("<launch><rosparam>\na:\n  - b</rosparam></launch>", "<launch><rosparam>\na:\n- b</rosparam></launch>"),
+    "YAML that begins behind its tag": ("<launch><rosparam>a:\n b</rosparam></launch>", "<launch><rosparam>a:\nb</rosparam></launch>"),
+    "YAML with a mark": ("<launch><rosparam>\n---\na: 1</rosparam></launch>", "<launch><rosparam>\n ---\n a: 1</rosparam></launch>"),
+    "a text of several lines": ("<launch><rosparam>\na: |\n b</rosparam></launch>", "<launch><rosparam>\n a: |\n  b</rosparam></launch>"),
     "YAML, whatever the letter case": ("<launch><RosParam> a</RosParam></launch>", "<launch><RosParam>a</RosParam></launch>"),
     "an element inside YAML": ("<launch><rosparam><b> </b></rosparam></launch>", "<launch><rosparam><b/></rosparam></launch>"),
     "text that keeps its white space": ('<launch xml:space="preserve"> </launch>', '<launch xml:space="preserve"/>'),

@@ -1,0 +1,66 @@
+"""Parameters that are set, and afterwards set again whenever that has happened."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from launchlint.model import Launch, ParameterSetting
+from launchlint.rules.params.values import is_certain, is_known
+from launchlint.source import Origin
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class SetAgain(NamedTuple):
+    """The parameter ``name`` is set to ``old`` at ``first`` and then, without another value in between, to ``new`` at ``second``.
+
+    Both values are known, and may be the same. ``settings`` are the two; None for params of a node, and for a ``~param``, which the second
+    replaces before it is set for any node.
+    """
+
+    name: str
+    first: Origin
+    second: Origin
+    old: Any
+    new: Any
+    settings: tuple[ParameterSetting, ParameterSetting] | None = None
+
+
+def set_again(launch: Launch) -> Iterator[SetAgain]:
+    """Each parameter and each next setting of it that surely takes its place."""
+    last: dict[str, ParameterSetting] = {}
+    scoped = {_key(setting.origin) for setting in launch.settings if setting.kind == "param"}
+    for setting in launch.parameter_settings:
+        earlier = last.get(setting.name)
+        last[setting.name] = setting
+        if earlier is None or not (is_known(earlier.value) and is_known(setting.value)) or _key(earlier.origin) in scoped:
+            continue
+        if is_certain(earlier) and is_certain(setting) and set(setting.conditions) <= set(earlier.conditions):
+            yield SetAgain(setting.name, earlier.origin, setting.origin, earlier.value, setting.value, (earlier, setting))
+    yield from _in_one_scope(launch)
+    for problem in launch.problems:
+        if problem.kind == "param-replaced" and problem.facts["always"] and not problem.assumed:
+            old, new = problem.facts["old"], problem.facts["new"]
+            if is_known(old) and is_known(new):
+                first = Origin(problem.related[0][0], problem.origin.step)
+                yield SetAgain(problem.facts["name"], first, problem.origin, old, new)
+
+
+def _key(origin: Origin) -> tuple[str, int]:
+    return (origin.place.source.path, origin.place.span.start)
+
+
+def _in_one_scope(launch: Launch) -> Iterator[SetAgain]:
+    """A ``~param`` that is set again before any node has followed."""
+    settings = {_key(setting.origin): setting for setting in launch.settings if setting.kind == "param"}
+    for setting in settings.values():
+        earlier = settings.get((setting.replaced.source.path, setting.replaced.span.start)) if setting.replaced is not None else None
+        if earlier is None or earlier.reached or not set(setting.conditions) <= set(earlier.conditions):
+            continue
+        if any(condition.assumed for condition in (*earlier.conditions, *setting.conditions)):
+            continue
+        if is_known(earlier.value) and is_known(setting.value):
+            yield SetAgain(setting.key, earlier.origin, setting.origin, earlier.value, setting.value)
