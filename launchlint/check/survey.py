@@ -11,6 +11,7 @@ from launchlint.check.run import Progress, compute
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.finding import Finding, Key
 from launchlint.graph.connections import ConnectionGraph
+from launchlint.graph.details import NO_DETAILS, Details, details
 from launchlint.graph.topology import Topology, place_text, topology
 from launchlint.rules.rule import Fine
 from launchlint.source import Place, Span
@@ -29,6 +30,7 @@ class Surveyed(NamedTuple):
     result: EntryResult
     topology: Topology | None
     extents: Extents
+    details: Details = NO_DETAILS
 
 
 class Surveyor(EntryChecker):
@@ -42,7 +44,8 @@ class Surveyor(EntryChecker):
         self._graphs = []
         self._extents = {}
         result = self.check(request)
-        return Surveyed(result, topology(self._graphs) if self._graphs and result.configurations else None, self._extents)
+        connected = topology(self._graphs) if self._graphs and result.configurations else None
+        return Surveyed(result, connected, self._extents, details(self._graphs))
 
     def connected(self, evaluation: Evaluation) -> ConnectionGraph:
         """The connection graph, remembered."""
@@ -90,7 +93,7 @@ def reached(findings: Sequence[Finding], entries: Sequence[Surveyed]) -> list[li
     """
     by_key: dict[Key, list[int]] = {}
     by_path: dict[str, list[int]] = {}
-    for number, (result, _, _) in enumerate(entries):
+    for number, (result, *_) in enumerate(entries):
         for found in result.findings:
             by_key.setdefault(found.key, []).append(number)
         for path in dict.fromkeys((result.path, *(file.path for file in result.files))):

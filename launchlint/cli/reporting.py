@@ -108,6 +108,7 @@ def _entries(outcome: Outcome, pairs: Sequence[tuple[Surveyed, Any]]) -> list[En
             each.extents,
             findings,
             each.result.summary.included,
+            each.details,
         )
         for (each, before), findings in zip(pairs, concerned, strict=True)
     ]

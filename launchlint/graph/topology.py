@@ -264,10 +264,11 @@ def _params(graph: ConnectionGraph) -> Iterable[TopologyParam]:
     for name in sorted(graph.launch.parameters):
         setting = graph.launch.parameters[name]
         readers = tuple(sorted({reading.node for reading in graph.readers.get(name, ())}))
-        yield TopologyParam(name, _value(setting.value), place_text(setting.origin.place), readers, ())
+        yield TopologyParam(name, value_text(setting.value), place_text(setting.origin.place), readers, ())
 
 
-def _value(value: Any) -> str:
+def value_text(value: Any) -> str:
+    """A param's value as text, at most :data:`SAMPLE` characters of it."""
     if isinstance(value, Unknown):
         return f"unknown: {value.reason}"
     if isinstance(value, Command):

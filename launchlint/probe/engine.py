@@ -33,7 +33,7 @@ BUILD_SECONDS = 6 * 3600
 """So is one whose build says nothing for so long."""
 LOG_LINES = 60
 """Lines of a failed build that are shown."""
-LAST_WORDS = 2_000
+LAST_WORDS = 300
 """Bytes of a container's standard error that are kept."""
 
 

@@ -59,7 +59,7 @@ def fetch(repository: Repository, cache: str) -> Tree:
     bare = os.path.join(cache, "repositories", digest)
     os.makedirs(bare, exist_ok=True)
     if not os.path.isdir(os.path.join(bare, "objects")):
-        _git(["init", "--quiet", "--bare", "--template=", bare], f"{repository.url}: git cannot make a repository in the cache")
+        _git(["init", "--quiet", "--bare", bare], f"{repository.url}: git cannot make a repository in the cache")
     commit = _known_commit(bare, repository.ref)
     if commit is None:
         _git(
@@ -121,7 +121,7 @@ def _run_git(words: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
         "GIT_ALLOW_PROTOCOL": "https:http:ssh:git:file",
         "LC_ALL": "C",
     }
-    safe = ["-c", "core.hooksPath=/dev/null", "-c", "core.fsmonitor=false", "-c", "protocol.ext.allow=never", "-c", "safe.directory=*"]
+    safe = ["-c", "core.hooksPath=/dev/null", "-c", "safe.directory=*"]
     try:
         return subprocess.run(
             ["git", *safe, *words], capture_output=True, stdin=subprocess.DEVNULL, check=False, env=environment, timeout=PATIENCE

@@ -21,7 +21,7 @@ MOST_WOKEN = 500
 """Publishers that are connected to."""
 PATIENCE = 5
 """A node that has contacted the master but registered nothing of its own is given this many times ``quiet``: it may be slow to begin."""
-HALF = 0.6
+HALF = 0.5
 """Where a node's publishers are woken, there is a silence before and one after it, each this part of ``quiet``."""
 RESTLESS = 4
 """What never rests is taken to be ready when nothing new has come for this many times as long."""
@@ -155,7 +155,7 @@ def _run(plan: Plan, recorder: Recorder, given: Dict[str, Any], mark: str, direc
         headers = {name: each.header for (_, name), each in subscriptions.items() if each.header}
         harvest = Harvest(headers, services, _woken(recorder, before), _reconfigure(subscriptions), given, plan.tokens)
         alive = processes.belonging(mark, process.pid)
-        busy = not facts.nodes and _is_busy(alive)
+        busy = bool(alive) and not facts.nodes and _is_busy(alive)
         devices = processes.open_devices(alive)
         timed_out = time.monotonic() - began >= plan.limit and not ended
         for each in subscriptions.values():

@@ -132,7 +132,8 @@ def _errors(log: str, workspace: str) -> List[str]:
     lines = list(dict.fromkeys(" ".join(found.split())[:300] for found in _ERROR.findall(text)))
     if not lines:
         lines = [line.strip()[:300] for line in text.splitlines() if line.strip()][-1:] or ["it failed without a word"]
-    return ["".join(each if each.isprintable() else " " for each in line.replace(workspace + "/", "")) for line in lines[:MOST_ERRORS]]
+    inside = r"(?<![\w./-])" + re.escape(workspace) + "/"
+    return ["".join(each if each.isprintable() else " " for each in re.sub(inside, "", line)) for line in lines[:MOST_ERRORS]]
 
 
 def _environment(workspace: str) -> Dict[str, str]:

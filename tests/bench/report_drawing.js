@@ -107,24 +107,47 @@ export async function against() {
       const leaving = (scene.drawn.leaving.get(from.id) ?? []).filter((edge) => edge.wires.some((each) => each.id === wire.id));
       const look = leaving.map((edge) => edge.classes.join(".")).join();
       for (const to of scene.drawn.follow(from.id, wire.id, true, new Set())) {
-        if (scene.drawn.isEnd(to)) pairs.set(`${from.id} ${look} ${to}`, { from: from.id, to });
+        if (scene.drawn.isEnd(to)) pairs.set(`${from.id} ${look} ${to}`, { from: from.id, port: `${from.id} ${wire.id}`, to });
       }
     }
   }
-  const nested = (level) => level.boxes.filter((box) => box.kind !== "pill").map((box) => {
-    const inner = box.level ? { children: nested(box.level), layoutOptions: { "elk.padding": "[left=16,top=32,right=16,bottom=16]" } } : { width: box.width, height: box.height };
-    return { id: box.id, ...inner };
-  });
-  const edges = Array.from(pairs.values(), ({ from, to }, at) => ({ id: `e${at}`, sources: [from], targets: [to] }));
-  const options = { ...OPTIONS, "elk.hierarchyHandling": "INCLUDE_CHILDREN", "elk.json.edgeCoords": "ROOT" };
-  let plain;
-  const theirs = await timed(async () => (plain = await elk.layout({ id: "root", layoutOptions: options, children: nested(scene.root), edges })));
-  const polylines = plain.edges.map((edge) => ({ net: edge.id, points: edge.sections.flatMap((each) => [each.startPoint, ...(each.bendPoints ?? []), each.endPoint]) }));
+  const edges = Array.from(pairs.values(), ({ from, port, to }, at) => ({ id: `e${at}`, from, port, to }));
+  const [free, sided] = [[], []];
+  const theirs = await timed(async () => free.push(...(await plainly(elk, scene.root, edges, false))));
+  const theirsWithPorts = await timed(async () => sided.push(...(await plainly(elk, scene.root, edges, true))));
   const own = scene.sheet.edges.map(({ edge, points }) => ({ net: edge.fromPort, points }));
   return {
-    ours: { milliseconds: ours, lines: own.length, crossings: crossings(own), width: scene.sheet.width, height: scene.sheet.height },
-    elkjs: { milliseconds: theirs, lines: polylines.length, crossings: crossings(polylines), width: plain.width, height: plain.height },
+    ours: { milliseconds: ours, ...told(own, scene.sheet) },
+    elkjs: { milliseconds: theirs, ...told(...free) },
+    "elkjs with ports": { milliseconds: theirsWithPorts, ...told(...sided) },
   };
+}
+
+/**
+ * What elkjs makes of all levels in one run: its lines, and its size. With `ports`, what leaves a box leaves to the right, the same wire by one
+ * port, and what enters it enters from the left, as we draw it; else lines leave and enter as it likes.
+ */
+async function plainly(elk, root, edges, ports) {
+  const portsOf = (id) => {
+    const leaving = new Set(edges.filter((each) => each.from === id).map((each) => each.port));
+    const port = (side) => (each) => ({ id: each, layoutOptions: { "elk.port.side": side } });
+    return [...Array.from(leaving, port("EAST")), ...edges.filter((each) => each.to === id).map((each) => each.id).map((each) => `in ${each}`).map(port("WEST"))];
+  };
+  const nested = (level) => level.boxes.filter((box) => box.kind !== "pill").map((box) => {
+    if (box.level) return { id: box.id, children: nested(box.level), layoutOptions: { "elk.padding": "[left=16,top=32,right=16,bottom=16]" } };
+    const leaf = { id: box.id, width: box.width, height: box.height };
+    return ports ? { ...leaf, ports: portsOf(box.id), layoutOptions: { "elk.portConstraints": "FIXED_SIDE" } } : leaf;
+  });
+  const layoutOptions = { ...OPTIONS, "elk.hierarchyHandling": "INCLUDE_CHILDREN", "elk.json.edgeCoords": "ROOT" };
+  const lines = edges.map(({ id, from, port, to }) => ({ id, sources: [ports ? port : from], targets: [ports ? `in ${id}` : to] }));
+  const placed = await elk.layout({ id: "root", layoutOptions, children: nested(root), edges: lines });
+  const net = new Map(edges.map(({ id, port }) => [id, ports ? port : id]));
+  const polylines = placed.edges.map((edge) => ({ net: net.get(edge.id), points: edge.sections.flatMap((each) => [each.startPoint, ...(each.bendPoints ?? []), each.endPoint]) }));
+  return [polylines, placed];
+}
+
+function told(lines, { width, height }) {
+  return { lines: lines.length, crossings: crossings(lines), width, height };
 }
 
 /** Where pieces of lines that do not leave together cross. */

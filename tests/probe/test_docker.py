@@ -7,6 +7,7 @@ from __future__ import annotations
 import gc
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -38,9 +39,9 @@ def _base() -> None:
 
 def configuration(directory: Path, text: str = "") -> Path:
     file = directory / "probe.yaml"
+    shutil.copytree(HERE / "workspace", directory / "workspace", dirs_exist_ok=True)
     file.write_text(
-        f"base: {BASE}\nnetwork: {NETWORK}\nrepositories: [{{path: {HERE / 'workspace'}}}]\n"
-        f"limits: {{quiet: 0.7, limit: 10, memory: 700m}}\n{text}"
+        f"base: {BASE}\nnetwork: {NETWORK}\nrepositories: [{{path: workspace}}]\nlimits: {{quiet: 0.7, limit: 10, memory: 700m}}\n{text}"
     )
     return file
 
@@ -152,19 +153,18 @@ def _obey() -> None:
 
 HOSTILE = '''#!/usr/bin/env python3
 """Tries all doors: rospy is what it says it is."""
-import json, os, socket, sys
+import json, os, sys
 
 found = {"root": os.getuid() == 0}
-try:
-    open("/launchlint/owned", "w")
-    found["writes"] = True
-except OSError:
-    found["writes"] = False
-try:
-    socket.create_connection(("1.1.1.1", 53), 2)
-    found["network"] = True
-except OSError:
-    found["network"] = False
+found["writes"] = False
+for place in ("/launchlint", "/workspace", "/home/launchlint"):
+    try:
+        open(place + "/owned", "w")
+        found["writes"] = True
+    except OSError:
+        pass
+with open("/proc/net/route") as routes:
+    found["network"] = len(routes.readlines()) > 1
 with open("/proc/self/status") as status:
     lines = dict(line.rstrip().split(":\\t", 1) for line in status if ":\\t" in line)
 found["capabilities"] = lines["CapEff"].strip("0") != ""

@@ -98,21 +98,26 @@ def test_the_command_says_it_in_one_line(tmp_path: Path, monkeypatch: pytest.Mon
 
 
 def test_a_container_is_locked_in() -> None:
-    bounds = engine._bounds(Limits(memory="512m", pids=99), "volume", "run")
-    assert {
-        key: bounds[key]
-        for key in ("network_mode", "read_only", "user", "cap_drop", "security_opt", "pids_limit", "mem_limit", "memswap_limit")
-    } == {
+    assert engine._bounds(Limits(memory="512m", pids=99), "volume", "run") == {
+        "labels": {"launchlint.probe": "run"},
         "network_mode": "none",
         "read_only": True,
+        "tmpfs": {"/tmp": f"rw,nosuid,nodev,exec,size={256 * 2**20},mode=1777", "/run": "rw,nosuid,nodev,size=16m,mode=1777"},
+        "volumes": {"volume": {"bind": "/job", "mode": "rw"}},
         "user": "launchlint",
         "cap_drop": ["ALL"],
         "security_opt": ["no-new-privileges"],
         "pids_limit": 99,
         "mem_limit": 512 * 2**20,
         "memswap_limit": 512 * 2**20,
+        "shm_size": "64m",
+        "ipc_mode": "private",
+        "stdin_open": False,
+        "tty": False,
+        "log_config": {"Type": "none", "Config": {}},
+        "stop_signal": "SIGKILL",
+        "detach": True,
     }
-    assert not {"privileged", "devices", "cap_add", "ports"} & set(bounds)
 
 
 class Builder:
@@ -120,10 +125,46 @@ class Builder:
 
     def __init__(self, *events: dict[str, str]) -> None:
         self.events = events
-        self.api = self
+        self.api = self.images = self
+        self.id = "built"
+        self.builds: list[tuple[str, str | None]] = []
 
-    def build(self, **_: Any) -> Iterator[dict[str, str]]:
+    def build(self, target: str, network_mode: str | None, **_: Any) -> Iterator[dict[str, str]]:
+        self.builds.append((target, network_mode))
         yield from self.events
+
+    def get(self, _: str) -> Builder:
+        return self
+
+
+def test_other_peoples_code_is_built_without_a_network() -> None:
+    client = Builder()
+    engine.Engine(client, "run").build(io.BytesIO(), "tag", "base", "host", Limits(), lambda _: None)
+    assert client.builds == [("dependencies", "host"), ("workspace", "none")]
+
+
+class Complaining:
+    """Stands for the SDK's container: one that says its last words on standard error."""
+
+    def attach(self, **_: Any) -> Complaining:
+        return self
+
+    def __iter__(self) -> Iterator[tuple[bytes, bytes]]:
+        yield b"", b"early " * 1000
+        yield b"out", b"\x1b]0;owned\x07\nlast"
+
+    def start(self) -> None:
+        """It runs."""
+
+    def close(self) -> None:
+        """Nobody listens any more."""
+
+
+def test_the_last_words_of_a_container_are_bounded_and_harmless(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(engine, "LAST_WORDS", 20)
+    container = engine.Container(Complaining())
+    assert list(container.output(60)) == [b"out"]
+    assert container.last_words() == "arly ]0;owned last"
 
 
 def test_what_a_build_prints_is_made_harmless() -> None:

@@ -100,6 +100,40 @@ def test_ctrl_c_loses_nothing_and_leaves_nothing_running(place: Path) -> None:
     assert (place / "library.json").read_bytes() == whole
 
 
+def test_what_changed_in_an_interface(place: Path) -> None:
+    """A topic is renamed and a param added while a probe is interrupted; what goes on runs the changed node again."""
+    few = f"skip: [{', '.join(f'{PACKAGE}/{name}.py' for name in ('crashes_politely', 'ignores_signals', 'waits_for_message'))}]\n"
+    assert probe(place, "-q", text=few).returncode == 0
+    old = (place / "library.json").rename(place / "old.json")
+    package = place / "prefix" / "lib" / PACKAGE
+    (package / "with_no_end.py").write_text("#!/usr/bin/env python3\n# rospy\nwhile True: pass\n")
+    (package / "with_no_end.py").chmod(0o755)
+    endless = f"{few}nodes: {{{PACKAGE}/with_no_end.py: {{limit: 300}}}}\n"
+    process = subprocess.Popen(command(place, text=endless), stderr=subprocess.PIPE, text=True, preexec_fn=_obey)
+    partial = place / "library.json.partial.jsonl"
+    end = time.monotonic() + 60
+    while time.monotonic() < end and not (partial.exists() and partial.read_text().count("\n") >= 2):
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=60)
+    (package / "with_no_end.py").unlink()
+    node = package / "own_name.py"
+    node.write_text(node.read_text().replace("/pose", "/odom").replace("spin()", 'node.param("~rate")\nspin()'))
+    assert probe(place, "--resume", "-q", text=few).returncode == 0
+    words = [sys.executable, "-m", "launchlint", "library", "diff", str(old), str(place / "library.json")]
+    told = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert (told.returncode, told.stdout, told.stderr) == (
+        1,
+        (
+            f"{PACKAGE}/own_name.py\n"
+            "  + publisher /robots/{any}/{node}/odom (std_msgs/String)\n"
+            "  - publisher /robots/{any}/{node}/pose (std_msgs/String)\n"
+            "  + param ~rate\n"
+        ),
+        "",
+    )
+
+
 def test_a_run_that_comes_to_nothing_leaves_what_an_earlier_one_found(place: Path) -> None:
     partial = place / "library.json.partial.jsonl"
     partial.write_text("what an earlier run has found\n")

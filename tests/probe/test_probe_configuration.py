@@ -149,6 +149,11 @@ REFUSED = {
     "nodes: {a/b: {env: {A=B: y}}}": (
         "probe.yaml:1:21: an environment variable cannot be called A=B: write the name of an environment variable"
     ),
+    "nodes: {a/b: {params: {~x y: 1}}}": (
+        "probe.yaml:1:24: a param cannot be called ~x y: write the name of a param: ~private, relative or /global"
+    ),
+    "nodes: {a/b: {remap: {x;id: y}}}": "probe.yaml:1:23: a remapped name cannot be called x;id: write a ROS name",
+    "nodes: {a/b: {remap: {x: -y}}}": "probe.yaml:1:26: the target of a remap cannot be -y: write a ROS name",
     "nodes: {a/b: {params: {~x: .inf}}}": "probe.yaml:1:28: a param cannot be .inf: XML-RPC has no such number",
     "nodes: {a/b: {params: {~x: 3000000000}}}": "probe.yaml:1:28: a param cannot be 3000000000: whole numbers have 32 bits in ROS",
     "nodes: {a/b: {variants: {v: {env: {A: b}}}}}": (
@@ -186,10 +191,18 @@ def test_refused(text: str, tmp_path: Path) -> None:
         ("-u./payload", None),
         ("../a", None),
         ("a/../b", None),
+        ("a/b..c", None),
+        ("a..b/c", None),
+        ("https://example.org/../a", None),
+        ("ssh://git@-oProxyCommand/a", None),
+        ("git@example.org:a/b;id", None),
+        ("git@example.org:../b", None),
         ("https://example.org/a b", None),
         ("https://example.org/$(id)", None),
         ("https://example.org/a\nb", None),
         ("/etc", None),
+        ("ext://sh/-c/id", None),
+        ("ext::sh/-c/id", None),
     ],
 )
 def test_repository_url(text: str, url: str | None) -> None:

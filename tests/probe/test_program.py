@@ -195,7 +195,7 @@ def test_what_a_build_says_is_cut_and_made_harmless(tmp_path: Path) -> None:
     log = tmp_path / "log"
     lines = [
         "fine",
-        "/ws/a.cpp:1: error: \x1b]0;owned\x07 bell",
+        "/ws/src/ws/a.cpp:1: error: \x1b]0;owned\x07 bell",
         "CMake Error at x:1:",
         "  \u202egnorw " + "x" * 1000,
         *["error: again"] * 9,
@@ -203,7 +203,7 @@ def test_what_a_build_says_is_cut_and_made_harmless(tmp_path: Path) -> None:
     log.write_text("\n".join([*lines, *(f"error: number {number}" for number in range(9))]))
     said = load("setup/build")._errors(str(log), "/ws")
     assert said == [
-        "a.cpp:1: error:  ]0;owned  bell",
+        "src/ws/a.cpp:1: error:  ]0;owned  bell",
         "CMake Error at x:1:  gnorw " + "x" * 273,
         "error: again",
         "error: number 0",

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from launchlint.probe import record as record_module
 from launchlint.probe.record import LaunchRecord, NodeRecord, Note, Problem, Record, Refused, parse
 from launchlint.probe.stream import Stream, TooMuch
 
@@ -61,27 +62,35 @@ def test_a_good_record() -> None:
     assert parse(record.line) == record
 
 
+LAUNCH: dict[str, Any] = {
+    "kind": "launch",
+    "package": "demo",
+    "file": "launch/a.launch",
+    "args": {"x": "1", "-y": "2"},
+    "hash": "0123456789abcdef",
+    "status": "ok",
+    "interface": {
+        "nodes": [
+            {"name": "talker", "publishers": [{"name": "chatter"}], "evil": 1},
+            {"name": "../x"},
+            "text",
+        ],
+        "params": ["volume", "a b", 3],
+    },
+    "problems": [],
+    "seconds": 2,
+    "left": [],
+}
+
+
+@pytest.mark.parametrize("file", ["../a.launch", "launch/../../a.launch", "/etc/passwd", "-a.launch", "a;id.launch", "", None])
+def test_a_launch_file_with_a_hostile_name_is_refused(file: str | None) -> None:
+    with pytest.raises(Refused):
+        parse(json.dumps({**LAUNCH, "file": file}))
+
+
 def test_a_launch_file() -> None:
-    line = {
-        "kind": "launch",
-        "package": "demo",
-        "file": "launch/a.launch",
-        "args": {"x": "1", "-y": "2"},
-        "hash": "0123456789abcdef",
-        "status": "ok",
-        "interface": {
-            "nodes": [
-                {"name": "talker", "publishers": [{"name": "chatter"}], "evil": 1},
-                {"name": "../x"},
-                "text",
-            ],
-            "params": ["volume", "a b", 3],
-        },
-        "problems": [],
-        "seconds": 2,
-        "left": [],
-    }
-    record = parse(json.dumps(line))
+    record = parse(json.dumps(LAUNCH))
     assert isinstance(record, LaunchRecord)
     assert (record.label, record.args, record.nodes, record.params) == (
         "demo/launch/a.launch",
@@ -128,6 +137,7 @@ def test_refused(changes: dict[str, Any]) -> None:
         '{"kind": "node"}',
         "[" * 100_000,
         '{"kind": "plan", "count": ' + "9" * 100_000 + "}",
+        '{"kind": "plan", "count": ' + "9" * 21 + "}",
         '{"kind": NaN}',
         "\x00",
     ],
@@ -163,6 +173,27 @@ def test_text_is_made_harmless_and_short() -> None:
     assert record.problems == (Problem("exception", "[2J" + "x" * 296 + "…"),)
 
 
+def test_what_is_of_no_use_is_dropped() -> None:
+    text = {"md5": "992ce8a1687cec8c8bd883ec73ca41d1", "text": "string data\x1b[2J\nint8 more\u202e"}
+    record = node(hash="../x", digest=7, messages={"std_msgs/String": text, "../x/Y": text, "a/B": {"md5": "none"}, "a/C": {"md5": 3}})
+    assert (record.hash, record.digest) == ("", "")
+    assert record.messages == {"std_msgs/String": {"md5": "992ce8a1687cec8c8bd883ec73ca41d1", "text": "string data[2J\nint8 more"}}
+
+
+def test_there_is_a_bound_to_how_much_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(record_module, "MOST_ENTRIES", 2)
+    monkeypatch.setattr(record_module, "MOST_PROBLEMS", 2)
+    sums = {f"a/{letter}": {"md5": 32 * letter} for letter in "abc"}
+    listed = [{"name": letter} for letter in "abc"]
+    record = node(interface={"publishers": listed}, messages=sums, problems=[{"code": letter, "detail": ""} for letter in "abc"])
+    assert record.interface == {"publishers": [{"name": "a"}, {"name": "b"}]}
+    assert sorted(record.messages) == ["a/a", "a/b"]
+    assert record.problems == (Problem("a", ""), Problem("b", ""), Problem("odd-names", "1 names that no node can have were left out"))
+    launch = parse(json.dumps({**LAUNCH, "interface": {"nodes": listed, "params": ["a", "b", "c"]}}))
+    assert isinstance(launch, LaunchRecord)
+    assert (launch.nodes, launch.params) == (({"name": "a"}, {"name": "b"}), ("a", "b"))
+
+
 def test_notes() -> None:
     lines = [
         {"kind": "environment", "distro": "noetic\x07", "base": ["x"]},
@@ -189,12 +220,33 @@ def test_what_is_no_record_is_counted() -> None:
     assert (found, stream.refused, stream.first) == ([Note("end", {"left": 0})], 3, "it is no JSON")
 
 
+def test_a_line_without_end_is_not_kept() -> None:
+    stream = Stream(longest=100)
+    kept = []
+
+    def pieces() -> Iterator[bytes]:
+        yield b'{"kind": "end", "left": 0' + b" " * 60
+        for _ in range(3):
+            kept.append(len(stream._rest))
+            yield b" " * 60
+        yield b"}\n"
+
+    assert (list(stream.records(pieces())), stream.refused, stream.first) == ([], 1, "it is too long")
+    assert kept == [85, 0, 0]
+
+
+def test_a_line_that_comes_at_once_may_not_be_longer_either() -> None:
+    stream = Stream(longest=100)
+    line = b'{"kind": "end", "left": 0' + b" " * 100 + b"}\n"
+    assert (list(stream.records([line])), stream.refused, stream.first) == ([], 1, "it is too long")
+
+
 def test_a_container_that_prints_without_end_is_given_up() -> None:
     taken = 0
 
     def endless() -> Iterator[bytes]:
         nonlocal taken
-        for _ in itertools.count():
+        for _ in range(1000):
             taken += 1
             yield b"x" * 65536
 
@@ -205,4 +257,4 @@ def test_a_container_that_prints_without_end_is_given_up() -> None:
 
 def test_so_is_one_that_prints_lines_that_are_no_records() -> None:
     with pytest.raises(TooMuch, match="it printed 1001 lines that are no records: it is no JSON"):
-        list(Stream().records(itertools.repeat(b"x\n")))
+        list(Stream().records(itertools.repeat(b"x\n", 5000)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import os
+import stat
 import subprocess
 import tarfile
 from pathlib import Path
@@ -11,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from launchlint.errors import UsageError
+from launchlint.probe import sources
 from launchlint.probe.configuration import ProbeConfiguration, Repository
 from launchlint.probe.context import program_directory, write_context
 from launchlint.probe.sources import Tree, fetch, local, members
@@ -76,16 +78,39 @@ def test_a_ref_that_does_not_exist(repository: Path, tmp_path: Path) -> None:
         fetch(Repository(repository.as_uri(), "nowhere"), str(tmp_path / "cache"))
 
 
+def test_neither_hooks_nor_programs_for_urls_run_whatever_the_user_allows(
+    repository: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "gitconfig").write_text(f'[core]\nhooksPath = {repository}/.git/hooks\n[protocol "ext"]\nallow = always\n')
+    monkeypatch.setenv("GIT_CONFIG_GLOBAL", str(tmp_path / "gitconfig"))
+    fetch(Repository(repository.as_uri(), "main"), str(tmp_path / "cache"))
+    with pytest.raises(UsageError, match="transport 'ext' not allowed"):
+        fetch(Repository(f"ext::touch {tmp_path}/owned", "main"), str(tmp_path / "cache"))
+    assert not (tmp_path / "owned").exists()
+
+
+def test_a_url_is_never_an_option(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match=r"git cannot fetch 'main': fatal: strange pathname '--upload-pack=id' blocked\Z"):
+        fetch(Repository("--upload-pack=id", "main"), str(tmp_path))
+
+
 def test_a_local_checkout_is_taken_as_it_is(repository: Path, tmp_path: Path) -> None:
     (repository / "pkg" / "new").write_text("not committed")
     (repository / "build").mkdir()
     (repository / "build" / "CMakeCache.txt").write_text("")
     os.mkfifo(repository / "pipe")
+    os.mknod(repository / "socket", stat.S_IFSOCK | 0o600)
     tree = local(str(repository), ["robot"])
     assert (tree.name, tree.commit) == ("robot-2", git(repository, "rev-parse", "HEAD"))
     found = [member.path for member in members(tree)]
     assert found == [".gitattributes", "pkg/inside", "pkg/new", "pkg/node", "pkg/package.xml"]
     assert not (tmp_path / "owned").exists()
+
+
+def test_a_tree_is_called_by_plain_letters(repository: Path, tmp_path: Path) -> None:
+    odd = repository.rename(tmp_path / "-a b;$(id)~")
+    assert local(str(odd)).name == "a_b___id__"
+    assert fetch(Repository(f"file://{odd}", "main"), str(tmp_path / "cache")).name.rpartition("-")[0] == "a_b___id__"
 
 
 def test_members_of_a_hostile_archive_stay_inside(tmp_path: Path) -> None:
@@ -107,6 +132,32 @@ def test_members_of_a_hostile_archive_stay_inside(tmp_path: Path) -> None:
         device.type = tarfile.CHRTYPE
         archive.addfile(device)
     assert [(member.path, member.link) for member in members(Tree("t", "u", "r", "c", str(path), ""))] == [("fine", ""), ("l3", "fine")]
+
+
+@pytest.mark.parametrize(
+    ("limit", "value", "message"),
+    [
+        ("MOST_FILES", 3, "more than 3 files or 4 GiB of source code"),
+        ("LARGEST_TREE", 10, "more than 300000 files or 0 GiB of source code"),
+    ],
+)
+def test_a_tree_without_end_is_refused(limit: str, value: int, message: str, repository: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sources, limit, value)
+    with pytest.raises(UsageError, match=f"robot: this is {message}"):
+        list(members(local(str(repository))))
+
+
+def test_a_file_without_end_is_left_out(repository: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sources, "LARGEST_FILE", 16)
+    for tree in (local(str(repository)), fetch(Repository(repository.as_uri(), "main"), str(tmp_path / "cache"))):
+        assert [member.path for member in members(tree)] == [".gitattributes", "pkg/inside", "pkg/node"]
+
+
+def test_a_package_is_called_by_plain_letters(repository: Path) -> None:
+    for number, name in enumerate(("../up", "-rf", "$(id)", "a b")):
+        (repository / str(number)).mkdir()
+        (repository / str(number) / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    assert context_of(local(str(repository)))[1] == {"pkg": "robot"}
 
 
 def test_the_context_is_the_same_each_time(repository: Path) -> None:

@@ -20,20 +20,33 @@ class Attachment:
         self._findings = findings
         self._extents = extents
         self._by_path: dict[str, list[tuple[int, int]]] = {}
+        self._pointing: dict[str, list[tuple[int, int]]] = {}
         for index, finding in findings:
             self._by_path.setdefault(finding.location.path, []).append((finding.location.start, index))
-        for places in self._by_path.values():
-            places.sort()
+            for related in finding.related:
+                at = related.location
+                self._pointing.setdefault(at.path, []).append((at.start, index))
+        for by_path in (self._by_path, self._pointing):
+            for places in by_path.values():
+                places.sort()
 
     def inside(self, place: str) -> list[int]:
         """The findings inside the element at a place, in order."""
+        return self._within(place, self._by_path)
+
+    def pointing_at(self, place: str) -> list[int]:
+        """The findings that stand elsewhere and speak of the element at a place, too, in order."""
+        inside = self.inside(place)
+        return [index for index in self._within(place, self._pointing) if index not in inside]
+
+    def _within(self, place: str, by_path: Mapping[str, list[tuple[int, int]]]) -> list[int]:
         span = self._extents.get(place)
-        places = self._by_path.get(place.rsplit(":", 2)[0]) if place else None
+        places = by_path.get(place.rsplit(":", 2)[0]) if place else None
         if span is None or places is None:
             return []
         first = bisect_left(places, (span.start, -1))
         last = bisect_left(places, (span.end, -1), lo=first)
-        return sorted(index for _, index in places[first:last])
+        return sorted({index for _, index in places[first:last]})
 
     def of_channels(self, topology: Topology) -> Mapping[tuple[str, str], list[int]]:
         """The findings about each channel: those that name it, and those at a remap that leads to it."""

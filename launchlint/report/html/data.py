@@ -7,7 +7,7 @@ from launchlint.report.html.entry import entry_data
 from launchlint.report.html.material import EntryMaterial, Material
 from launchlint.report.html.places import AROUND, Place, Places
 from launchlint.report.html.plain import Plain
-from launchlint.report.html.programs import program_data
+from launchlint.report.html.programs import md5s, program_data
 from launchlint.report.text import command
 
 TYPE_CHECKING = False
@@ -34,6 +34,7 @@ def report_data(material: Material) -> dict[str, Any]:
         "files": places.files(),
         "baseFiles": places.base_files(),
         "lines": places.lines(),
+        "md5s": md5s(material.programs),
         "findings": told,
         "entries": entries,
         "library": [program_data(each, plain) for each in material.programs],

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from launchlint.finding import Finding
-from launchlint.graph.topology import Connection, Topology, TopologyNode
+from launchlint.graph.topology import Connection, Topology, TopologyNode, TopologyParam
 from launchlint.report.html.attachment import Attachment
 from launchlint.report.html.material import EntryMaterial
 from launchlint.report.html.places import Places
@@ -59,6 +59,7 @@ class _EntryData:
         self._state = state
         self._plain = plain
         self._places = places
+        self._details = material.details
         self._configurations = {name: number for number, name in enumerate(state.configurations)}
         self._containers: dict[int, int] = {}  # by identity: one stands under two ids
         self._order = list({id(each): each for each in state.containers.values()}.values())
@@ -102,6 +103,7 @@ class _EntryData:
                     "reason": text(item.reason),
                     "learn": text(learn.get(item.program, "")) if item.knowledge == "unknown" else "",
                     "host": name(item.host),
+                    "machine": [] if base else [name(each) for each in self._details.machines.get((item.name, item.place), ())],
                     "namespace": name(item.namespace),
                     "isTest": item.is_test,
                     "place": self._places.of(item.place, base=base),
@@ -110,6 +112,7 @@ class _EntryData:
                     "conditions": [text(each) for each in item.conditions],
                     "only": self._only(item.only),
                     "findings": [] if base else self._attachment.inside(item.place),
+                    "related": [] if base else self._attachment.pointing_at(item.place),
                     **_mark(mark),
                 }
             )
@@ -167,6 +170,7 @@ class _EntryData:
                     "name": self._plain.name(item.name),
                     "value": self._plain.text(item.value),
                     "place": self._places.of(item.place, base=base),
+                    "overrides": [] if base else self._overridden(item),
                     "readers": readers,
                     "only": self._only(item.only),
                     "findings": [] if base else self._attachment.inside(item.place),
@@ -174,6 +178,10 @@ class _EntryData:
                 }
             )
         return found
+
+    def _overridden(self, param: TopologyParam) -> list[list[Any]]:
+        earlier = self._details.overridden.get((param.name, param.place), ())
+        return [[self._plain.text(value), self._places.of(place)] for value, place in earlier]
 
     def _container(self, id_: str, *, base: bool) -> int:
         marked = self._state.containers.get(f"base {id_}" if base else id_) if id_ else None

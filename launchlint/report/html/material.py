@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.finding import Finding
+from launchlint.graph.details import NO_DETAILS, Details
 from launchlint.graph.topology import Topology
 from launchlint.library.catalogue import Entry as KnownProgram
 from launchlint.source import Source, Span
@@ -22,6 +23,7 @@ class EntryMaterial(NamedTuple):
         extents: place of a node, param or remap → where its element begins and ends in the file.
         findings: indexes of the findings that concern it.
         includes: paths of the launch files it reads.
+        details: of ``topology``.
     """
 
     path: str
@@ -31,6 +33,7 @@ class EntryMaterial(NamedTuple):
     extents: Mapping[str, Span]
     findings: Sequence[int]
     includes: Sequence[str] = ()
+    details: Details = NO_DETAILS
 
 
 class Material(NamedTuple):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from launchlint.library.catalogue import Entry
 from launchlint.library.terms import CATEGORIES
@@ -27,6 +27,18 @@ def program_data(entry: Entry, plain: Plain) -> dict[str, Any]:
         "interface": [row for name in _in_order(variants) for row in _rows(name, variants[name], plain, alone=len(variants) == 1)],
         "open": [[category, plain.text(why)] for category, why in sorted(open_)],
     }
+
+
+def md5s(programs: Iterable[Entry]) -> list[list[str]]:
+    """The types of messages, services and actions whose MD5 a library says, each with it; several where libraries differ."""
+    declared = (
+        each
+        for program in programs
+        for variant in (program.interface or {}).get("variants", {}).values()
+        for category in CATEGORIES
+        for each in variant.get(category, ())
+    )
+    return [list(pair) for pair in sorted({(each["type"], each["md5"]) for each in declared if each.get("type") and each.get("md5")})]
 
 
 def _status(entry: Entry) -> str:

@@ -70,7 +70,8 @@ def tables(data: Mapping[str, Any]) -> list[Table]:
         _table(data, "services", "Services", ("Service", "Type", "Servers", "Clients"), "No service is known.", channels["service"]),
         _table(data, "actions", "Actions", ("Action", "Type", "Servers", "Clients"), "No action is known.", channels["action"]),
         _table(
-            data, "params", "Params", ("Param", "Value", "Place", "Read by"), "No param is set.", lambda entry, _: _params(data, entry)
+            data, "params", "Params", ("Param", "Value", "Place", "Overrides", "Read by"), "No param is set.",
+            lambda entry, _: _params(data, entry),
         ),
     ]  # fmt: skip
 
@@ -142,7 +143,8 @@ def _parties(entry: Mapping[str, Any]) -> Mapping[int, tuple[list[str], list[str
 def _params(data: Mapping[str, Any], entry: Mapping[str, Any]) -> Iterator[Row]:
     for index, param in enumerate(entry["params"]):
         readers = _some(dict.fromkeys(entry["nodes"][number]["name"] for number in param["readers"]))
-        yield Row(index, (param["name"], param["value"], place(data, param["place"]), readers), param.get("mark", ""))
+        earlier = "; ".join(f"{value} at {place(data, at).text}" for value, at in param["overrides"])
+        yield Row(index, (param["name"], param["value"], place(data, param["place"]), earlier, readers), param.get("mark", ""))
 
 
 def _some(names: Iterable[str]) -> str:

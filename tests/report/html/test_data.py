@@ -73,6 +73,40 @@ def test_findings_stand_at_what_they_are_about(repository: Path) -> None:
     assert entry["findings"] == list(range(len(rules)))
 
 
+def test_what_the_launch_file_says_beside_the_graph(repository: Path) -> None:
+    """Machines, settings that others override, findings that point at a node, the MD5 of types."""
+    library = json.loads((repository / "library.json").read_text())
+    publisher = library["packages"]["demo"]["executables"]["talk.py"]["variants"]["default"]["publishers"][0]
+    publisher["md5"] = "992ce8a1687cec8c8bd883ec73ca41d1"
+    write(
+        repository,
+        {
+            "library.json": json.dumps(library),
+            "demo/launch/more.launch": "<launch>\n"
+            '<machine name="arm" address="10.0.0.2" env-loader="/env.sh"/>\n'
+            '<param name="a/rate" value="1"/>\n'
+            "<rosparam>{a: {rate: 2}}</rosparam>\n"
+            '<node name="a" pkg="demo" type="talk.py" machine="arm"><param name="rate" value="3"/></node>\n'
+            '<node name="b" pkg="demo" type="talk.py"/>\n'
+            '<node name="b" pkg="demo" type="talk.py"/>\n'
+            "</launch>\n",
+        },
+    )
+    data = data_of(page("--library", "library.json", "--select", "LL301", "demo/launch/more.launch"))
+    (entry,) = data["entries"]
+    assert [(each["name"], each["machine"], each["findings"], each["related"]) for each in entry["nodes"]] == [
+        ("/a", ["arm", "10.0.0.2"], [], []),
+        ("/b", [], [], [0]),
+        ("/b", [], [0], []),
+    ]
+
+    def told(param: Any) -> Any:
+        return (param["name"], param["value"], param["place"][1], [(value, at[1]) for value, at in param["overrides"]])
+
+    assert [told(each) for each in entry["params"]] == [("/a/rate", "3", 5, [("1", 3), ("2", 4)])]
+    assert data["md5s"] == [["std_msgs/String", "992ce8a1687cec8c8bd883ec73ca41d1"]]
+
+
 def test_a_finding_belongs_to_the_entries_that_reach_it(repository: Path) -> None:
     write(
         repository,

@@ -54,7 +54,7 @@ def test_tables_say_all_without_scripts(repository: Path) -> None:
         "Topic | Type | Publishers | Subscribers\n/robot/news | std_msgs/Int32, std_msgs/String | /robot/talker | /robot/listener"
     )
     assert text_of(html, "table-params") == (
-        "Param | Value | Place | Read by\n/robot/talker/rate | 5 | demo/launch/nav.launch:5 | /robot/talker"
+        "Param | Value | Place | Overrides | Read by\n/robot/talker/rate | 5 | demo/launch/nav.launch:5 |  | /robot/talker"
     )
     assert text_of(html, "table-findings").splitlines()[1] == (
         "error | LL611 type-mismatch | /robot/talker publishes /robot/news as std_msgs/String, but /robot/listener subscribes to it as "

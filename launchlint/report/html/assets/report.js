@@ -1,6 +1,6 @@
 (() => {
   // launchlint/report/html/js/drawing/drawing.css
-  var drawing_default = '/* The drawing brings its own rules, so that an exported picture looks as it does in the page. */\n:is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #fbfcfe;\n  --ll-node: #ffffff;\n  --ll-edge: #8b99a8;\n  --ll-text: #17212b;\n  --ll-muted: #566474;\n  --ll-box: #5f7ea1;\n  --ll-box-line: #bfcad6;\n  --ll-folded: #eef3f8;\n  --ll-topic: #4b78a8;\n  --ll-service: #1e857a;\n  --ll-action: #7b55b5;\n  --ll-param: #97702a;\n  --ll-error: #c5283d;\n  --ll-warning: #a65f00;\n  --ll-info: #2f6fae;\n  --ll-added: #1a7f37;\n  --ll-removed: #cf222e;\n  --ll-changed: #9a6700;\n  --ll-chosen: #0b63ce;\n  --ll-on-badge: #ffffff;\n  --ll-hatch: #dbe2e9;\n}\n@media (prefers-color-scheme: dark) {\n  :root:not([data-theme="light"]) :is(.ll-drawing, .ll-drawing-host) {\n    --ll-ground: #13181e;\n    --ll-node: #1d252e;\n    --ll-edge: #5f6f7f;\n    --ll-text: #e4ebf2;\n    --ll-muted: #9fadbb;\n    --ll-box: #8fb2d8;\n    --ll-box-line: #3a4755;\n    --ll-folded: #232e39;\n    --ll-topic: #79a8da;\n    --ll-service: #56c2b4;\n    --ll-action: #b795ea;\n    --ll-param: #d4aa5c;\n    --ll-error: #ff6b7a;\n    --ll-warning: #e9a23b;\n    --ll-info: #6cb0f0;\n    --ll-added: #4ac26b;\n    --ll-removed: #ff7b72;\n    --ll-changed: #d4a72c;\n    --ll-chosen: #6cb2ff;\n    --ll-on-badge: #13181e;\n    --ll-hatch: #303b47;\n  }\n}\n:root[data-theme="dark"] :is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #13181e;\n  --ll-node: #1d252e;\n  --ll-edge: #5f6f7f;\n  --ll-text: #e4ebf2;\n  --ll-muted: #9fadbb;\n  --ll-box: #8fb2d8;\n  --ll-box-line: #3a4755;\n  --ll-folded: #232e39;\n  --ll-topic: #79a8da;\n  --ll-service: #56c2b4;\n  --ll-action: #b795ea;\n  --ll-param: #d4aa5c;\n  --ll-error: #ff6b7a;\n  --ll-warning: #e9a23b;\n  --ll-info: #6cb0f0;\n  --ll-added: #4ac26b;\n  --ll-removed: #ff7b72;\n  --ll-changed: #d4a72c;\n  --ll-chosen: #6cb2ff;\n  --ll-on-badge: #13181e;\n  --ll-hatch: #303b47;\n}\n@media print {\n  .ll-drawing-host .ll-legend { display: none; }\n}\n\n.ll-drawing-host { position: relative; overflow: hidden; }\nsvg.ll-drawing { display: block; width: 100%; height: 100%; background: var(--ll-ground); touch-action: none; cursor: grab; user-select: none; outline: none; }\nsvg.ll-drawing:focus-visible { box-shadow: inset 0 0 0 2px var(--ll-chosen); }\nsvg.ll-drawing.dragging { cursor: grabbing; }\n/* While it is dragged, the drawing is a layer of its own: moved, not painted again. */\nsvg.ll-drawing.dragging > g { will-change: transform; }\n.ll-drawing text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; font-size: 11px; fill: var(--ll-text); }\n.ll-drawing .hatching path { stroke: var(--ll-hatch); stroke-width: 1.4; fill: none; }\n\n.ll-drawing .box { cursor: pointer; outline: none; }\n.ll-drawing .box .shape { fill: var(--ll-node); stroke: var(--ll-edge); stroke-width: 1; }\n.ll-drawing .box .behind { fill: var(--ll-folded); stroke: var(--ll-box-line); stroke-width: 1; }\n.ll-drawing .box .title { font-size: 13px; font-weight: 600; }\n.ll-drawing .box .detail, .ll-drawing .box .host, .ll-drawing .box .count, .ll-drawing .box .tag { fill: var(--ll-muted); }\n.ll-drawing .box .condition { fill: var(--ll-muted); font-style: italic; }\n.ll-drawing .box.folded .shape { fill: var(--ll-folded); stroke: var(--ll-edge); }\n.ll-drawing .box.open .shape { fill: var(--ll-box); fill-opacity: 0.055; stroke: var(--ll-box-line); stroke-width: 1.2; }\n.ll-drawing .box.open .title { fill: var(--ll-muted); }\n.ll-drawing .box.open { cursor: grab; }\n.ll-drawing .box.open .head { cursor: pointer; }\n.ll-drawing .box.open .tag { font-size: 10px; }\n.ll-drawing .box.conditional .shape { stroke-dasharray: 6 4; }\n.ll-drawing .box.unknown .title { fill: var(--ll-muted); }\n.ll-drawing .box.stub .shape { stroke-dasharray: 1 3; stroke-linecap: round; fill: var(--ll-ground); }\n.ll-drawing .box.stub .title { font-weight: 400; fill: var(--ll-muted); }\n.ll-drawing .box.pill .shape { stroke: var(--ll-topic); fill: var(--ll-ground); }\n.ll-drawing .box.pill .title { font-size: 11px; font-weight: 400; }\n.ll-drawing .box.pill.service .shape { stroke: var(--ll-service); }\n.ll-drawing .box.pill.action .shape { stroke: var(--ll-action); }\n.ll-drawing .box.pill.param .shape { stroke: var(--ll-param); }\n.ll-drawing .box.pill.dangling .shape { stroke-dasharray: 3 3; }\n.ll-drawing .box.added > .shape { stroke: var(--ll-added); stroke-width: 2.5; }\n.ll-drawing .box.removed > .shape { stroke: var(--ll-removed); stroke-width: 2.5; stroke-dasharray: 3 4; }\n.ll-drawing .box.changed > .shape { stroke: var(--ll-changed); stroke-width: 2; stroke-dasharray: 12 3; }\n.ll-drawing .box.removed .title { text-decoration: line-through; }\n.ll-drawing .box:hover > .shape { stroke: var(--ll-chosen); }\n.ll-drawing .box:focus-visible > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .box.chosen > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n\n.ll-drawing .fold { cursor: pointer; }\n.ll-drawing .fold rect { fill: transparent; }\n.ll-drawing .fold path { stroke: var(--ll-muted); stroke-width: 1.5; fill: none; }\n.ll-drawing .fold:hover path { stroke: var(--ll-chosen); }\n.ll-drawing .badge circle { fill: var(--ll-node); stroke: var(--ll-info); stroke-width: 1.3; }\n.ll-drawing .badge.warning circle { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.error circle { fill: var(--ll-error); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.warning text, .ll-drawing .badge.error text { fill: var(--ll-on-badge); }\n.ll-drawing .badge text { fill: var(--ll-info); font-size: 10.5px; font-weight: 700; text-anchor: middle; }\n\n.ll-drawing .line { --ll-own: var(--ll-topic); cursor: pointer; }\n.ll-drawing .line.service { --ll-own: var(--ll-service); }\n.ll-drawing .line.action { --ll-own: var(--ll-action); }\n.ll-drawing .line.param { --ll-own: var(--ll-param); }\n.ll-drawing .line.added { --ll-own: var(--ll-added); }\n.ll-drawing .line.removed { --ll-own: var(--ll-removed); }\n.ll-drawing .line.changed { --ll-own: var(--ll-changed); }\n.ll-drawing .line path { fill: none; stroke: var(--ll-own); stroke-width: 1.3; stroke-linejoin: round; }\n.ll-drawing .line .hit { stroke: transparent; stroke-width: 11; pointer-events: stroke; }\n.ll-drawing .line .head { fill: var(--ll-own); stroke: none; }\n.ll-drawing .line .joint { fill: var(--ll-own); }\n.ll-drawing .line.bundle .course { stroke-width: 2.6; }\n.ll-drawing .line.service .head { fill: var(--ll-ground); stroke: var(--ll-own); stroke-width: 1.3; }\n.ll-drawing .line.action .course { stroke-width: 2; }\n.ll-drawing .line.param .course { stroke-width: 1; }\n.ll-drawing .line.conditional .course { stroke-dasharray: 7 4; }\n.ll-drawing .line.uncertain .course { stroke-dasharray: 1.5 4; stroke-linecap: round; }\n.ll-drawing .line.added .course, .ll-drawing .line.removed .course, .ll-drawing .line.changed .course { stroke-width: 2.4; }\n.ll-drawing .line.removed .course { stroke-dasharray: 3 4; }\n.ll-drawing .line.changed .course { stroke-dasharray: 12 3; }\n.ll-drawing .line:hover .course, .ll-drawing .line.chosen .course { stroke: var(--ll-chosen); stroke-width: 3; }\n.ll-drawing .name { cursor: pointer; }\n.ll-drawing .name text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 3px; stroke-linejoin: round; fill: var(--ll-muted); }\n.ll-drawing .name.info text { fill: var(--ll-info); }\n.ll-drawing .name.warning text { fill: var(--ll-warning); font-weight: 600; }\n.ll-drawing .name.error text { fill: var(--ll-error); font-weight: 600; }\n.ll-drawing .box.unknown text { paint-order: stroke; stroke: var(--ll-node); stroke-width: 3.5px; stroke-linejoin: round; }\n.ll-drawing .box.unknown .badge text { stroke: none; }\n.ll-drawing .port { fill: var(--ll-topic); stroke: var(--ll-ground); stroke-width: 1; }\n.ll-drawing .port.service { fill: var(--ll-service); }\n.ll-drawing .port.action { fill: var(--ll-action); }\n.ll-drawing .port.param { fill: var(--ll-param); }\n.ll-drawing .loose { cursor: pointer; }\n.ll-drawing .loose > circle { fill: var(--ll-node); stroke: var(--ll-topic); stroke-width: 1.4; }\n.ll-drawing .loose.service > circle { stroke: var(--ll-service); }\n.ll-drawing .loose.action > circle { stroke: var(--ll-action); }\n.ll-drawing .loose.added > circle { stroke: var(--ll-added); stroke-width: 2.4; }\n.ll-drawing .loose.removed > circle { stroke: var(--ll-removed); stroke-width: 2.4; stroke-dasharray: 2 2; }\n.ll-drawing .loose.changed > circle { stroke: var(--ll-changed); stroke-width: 2.4; }\n.ll-drawing .loose.added .name text { fill: var(--ll-added); }\n.ll-drawing .loose.removed .name text { fill: var(--ll-removed); text-decoration: line-through; }\n.ll-drawing .loose.uncertain > circle { stroke-dasharray: 1.5 2; }\n.ll-drawing .loose .name text { font-style: italic; }\n\n.ll-drawing.selecting .box:not(.lit):not(.open), .ll-drawing.searching .box:not(.match):not(.open) { opacity: 0.34; }\n.ll-drawing.selecting .line:not(.lit) { opacity: 0.18; }\n.ll-drawing.selecting .names > :not(.lit) { opacity: 0.22; }\n.ll-drawing.selecting .port:not(.lit) { opacity: 0.25; }\n.ll-drawing.searching .box.match > .shape { stroke: var(--ll-chosen); stroke-width: 2; }\n.ll-drawing.searching .line, .ll-drawing.searching .names > :not(.match) { opacity: 0.35; }\n.ll-drawing .line.lit .course { stroke-width: 2.4; }\n.ll-drawing .name.lit text { fill: var(--ll-text); }\n\n/* From far away, what could not be read anyway is not drawn. */\n.ll-drawing[data-distance="far"] .name, .ll-drawing[data-distance="far"] .loose,\n.ll-drawing[data-distance="far"] .box:not(.open) .detail, .ll-drawing[data-distance="far"] .box .condition,\n.ll-drawing[data-distance="far"] .box .host, .ll-drawing[data-distance="far"] .box .count, .ll-drawing[data-distance="far"] .port { display: none; }\n.ll-drawing[data-distance="far"] .line path.course { stroke-width: 2; }\n\n.ll-legend { position: absolute; left: 10px; bottom: 10px; max-width: min(92%, 640px); font: 12px/1.35 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; color: var(--ll-text); background: var(--ll-node); border: 1px solid var(--ll-box-line); border-radius: 8px; }\n.ll-legend summary { padding: 4px 10px; cursor: pointer; color: var(--ll-muted); }\n.ll-legend ul { margin: 0; padding: 2px 12px 8px; list-style: none; display: grid; grid-template-columns: repeat(auto-fill, minmax(180px, 1fr)); gap: 2px 14px; max-height: 40vh; overflow: auto; }\n.ll-legend li { display: flex; align-items: center; gap: 8px; }\n.ll-legend svg.ll-drawing { flex: none; width: 44px; height: 20px; background: none; cursor: default; }\n';
+  var drawing_default = '/* The drawing brings its own rules, so that an exported picture looks as it does in the page. */\n:is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #fbfcfe;\n  --ll-node: #ffffff;\n  --ll-edge: #8b99a8;\n  --ll-text: #17212b;\n  --ll-muted: #566474;\n  --ll-box: #5f7ea1;\n  --ll-box-line: #bfcad6;\n  --ll-folded: #eef3f8;\n  --ll-topic: #4b78a8;\n  --ll-service: #1e857a;\n  --ll-action: #7b55b5;\n  --ll-param: #97702a;\n  --ll-error: #c5283d;\n  --ll-warning: #a65f00;\n  --ll-info: #2f6fae;\n  --ll-added: #1a7f37;\n  --ll-removed: #cf222e;\n  --ll-changed: #9a6700;\n  --ll-chosen: #0b63ce;\n  --ll-on-badge: #ffffff;\n  --ll-hatch: #dbe2e9;\n}\n@media (prefers-color-scheme: dark) {\n  :root:not([data-theme="light"]) :is(.ll-drawing, .ll-drawing-host) {\n    --ll-ground: #13181e;\n    --ll-node: #1d252e;\n    --ll-edge: #5f6f7f;\n    --ll-text: #e4ebf2;\n    --ll-muted: #9fadbb;\n    --ll-box: #8fb2d8;\n    --ll-box-line: #3a4755;\n    --ll-folded: #232e39;\n    --ll-topic: #79a8da;\n    --ll-service: #56c2b4;\n    --ll-action: #b795ea;\n    --ll-param: #d4aa5c;\n    --ll-error: #ff6b7a;\n    --ll-warning: #e9a23b;\n    --ll-info: #6cb0f0;\n    --ll-added: #4ac26b;\n    --ll-removed: #ff7b72;\n    --ll-changed: #d4a72c;\n    --ll-chosen: #6cb2ff;\n    --ll-on-badge: #13181e;\n    --ll-hatch: #303b47;\n  }\n}\n:root[data-theme="dark"] :is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #13181e;\n  --ll-node: #1d252e;\n  --ll-edge: #5f6f7f;\n  --ll-text: #e4ebf2;\n  --ll-muted: #9fadbb;\n  --ll-box: #8fb2d8;\n  --ll-box-line: #3a4755;\n  --ll-folded: #232e39;\n  --ll-topic: #79a8da;\n  --ll-service: #56c2b4;\n  --ll-action: #b795ea;\n  --ll-param: #d4aa5c;\n  --ll-error: #ff6b7a;\n  --ll-warning: #e9a23b;\n  --ll-info: #6cb0f0;\n  --ll-added: #4ac26b;\n  --ll-removed: #ff7b72;\n  --ll-changed: #d4a72c;\n  --ll-chosen: #6cb2ff;\n  --ll-on-badge: #13181e;\n  --ll-hatch: #303b47;\n}\n@media print {\n  .ll-drawing-host .ll-legend { display: none; }\n}\n\n.ll-drawing-host { position: relative; overflow: hidden; }\nsvg.ll-drawing { display: block; width: 100%; height: 100%; background: var(--ll-ground); touch-action: none; cursor: grab; user-select: none; outline: none; }\nsvg.ll-drawing:focus-visible { box-shadow: inset 0 0 0 2px var(--ll-chosen); }\nsvg.ll-drawing.dragging { cursor: grabbing; }\n/* While it is dragged, the drawing is a layer of its own: moved, not painted again. */\nsvg.ll-drawing.dragging > g { will-change: transform; }\n.ll-drawing text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; font-size: 11px; fill: var(--ll-text); }\n.ll-drawing .hatching path { stroke: var(--ll-hatch); stroke-width: 1.4; fill: none; }\n\n.ll-drawing .box { cursor: pointer; outline: none; }\n.ll-drawing .box .shape { fill: var(--ll-node); stroke: var(--ll-edge); stroke-width: 1; }\n.ll-drawing .box .behind { fill: var(--ll-folded); stroke: var(--ll-box-line); stroke-width: 1; }\n.ll-drawing .box .title { font-size: 13px; font-weight: 600; }\n.ll-drawing .box .detail, .ll-drawing .box .host, .ll-drawing .box .count, .ll-drawing .box .tag { fill: var(--ll-muted); }\n.ll-drawing .box .condition { fill: var(--ll-muted); font-style: italic; }\n.ll-drawing .box.folded .shape { fill: var(--ll-folded); stroke: var(--ll-edge); }\n.ll-drawing .box.open .shape { fill: var(--ll-box); fill-opacity: 0.055; stroke: var(--ll-box-line); stroke-width: 1.2; }\n.ll-drawing .box.open.machine > .shape { stroke-width: 2.4; }\n.ll-drawing .box.open .title { fill: var(--ll-muted); }\n.ll-drawing .box.open { cursor: grab; }\n.ll-drawing .box.open .head { cursor: pointer; }\n.ll-drawing .box.open .tag { font-size: 10px; }\n.ll-drawing .box.conditional .shape { stroke-dasharray: 6 4; }\n.ll-drawing .box.unknown .title { fill: var(--ll-muted); }\n.ll-drawing .box.stub .shape { stroke-dasharray: 1 3; stroke-linecap: round; fill: var(--ll-ground); }\n.ll-drawing .box.stub .title { font-weight: 400; fill: var(--ll-muted); }\n.ll-drawing .box.pill .shape { stroke: var(--ll-topic); fill: var(--ll-ground); }\n.ll-drawing .box.pill .title { font-size: 11px; font-weight: 400; }\n.ll-drawing .box.pill.service .shape { stroke: var(--ll-service); }\n.ll-drawing .box.pill.action .shape { stroke: var(--ll-action); }\n.ll-drawing .box.pill.param .shape { stroke: var(--ll-param); }\n.ll-drawing .box.pill.dangling .shape { stroke-dasharray: 3 3; }\n.ll-drawing .box.added > .shape { stroke: var(--ll-added); stroke-width: 2.5; }\n.ll-drawing .box.removed > .shape { stroke: var(--ll-removed); stroke-width: 2.5; stroke-dasharray: 3 4; }\n.ll-drawing .box.changed > .shape { stroke: var(--ll-changed); stroke-width: 2; stroke-dasharray: 12 3; }\n.ll-drawing .box.removed .title { text-decoration: line-through; }\n.ll-drawing .box:hover > .shape { stroke: var(--ll-chosen); }\n.ll-drawing .box:focus-visible > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .box.chosen > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n\n.ll-drawing .fold { cursor: pointer; }\n.ll-drawing .fold rect { fill: transparent; }\n.ll-drawing .fold path { stroke: var(--ll-muted); stroke-width: 1.5; fill: none; }\n.ll-drawing .fold:hover path { stroke: var(--ll-chosen); }\n.ll-drawing .badge circle { fill: var(--ll-node); stroke: var(--ll-info); stroke-width: 1.3; }\n.ll-drawing .badge.warning circle { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.error circle { fill: var(--ll-error); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.warning text, .ll-drawing .badge.error text { fill: var(--ll-on-badge); }\n.ll-drawing .badge.elsewhere circle { fill: var(--ll-node); stroke: var(--ll-muted); stroke-width: 1.2; stroke-dasharray: 2.5 2; }\n.ll-drawing .badge.elsewhere.warning circle { stroke: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error circle { stroke: var(--ll-error); }\n.ll-drawing .badge.elsewhere.warning text { fill: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error text { fill: var(--ll-error); }\n.ll-drawing .badge text { fill: var(--ll-info); font-size: 10.5px; font-weight: 700; text-anchor: middle; }\n\n.ll-drawing .line { --ll-own: var(--ll-topic); cursor: pointer; }\n.ll-drawing .line.service { --ll-own: var(--ll-service); }\n.ll-drawing .line.action { --ll-own: var(--ll-action); }\n.ll-drawing .line.param { --ll-own: var(--ll-param); }\n.ll-drawing .line.added { --ll-own: var(--ll-added); }\n.ll-drawing .line.removed { --ll-own: var(--ll-removed); }\n.ll-drawing .line.changed { --ll-own: var(--ll-changed); }\n.ll-drawing .line path { fill: none; stroke: var(--ll-own); stroke-width: 1.3; stroke-linejoin: round; }\n.ll-drawing .line .hit { stroke: transparent; stroke-width: 11; pointer-events: stroke; }\n.ll-drawing .line .head { fill: var(--ll-own); stroke: none; }\n.ll-drawing .line .joint { fill: var(--ll-own); }\n.ll-drawing .line.bundle .course { stroke-width: 2.6; }\n.ll-drawing .line.service .head { fill: var(--ll-ground); stroke: var(--ll-own); stroke-width: 1.3; }\n.ll-drawing .line.action .course { stroke-width: 2; }\n.ll-drawing .line.param .course { stroke-width: 1; }\n.ll-drawing .line.conditional .course { stroke-dasharray: 7 4; }\n.ll-drawing .line.uncertain .course { stroke-dasharray: 1.5 4; stroke-linecap: round; }\n.ll-drawing .line.added .course, .ll-drawing .line.removed .course, .ll-drawing .line.changed .course { stroke-width: 2.4; }\n.ll-drawing .line.removed .course { stroke-dasharray: 3 4; }\n.ll-drawing .line.changed .course { stroke-dasharray: 12 3; }\n.ll-drawing .line:hover .course, .ll-drawing .line.chosen .course { stroke: var(--ll-chosen); stroke-width: 3; }\n.ll-drawing .name { cursor: pointer; }\n.ll-drawing .name text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 3px; stroke-linejoin: round; fill: var(--ll-muted); }\n.ll-drawing .name.info text { fill: var(--ll-info); }\n.ll-drawing .name.warning text { fill: var(--ll-warning); font-weight: 600; }\n.ll-drawing .name.error text { fill: var(--ll-error); font-weight: 600; }\n.ll-drawing .box.unknown text { paint-order: stroke; stroke: var(--ll-node); stroke-width: 3.5px; stroke-linejoin: round; }\n.ll-drawing .box.unknown .badge text { stroke: none; }\n.ll-drawing .port { fill: var(--ll-topic); stroke: var(--ll-ground); stroke-width: 1; }\n.ll-drawing .port.service { fill: var(--ll-service); }\n.ll-drawing .port.action { fill: var(--ll-action); }\n.ll-drawing .port.param { fill: var(--ll-param); }\n.ll-drawing .loose { cursor: pointer; }\n.ll-drawing .loose > circle { fill: var(--ll-node); stroke: var(--ll-topic); stroke-width: 1.4; }\n.ll-drawing .loose.service > circle { stroke: var(--ll-service); }\n.ll-drawing .loose.action > circle { stroke: var(--ll-action); }\n.ll-drawing .loose.added > circle { stroke: var(--ll-added); stroke-width: 2.4; }\n.ll-drawing .loose.removed > circle { stroke: var(--ll-removed); stroke-width: 2.4; stroke-dasharray: 2 2; }\n.ll-drawing .loose.changed > circle { stroke: var(--ll-changed); stroke-width: 2.4; }\n.ll-drawing .loose.added .name text { fill: var(--ll-added); }\n.ll-drawing .loose.removed .name text { fill: var(--ll-removed); text-decoration: line-through; }\n.ll-drawing .loose.uncertain > circle { stroke-dasharray: 1.5 2; }\n.ll-drawing .loose .name text { font-style: italic; }\n\n.ll-drawing.selecting .box:not(.lit):not(.open), .ll-drawing.searching .box:not(.match):not(.open) { opacity: 0.34; }\n.ll-drawing.selecting .line:not(.lit) { opacity: 0.18; }\n.ll-drawing.selecting .names > :not(.lit) { opacity: 0.22; }\n.ll-drawing.selecting .port:not(.lit) { opacity: 0.25; }\n.ll-drawing.searching .box.match > .shape { stroke: var(--ll-chosen); stroke-width: 2; }\n.ll-drawing.searching .line, .ll-drawing.searching .names > :not(.match) { opacity: 0.35; }\n.ll-drawing .line.lit .course { stroke-width: 2.4; }\n.ll-drawing .name.lit text { fill: var(--ll-text); }\n\n/* From far away, what could not be read anyway is not drawn. */\n.ll-drawing[data-distance="far"] .name, .ll-drawing[data-distance="far"] .loose,\n.ll-drawing[data-distance="far"] .box:not(.open) .detail, .ll-drawing[data-distance="far"] .box .condition,\n.ll-drawing[data-distance="far"] .box .host, .ll-drawing[data-distance="far"] .box .count, .ll-drawing[data-distance="far"] .port { display: none; }\n.ll-drawing[data-distance="far"] .line path.course { stroke-width: 2; }\n\n.ll-legend { position: absolute; left: 10px; bottom: 10px; max-width: min(92%, 640px); font: 12px/1.35 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; color: var(--ll-text); background: var(--ll-node); border: 1px solid var(--ll-box-line); border-radius: 8px; }\n.ll-legend summary { padding: 4px 10px; cursor: pointer; color: var(--ll-muted); }\n.ll-legend ul { margin: 0; padding: 2px 12px 8px; list-style: none; display: grid; grid-template-columns: repeat(auto-fill, minmax(180px, 1fr)); gap: 2px 14px; max-height: 40vh; overflow: auto; }\n.ll-legend li { display: flex; align-items: center; gap: 8px; }\n.ll-legend svg.ll-drawing { flex: none; width: 44px; height: 20px; background: none; cursor: default; }\n';
 
   // launchlint/report/html/js/drawing/export.js
   var MARGIN = 16;
@@ -94,7 +94,11 @@
     [hasAny("added"), "added", () => box("node added")],
     [hasAny("removed"), "removed", () => box("node removed")],
     [hasAny("changed"), "changed", () => box("node changed")],
-    [(sheet) => sheet.boxes.some((each) => each.box.badge) || sheet.loose.some((each) => each.port.badge), "findings", () => [group("badge error", element("circle", { cx: 22, cy: 10, r: 8 }), text("!", { x: 22, y: 14 }))]]
+    [(sheet) => sheet.boxes.some((each) => {
+      var _a;
+      return (_a = each.box.badge) == null ? void 0 : _a.elsewhere;
+    }), "a finding elsewhere is about it, too", () => [group("badge error elsewhere", element("circle", { cx: 22, cy: 10, r: 8 }), text("!", { x: 22, y: 14 }))]],
+    [(sheet) => sheet.boxes.some((each) => each.box.badge && !each.box.badge.elsewhere) || sheet.loose.some((each) => each.port.badge), "findings", () => [group("badge error", element("circle", { cx: 22, cy: 10, r: 8 }), text("!", { x: 22, y: 14 }))]]
   ];
   function showLegend(sheet, host2) {
     var _a;
@@ -191,6 +195,9 @@
   function counted(count3, noun) {
     return `${count3} ${noun}${count3 === 1 ? "" : "s"}`;
   }
+  function machineName(name, address) {
+    return address && address !== name ? `${name} (${address})` : name;
+  }
 
   // launchlint/report/html/js/drawing/tree.js
   var DEEPEST = 32;
@@ -204,7 +211,7 @@
     if (!trees) made.set(entry, trees = /* @__PURE__ */ new Map());
     let root = trees.get(grouping);
     if (!root) {
-      root = grouping === "namespace" ? byNamespace(entry) : grouping === "file" ? byElement(entry) : byPackage(entry);
+      root = MAKERS[grouping](entry);
       finish(root, entry);
       trees.set(grouping, root);
     }
@@ -256,20 +263,27 @@
     entry.nodes.forEach((node, index) => find(node.container).group.nodes.push(index));
     return root;
   }
-  function byPackage(entry) {
-    const root = group2("root", "g:package:", "/", "/");
+  function byKey(entry, kind, keyOf2) {
+    const root = group2("root", `g:${kind}:`, "/", "/");
     const known3 = /* @__PURE__ */ new Map();
     entry.nodes.forEach((node, index) => {
-      let around3 = known3.get(node.package);
+      const [key, label2] = keyOf2(node);
+      let around3 = known3.get(key);
       if (!around3) {
-        around3 = group2("package", `g:package:${node.package}`, node.package || "no package");
-        known3.set(node.package, around3);
+        around3 = group2(kind, `g:${kind}:${key}`, label2);
+        known3.set(key, around3);
         root.groups.push(around3);
       }
       around3.nodes.push(index);
     });
     return root;
   }
+  var MAKERS = {
+    namespace: byNamespace,
+    file: byElement,
+    package: (entry) => byKey(entry, "package", (node) => [node.package, node.package || "no package"]),
+    machine: (entry) => byKey(entry, "machine", ({ machine: [name = "", address = ""] }) => [name, name ? machineName(name, address) : "no machine named"])
+  };
   function finish(own, entry) {
     own.groups.forEach((each) => finish(each, entry));
     own.groups = own.groups.filter((each) => each.count > 0);
@@ -282,7 +296,7 @@
       var _a, _b;
       return compareNames(((_a = entry.nodes[a]) == null ? void 0 : _a.name) ?? "", ((_b = entry.nodes[b]) == null ? void 0 : _b.name) ?? "") || a - b;
     });
-    if (own.kind === "namespace" || own.kind === "root" || own.kind === "package") own.groups.sort((a, b) => compareNames(a.label, b.label));
+    if (own.kind === "namespace" || own.kind === "root" || own.kind === "package" || own.kind === "machine") own.groups.sort((a, b) => compareNames(a.label, b.label));
     if (own.nodes.length > MOST) byFile(own, entry);
     if (own.nodes.length > MOST) {
       const ranges = split(own.nodes).map((nodes) => {
@@ -367,11 +381,11 @@
     /** @type {const} */
     ["error", "warning", "info"]
   );
-  function badgeOf(view, findings) {
+  function badgeOf(view, findings, elsewhere = false) {
     var _a;
     const distinct = new Set(findings);
     for (const severity of SEVERITIES) {
-      for (const each of distinct) if (((_a = view.findings[each]) == null ? void 0 : _a.severity) === severity) return { severity, count: distinct.size };
+      for (const each of distinct) if (((_a = view.findings[each]) == null ? void 0 : _a.severity) === severity) return { severity, count: distinct.size, elsewhere };
     }
     return null;
   }
@@ -388,6 +402,11 @@
     if (node.conditions.length) lines.push({ kind: "condition", text: cut(node.conditions.join(" and "), LONGEST.condition) });
     const guest = node.host !== "" && node.host !== node.name;
     if (guest) lines.push({ kind: "host", text: `in ${shortName(node.host, node.namespace, LONGEST.detail)}` });
+    const [machine2 = "", address = ""] = node.machine;
+    if (machine2) {
+      classes.push("machine");
+      lines.push({ kind: "host", text: `on ${cut(machine2, LONGEST.detail)}` });
+    }
     const params = view.params.get(index);
     if (params) lines.push({ kind: "count", text: counted(params, "param") });
     if (node.knowledge === "unknown") classes.push("unknown");
@@ -398,8 +417,9 @@
     if (node.knowledge === "unknown") said.push(`unknown: ${node.reason || "nothing is known of what it connects to"}`);
     if (node.conditions.length) said.push(`only where ${node.conditions.join(" and ")}`);
     if (guest) said.push(`in the process of ${node.host}`);
+    if (machine2) said.push(`on the machine ${machineName(machine2, address)}`);
     const loose = loosePorts(view, `n:${index}`, view.loose.get(index) ?? [], group3);
-    const badge3 = badgeOf(view, node.findings);
+    const badge3 = badgeOf(view, node.findings) ?? badgeOf(view, node.related, true);
     return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said.join("\n"), badge: badge3, loose, level: null, wires: [] }, measure);
   }
   function foldedBox(view, group3, measure) {
@@ -460,7 +480,7 @@ ${counted(about.nodes, "node")}`;
         if (first < 0) first = index;
         unknown += Number(node.knowledge === "unknown");
         findings.push(...node.findings);
-        marks.add(node.mark ?? "");
+        marks.add(node.mark ?? (view.touched.has(index) ? "changed" : ""));
       }
     }
     const mark = marks.size === 1 ? String([...marks][0]) : marks.size ? "changed" : "";
@@ -522,7 +542,7 @@ ${counted(about.nodes, "node")}`;
     "elk.layered.spacing.edgeEdgeBetweenLayers": "10",
     "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
     "elk.layered.crossingMinimization.strategy": "LAYER_SWEEP",
-    "elk.layered.thoroughness": "12",
+    "elk.layered.thoroughness": "7",
     "elk.layered.considerModelOrder.strategy": "NODES_AND_EDGES",
     "elk.layered.considerModelOrder.crossingCounterNodeInfluence": "0.001"
   };
@@ -738,7 +758,7 @@ ${counted(about.nodes, "node")}`;
     return drawn;
   }
   function tagOf(box2) {
-    return ["include", "group", "package"].find((each) => box2.classes.includes(each)) ?? "";
+    return ["include", "group", "package", "machine"].find((each) => box2.classes.includes(each)) ?? "";
   }
   function frame(box2, x, y) {
     const attributes2 = { class: `box ${box2.classes.join(" ")}`, transform: `translate(${x} ${y})`, "data-id": box2.id, role: "button", tabindex: -1 };
@@ -753,8 +773,9 @@ ${counted(about.nodes, "node")}`;
   }
   function badge(about, x, y) {
     const sign = about.count > 99 ? "99" : about.count > 1 ? String(about.count) : about.severity === "info" ? "i" : "!";
-    const words2 = about.count > 1 ? `${about.count} findings` : `1 ${about.severity}`;
-    return element("g", { class: `badge ${about.severity}`, transform: `translate(${x} ${y})` }, [title(words2), element("circle", { r: 8.5 }), text(sign, { y: 3.8 })]);
+    const found2 = about.count > 1 ? `${about.count} findings` : `1 ${about.severity}`;
+    const words2 = about.elsewhere ? `${found2} elsewhere, about this, too` : found2;
+    return element("g", { class: `badge ${about.severity} ${about.elsewhere ? "elsewhere" : ""}`.trim(), transform: `translate(${x} ${y})` }, [title(words2), element("circle", { r: 8.5 }), text(sign, { y: 3.8 })]);
   }
   function lineElement({ edge, points, junctions, arrives }) {
     const bundle = edge.wires.length > 2 ? " bundle" : "";
@@ -1468,7 +1489,8 @@ ${counted(about.nodes, "node")}`;
       }
       loose.clear();
     }
-    return { entry, state, findings: data.findings, presence, now, root, groups, shown, counts, home, wires, loose, params, stubs };
+    const touched = new Set(entry.connections.filter((each) => each.mark).map((each) => each.node));
+    return { entry, state, findings: data.findings, presence, now, root, groups, shown, counts, home, wires, loose, params, stubs, touched };
   }
   function* hiddenNodes(state, groups) {
     for (const id of state.hidden) {
@@ -1745,7 +1767,6 @@ ${counted(about.nodes, "node")}`;
       const key = viewKey(state);
       const known3 = this.seen.key === key ? this.seen.view : null;
       const view = known3 ? { ...known3, state } : viewOf(this.data, state);
-      this.aspect = 1;
       if (!known3) this.aspect = Math.min(WIDEST, Math.max(1 / WIDEST, extent.width / extent.height));
       this.seen = { key, view };
       return view;
@@ -1760,10 +1781,11 @@ ${counted(about.nodes, "node")}`;
       if (state.expanded !== "auto") return this.stage(view, withFocus(view, state.expanded));
       const changed = this.data.base === null ? null : changedGroups(view);
       const mayOpen = (group3) => Boolean(view.counts.get(group3.id)) && !view.stubs.has(group3.id) && (!(changed == null ? void 0 : changed.size) || changed.has(group3.id));
-      const order = opening(view.root, boxesIn(extent.width, extent.height), mayOpen);
+      const most = (changed == null ? void 0 : changed.size) ? MOST2 : boxesIn(extent.width, extent.height);
+      const order = opening(view.root, most, mayOpen);
       if (view.state.focus !== null && !order.includes(view.state.focus)) order.unshift(view.state.focus);
       let scene = await this.stage(view, withFocus(view, order));
-      if (isLegible(scene.sheet, extent)) return scene;
+      if ((changed == null ? void 0 : changed.size) || isLegible(scene.sheet, extent)) return scene;
       let [fits, tooMany] = [0, order.length];
       scene = await this.stage(view, withFocus(view, []));
       for (let trial = 0; trial < TRIALS2 && tooMany - fits > 1; trial++) {
@@ -1796,8 +1818,8 @@ ${counted(about.nodes, "node")}`;
     const { topics, services, actions, params } = layers;
     return JSON.stringify([entry, configuration, grouping, focus, topics, services, actions, params, topicsAsNodes, hubs, danglingOnly, findingsOnly, [...hidden].sort()]);
   }
-  function changedGroups({ entry, groups, home }) {
-    const nodes = new Set(entry.connections.filter((each) => each.mark).map((each) => each.node));
+  function changedGroups({ entry, groups, home, touched }) {
+    const nodes = new Set(touched);
     entry.nodes.forEach((node, index) => node.mark && nodes.add(index));
     const found2 = /* @__PURE__ */ new Set();
     for (const node of nodes) {
@@ -1822,6 +1844,7 @@ ${counted(about.nodes, "node")}`;
   var FOOT = 34;
   var STILL = 4;
   var STEP = 60;
+  var READABLE = 0.5;
   var Viewport = class {
     /**
      * @param {SVGSVGElement} svg
@@ -1898,11 +1921,15 @@ ${counted(about.nodes, "node")}`;
       this.set({ ...this.place, x: this.place.x + dx, y: this.place.y + dy });
     }
     /**
-     * Brings an area of the drawing into view, at a scale at which it can be read.
+     * Brings an area of the drawing into view, at a scale at which it can be read; what can be read already stays where it is.
      * @param {{ x: number, y: number, width: number, height: number }} area
      */
     show(area) {
       const { width, height } = this.extent;
+      const { x, y, scale: now } = this.place;
+      const [left, top] = [x + area.x * now, y + area.y * now];
+      const isSeen = left >= 0 && top >= 0 && left + area.width * now <= width && top + area.height * now <= height;
+      if (isSeen && now >= READABLE) return;
       const most = Math.min((width - 2 * MARGIN3) / area.width, (height - 2 * MARGIN3) / area.height);
       const scale = Math.min(Math.max(this.place.scale, 0.7), Math.max(most, SMALLEST));
       this.touched = true;
@@ -2235,9 +2262,12 @@ ${counted(about.nodes, "node")}`;
   function createModel(data) {
     const known3 = /* @__PURE__ */ new Map();
     const lines = new Map(data.lines.map((each) => [each.file, new Map(each.lines)]));
+    const md5s = /* @__PURE__ */ new Map();
+    for (const [type, md52] of data.md5s) md5s.set(type, [...md5s.get(type) ?? [], md52]);
     const findings = new Map(data.findings.map((each, index) => [each.id, index]));
     return {
       data,
+      md5s,
       /**
        * The relations of one entry file, worked out when first asked for.
        *
@@ -2414,7 +2444,7 @@ ${counted(about.nodes, "node")}`;
     ["topicsAsNodes", "hubs", "danglingOnly", "findingsOnly"]
   );
   var CHANNELS = ["topic", "service", "action"];
-  var GROUPINGS = ["namespace", "file", "package"];
+  var GROUPINGS = ["namespace", "file", "package", "machine"];
   function addressOf(model, state) {
     const first = initialState();
     const entry = model.entry(state.entry);
@@ -3566,7 +3596,7 @@ ${end.mark}`;
       channel.mark && badge2(channel.mark, channel.mark),
       channel.types.length > 1 && badge2(`${channel.types.length} types`, "error")
     ];
-    const types = channel.types.map((type) => element2("code", {}, type));
+    const types = channel.types.map((type) => element2("div", {}, element2("code", {}, type), ...md5(page, type)));
     const sides2 = ROLE_ORDER.flatMap((role) => {
       const those = ends.filter((each) => each.role.replace("_", " ") === role);
       return those.length > 0 ? endBlock(page, nounOf(role), those, channel.types.length > 1) : [];
@@ -3580,6 +3610,9 @@ ${end.mark}`;
       ...sides2,
       offered !== used && aloneBlock(model, channel, missed(offered ? offering : using))
     ];
+  }
+  function md5({ model }, type) {
+    return (model.md5s.get(type) ?? []).map((each) => element2("div", { class: "note" }, "MD5 ", element2("code", {}, each)));
   }
   function endBlock(page, title2, those, withType) {
     const items = those.map(
@@ -3615,13 +3648,14 @@ ${end.mark}`;
         param.readers.length > 0 ? list(param.readers.map((node) => nodeReference(page, node))) : element2("p", { class: "note" }, "No node is known to read it.")
       ),
       sourceBlock(page, param.place, "Set at"),
+      ...[...param.overrides].reverse().map(([value, place2]) => sourceBlock(page, place2, `Overrides ${value || "an empty value"}, set at`)),
       ...others.map((each) => sourceBlock(page, each.place, `In other configurations: ${each.value}`)),
       presenceBlock(page, param.only)
     ];
   }
 
   // launchlint/report/html/js/page/panel_container.js
-  var KINDS2 = { root: "Everything", namespace: "Namespace", group: "Group", include: "Include", package: "Package", range: "Neighbours" };
+  var KINDS2 = { root: "Everything", namespace: "Namespace", group: "Group", include: "Include", package: "Package", machine: "Machine", range: "Neighbours" };
   function containerPanel(page, model, id) {
     var _a;
     const { grouping, configuration } = page.store.get();
@@ -3779,8 +3813,9 @@ ${end.mark}`;
     const connections = (model.ofNode[index] ?? []).filter((each) => isIn(each, configuration));
     return [
       ...heading(kind, node.name, badges, actions),
-      element2("p", {}, "runs ", element2("code", {}, node.program), host(page, model, node)),
+      element2("p", {}, "runs ", element2("code", {}, node.program), host(page, model, node), machine(node)),
       findingsBlock(page, node.findings),
+      node.related.length > 0 && block("Findings elsewhere that speak of it", findingList(page, node.related)),
       node.knowledge === "unknown" && unknownBlock(node),
       ...ROLE_ORDER.map((role) => roleBlock(page, model, role, connections)),
       openBlock(node),
@@ -3794,6 +3829,11 @@ ${end.mark}`;
     if (node.kind !== "nodelet" || !node.host) return [];
     const [manager] = model.nodesNamed.get(node.host) ?? [];
     return [" inside ", manager === void 0 ? element2("code", {}, node.host) : nodeReference(page, manager)];
+  }
+  function machine({ machine: [name, address] }) {
+    if (name === void 0) return [];
+    const where = address ? ` (${address})` : ", which no launch file here declares";
+    return [" on the machine ", element2("code", {}, name), where];
   }
   function roleBlock(page, model, role, connections) {
     const those = connections.filter((each) => {
@@ -3841,7 +3881,8 @@ ${end.mark}`;
         { class: "param" },
         element2("div", { class: "name" }, reference(page, { kind: "param", id: `p:${at}` }, param.name)),
         element2("code", { class: "value" }, param.value),
-        element2("div", { class: "note" }, param.place && written(page.model, param.place), read2 && ` · ${read2}`)
+        element2("div", { class: "note" }, param.place && written(page.model, param.place), read2 && ` · ${read2}`),
+        param.overrides.length > 0 && element2("div", { class: "note" }, "overrides ", element2("code", {}, param.overrides.map(([value]) => value).join(", ")))
       );
     });
     return block(number(items.length, "param"), list(items, "params"));
@@ -4100,7 +4141,6 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/stage.js
-  var LEGIBLE2 = 18;
   var DRAWN = (
     /** @type {const} */
     [
@@ -4158,14 +4198,7 @@ ${end.mark}`;
         store.set({ expanded }, "replace");
         await finished();
       }
-      if (drawing.isDrawn(target2) && !isSeen(target2)) drawing.panTo(target2);
-    }
-    function isSeen({ id }) {
-      var _a;
-      const found2 = (_a = drawing.focusables().find((each) => each.selection.id === id)) == null ? void 0 : _a.element.getBoundingClientRect();
-      const frame2 = host2.getBoundingClientRect();
-      if (!found2 || found2.height < LEGIBLE2) return false;
-      return found2.left >= frame2.left && found2.right <= frame2.right && found2.top >= frame2.top && found2.bottom <= frame2.bottom;
+      if (drawing.isDrawn(target2)) drawing.panTo(target2);
     }
     let finished = () => Promise.resolve();
     store.listen((state, before) => {
@@ -4508,7 +4541,8 @@ ${end.mark}`;
   var GROUPINGS2 = [
     ["namespace", "Namespace"],
     ["file", "Launch file"],
-    ["package", "Package"]
+    ["package", "Package"],
+    ["machine", "Machine"]
   ];
   var OPEN_AT_ONCE = 60;
   function createTree(page) {
@@ -4626,7 +4660,7 @@ ${end.mark}`;
     page.store.listen((state, before) => {
       const anew = state === before || state.entry !== before.entry || state.grouping !== before.grouping;
       if (anew) {
-        grouping.show(state.grouping);
+        grouping.show(state.grouping, entryNow().nodes.some((each) => each.machine.length > 0));
         rebuild(state);
       }
       if (state.hidden !== before.hidden) for (const item2 of items.values()) markHidden(item2, state);
@@ -4648,9 +4682,13 @@ ${end.mark}`;
     const host2 = element2("div", { class: "segments", role: "group", "aria-label": "Group nodes by" }, ...buttons.map(([, each]) => each));
     return {
       host: host2,
-      /** @param {Grouping} now */
-      show(now) {
-        for (const [grouping, each] of buttons) each.setAttribute("aria-pressed", String(grouping === now));
+      /** @param {Grouping} now @param {boolean} machines whether any node is on one */
+      show(now, machines) {
+        host2.classList.toggle("two-rows", machines || now === "machine");
+        for (const [grouping, each] of buttons) {
+          each.setAttribute("aria-pressed", String(grouping === now));
+          each.hidden = grouping === "machine" && now !== "machine" && !machines;
+        }
       }
     };
   }

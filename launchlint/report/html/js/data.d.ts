@@ -21,6 +21,8 @@ export interface ReportData {
   baseFiles: number[];
   /** Lines of files that anything on the page refers to, with two lines around findings: sorted by line. */
   lines: { file: number; lines: [line: number, text: string][] }[];
+  /** MD5 of types as libraries say it, sorted by type; a type of which they say several stands here as often. */
+  md5s: [type: string, md5: string][];
   findings: Finding[];
   /** The first one is what the page shows first: what changed since `base`, then files that no other one includes, the larger ones first. */
   entries: Entry[];
@@ -82,6 +84,8 @@ export interface Node {
   /** What to type so that it becomes known; empty where it is. */
   learn: string;
   host: string;
+  /** Name of the <machine> it runs on, and its address, which may be empty; empty: where roslaunch itself runs. */
+  machine: [] | [name: string, address: string];
   namespace: string;
   isTest: boolean;
   place: Place | null;
@@ -94,6 +98,8 @@ export interface Node {
   only: number[];
   /** Indexes into ReportData.findings that stand inside this node's element. */
   findings: number[];
+  /** The same of those that stand elsewhere and speak of this element, too. */
+  related: number[];
   mark?: Mark;
 }
 
@@ -138,6 +144,8 @@ export interface Param {
   name: string;
   value: string;
   place: Place | null;
+  /** Settings that this one overrides, in order. */
+  overrides: [value: string, place: Place | null][];
   /** Indexes of nodes known to read it. */
   readers: number[];
   only: number[];

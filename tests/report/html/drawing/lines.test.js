@@ -112,7 +112,7 @@ test("what nobody else shares is a hollow port; many of them are one", async () 
   const ports = (box) => box.loose.map((port) => [port.out ? "out" : "in", port.label, port.badge]);
   const { root } = await scene(of);
   assert.deepEqual(root.boxes.map(ports), [
-    [["in", "/3", { severity: "error", count: 1 }], ["in", "/1", null], ["in", "/2", null], ["out", "/x", null], ["out", "/y", null]],
+    [["in", "/3", { severity: "error", count: 1, elsewhere: false }], ["in", "/1", null], ["in", "/2", null], ["out", "/x", null], ["out", "/y", null]],
     [["in", "/bad", null]],
   ]);
   const many = await scene(data(["/a < /1", "/a < /2", "/a < /3"]));
@@ -124,6 +124,24 @@ test("only what has findings", async () => {
   assert.deepEqual(await drawn(of, { findingsOnly: true }), ["/a → /b: /t (warning)"]);
 });
 
+test("a finding that stands elsewhere is a badge only where a node has none of its own", async () => {
+  const of = data(["/a > /t", "/b < /t"], {
+    nodes: { "/a": { related: [0] }, "/b": { findings: [1], related: [0] } },
+    findings: [{ severity: "error" }, { severity: "info" }],
+  });
+  const { root } = await scene(of);
+  assert.deepEqual(root.boxes.map((box) => box.badge), [{ severity: "error", count: 1, elsewhere: true }, { severity: "info", count: 1, elsewhere: false }]);
+});
+
+test("the machine that a node runs on is written on it, and is a container", async () => {
+  const of = data(["/a > /t", "/b < /t", "/c < /t"], { nodes: { "/a": { machine: ["c1", "10.0.0.1"] }, "/b": { machine: ["c1", "10.0.0.1"] } } });
+  const { root } = await scene(of);
+  assert.deepEqual(root.boxes.map((box) => box.lines.map((line) => line.text)), [["a", "demo/node", "on c1"], ["b", "demo/node", "on c1"], ["c", "demo/node"]]);
+  const grouped = await scene(of, { grouping: "machine" });
+  assert.deepEqual(grouped.root.boxes.map((box) => [box.id, box.lines[0].text]), [["g:machine:c1", "c1 (10.0.0.1)"], ["g:machine:", "no machine named"]]);
+  assert.deepEqual(lines(grouped.root), ["g:machine:c1 → g:machine:: /t"]);
+});
+
 test("a node that talks to itself", async () => {
   assert.deepEqual(await drawn(data(["/a > /t", "/a < /t"])), ["/a → /a: /t"]);
 });
@@ -132,6 +150,11 @@ test("of two revisions, only what changed is open at first, and its hollow ports
   const of = data(["/a/x > /t", "/a/y < /t", "/b/p > /u", "+/b/p > /v"], { base: "main", nodes: { "/c/gone": { mark: "removed" } } });
   const { open: opened, root } = await scene(of, { expanded: "auto" });
   assert.deepEqual([...opened].sort(), ["g:namespace:/b", "g:namespace:/c"]);
+  assert.deepEqual(root.boxes.map((box) => [box.id, box.classes]), [
+    ["g:namespace:/a", ["folded", "namespace"]],
+    ["g:namespace:/b", ["open", "namespace", "changed"]],
+    ["g:namespace:/c", ["open", "namespace", "removed"]],
+  ]);
   const [, b] = root.boxes;
   assert.deepEqual(b.level.boxes.map((box) => box.loose.map((port) => [port.label, port.classes])), [[["/v", ["topic", "added"]], ["/u", ["topic"]]]]);
 });

@@ -29,7 +29,7 @@ export function data(facts, { nodes = {}, channels = {}, params = [], containers
       const namespace = name.slice(0, name.lastIndexOf("/")) || "/";
       entry.nodes.push({
         ...{ name, program: "demo/node", package: "demo", executable: "node", kind: "node", knowledge: "known", reason: "", host: name, namespace },
-        ...{ isTest: false, place: null, container: -1, open: [], conditions: [], only: [], findings: [], ...nodes[name] },
+        ...{ isTest: false, place: null, container: -1, open: [], conditions: [], only: [], findings: [], related: [], machine: [], ...nodes[name] },
       });
     }
     return at.get(key);
@@ -55,7 +55,7 @@ export function data(facts, { nodes = {}, channels = {}, params = [], containers
     const own = { node: node(name), channel: channel(kind, topic), role, offers, certain, only: only ? only.split(",").map(Number) : [], ...others };
     entry.connections.push(mark ? { ...own, mark } : own);
   }
-  return { format: 1, title: "demo", version: "0", sourceUrl: null, base, files: ["demo.launch"], baseFiles: [], lines: [], findings, entries: [entry], library: [] };
+  return { format: 1, title: "demo", version: "0", sourceUrl: null, base, files: ["demo.launch"], baseFiles: [], lines: [], md5s: [], findings, entries: [entry], library: [] };
 }
 
 export function state(changes = {}) {

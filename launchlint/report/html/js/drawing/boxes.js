@@ -1,6 +1,6 @@
 // What is written on a box, and how large that makes it.
 
-import { counted, cut, lastPart, shortName } from "./names.js";
+import { counted, cut, lastPart, machineName, shortName } from "./names.js";
 import { walk } from "./tree.js";
 
 /** @typedef {import("./types").Group} Group */
@@ -29,12 +29,13 @@ const SEVERITIES = /** @type {const} */ (["error", "warning", "info"]);
  * How many findings there are, and the worst of them.
  * @param {View} view
  * @param {Iterable<number>} findings indexes
+ * @param {boolean} [elsewhere] whether they stand elsewhere
  * @returns {Badge | null}
  */
-export function badgeOf(view, findings) {
+export function badgeOf(view, findings, elsewhere = false) {
   const distinct = new Set(findings);
   for (const severity of SEVERITIES) {
-    for (const each of distinct) if (view.findings[each]?.severity === severity) return { severity, count: distinct.size };
+    for (const each of distinct) if (view.findings[each]?.severity === severity) return { severity, count: distinct.size, elsewhere };
   }
   return null;
 }
@@ -60,6 +61,11 @@ export function nodeBox(view, index, group, measure) {
   if (node.conditions.length) lines.push({ kind: "condition", text: cut(node.conditions.join(" and "), LONGEST.condition) });
   const guest = node.host !== "" && node.host !== node.name;
   if (guest) lines.push({ kind: "host", text: `in ${shortName(node.host, node.namespace, LONGEST.detail)}` });
+  const [machine = "", address = ""] = node.machine;
+  if (machine) {
+    classes.push("machine");
+    lines.push({ kind: "host", text: `on ${cut(machine, LONGEST.detail)}` });
+  }
   const params = view.params.get(index);
   if (params) lines.push({ kind: "count", text: counted(params, "param") });
   if (node.knowledge === "unknown") classes.push("unknown");
@@ -70,8 +76,9 @@ export function nodeBox(view, index, group, measure) {
   if (node.knowledge === "unknown") said.push(`unknown: ${node.reason || "nothing is known of what it connects to"}`);
   if (node.conditions.length) said.push(`only where ${node.conditions.join(" and ")}`);
   if (guest) said.push(`in the process of ${node.host}`);
+  if (machine) said.push(`on the machine ${machineName(machine, address)}`);
   const loose = loosePorts(view, `n:${index}`, view.loose.get(index) ?? [], group);
-  const badge = badgeOf(view, node.findings);
+  const badge = badgeOf(view, node.findings) ?? badgeOf(view, node.related, true);
   return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said.join("\n"), badge, loose, level: null, wires: [] }, measure);
 }
 
@@ -160,7 +167,7 @@ function contents(view, group) {
       if (first < 0) first = index;
       unknown += Number(node.knowledge === "unknown");
       findings.push(...node.findings);
-      marks.add(node.mark ?? "");
+      marks.add(node.mark ?? (view.touched.has(index) ? "changed" : ""));
     }
   }
   const mark = marks.size === 1 ? String([...marks][0]) : marks.size ? "changed" : "";

@@ -68,7 +68,7 @@ export const OPTIONS = {
   "elk.layered.spacing.edgeEdgeBetweenLayers": "10",
   "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
   "elk.layered.crossingMinimization.strategy": "LAYER_SWEEP",
-  "elk.layered.thoroughness": "12",
+  "elk.layered.thoroughness": "7",
   "elk.layered.considerModelOrder.strategy": "NODES_AND_EDGES",
   "elk.layered.considerModelOrder.crossingCounterNodeInfluence": "0.001",
 };

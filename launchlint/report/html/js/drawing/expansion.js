@@ -9,7 +9,8 @@ import { containersOf } from "./tree.js";
 /** Pixels that a box needs with its surroundings, at the smallest scale at which its name can be read. */
 const SPACE = 230 * 120 * 0.65 ** 2;
 const FEWEST = 12;
-const MOST = 90;
+/** Boxes that are drawn at first, on whatever screen. */
+export const MOST = 90;
 
 /**
  * The largest expansion that is expected to be legible: outer containers first, small ones first.

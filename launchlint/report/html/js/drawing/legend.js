@@ -22,7 +22,8 @@ const SIGNS = [
   [hasAny("added"), "added", () => box("node added")],
   [hasAny("removed"), "removed", () => box("node removed")],
   [hasAny("changed"), "changed", () => box("node changed")],
-  [(sheet) => sheet.boxes.some((each) => each.box.badge) || sheet.loose.some((each) => each.port.badge), "findings", () => [group("badge error", element("circle", { cx: 22, cy: 10, r: 8 }), text("!", { x: 22, y: 14 }))]],
+  [(sheet) => sheet.boxes.some((each) => each.box.badge?.elsewhere), "a finding elsewhere is about it, too", () => [group("badge error elsewhere", element("circle", { cx: 22, cy: 10, r: 8 }), text("!", { x: 22, y: 14 }))]],
+  [(sheet) => sheet.boxes.some((each) => each.box.badge && !each.box.badge.elsewhere) || sheet.loose.some((each) => each.port.badge), "findings", () => [group("badge error", element("circle", { cx: 22, cy: 10, r: 8 }), text("!", { x: 22, y: 14 }))]],
 ];
 
 /**

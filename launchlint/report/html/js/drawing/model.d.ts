@@ -58,6 +58,8 @@ export interface View {
   loose: Map<number, Loose[]>;
   /** Params that only one node reads, counted. */
   params: Map<number, number>;
+  /** Nodes with connections that came, went or changed since the revision compared with. */
+  touched: Set<number>;
   /** Ids of groups that stand for what is around the focus. */
   stubs: Set<string>;
 }
@@ -71,6 +73,8 @@ export interface Line {
 export interface Badge {
   severity: Finding["severity"];
   count: number;
+  /** Whether all of them stand elsewhere, and only speak of this, too. */
+  elsewhere: boolean;
 }
 
 /** A node, a folded container, an open one, a pill or a stub. */

@@ -77,3 +77,8 @@ export function cut(text, most) {
 export function counted(count, noun) {
   return `${count} ${noun}${count === 1 ? "" : "s"}`;
 }
+
+/** "c2 (10.0.0.2)". @param {string} name @param {string} address */
+export function machineName(name, address) {
+  return address && address !== name ? `${name} (${address})` : name;
+}

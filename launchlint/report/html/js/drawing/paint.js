@@ -95,7 +95,7 @@ function openElement({ x, y, width, height, box }) {
 
 /** What kind of container it is, where that is not plain from its name. @param {Box} box */
 function tagOf(box) {
-  return ["include", "group", "package"].find((each) => box.classes.includes(each)) ?? "";
+  return ["include", "group", "package", "machine"].find((each) => box.classes.includes(each)) ?? "";
 }
 
 /** @param {Box} box @param {number} x @param {number} y */
@@ -123,8 +123,9 @@ function fold(container, x, y, folded) {
 /** @param {Badge} about @param {number} x @param {number} y */
 function badge(about, x, y) {
   const sign = about.count > 99 ? "99" : about.count > 1 ? String(about.count) : about.severity === "info" ? "i" : "!";
-  const words = about.count > 1 ? `${about.count} findings` : `1 ${about.severity}`;
-  return element("g", { class: `badge ${about.severity}`, transform: `translate(${x} ${y})` }, [title(words), element("circle", { r: 8.5 }), text(sign, { y: 3.8 })]);
+  const found = about.count > 1 ? `${about.count} findings` : `1 ${about.severity}`;
+  const words = about.elsewhere ? `${found} elsewhere, about this, too` : found;
+  return element("g", { class: `badge ${about.severity} ${about.elsewhere ? "elsewhere" : ""}`.trim(), transform: `translate(${x} ${y})` }, [title(words), element("circle", { r: 8.5 }), text(sign, { y: 3.8 })]);
 }
 
 /** @param {Sheet["edges"][number]} placed @returns {SVGGElement} */

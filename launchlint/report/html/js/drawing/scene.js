@@ -1,7 +1,7 @@
 // From a state of the view to a sheet: which containers are open, what is in them, and where it stands.
 
 import { layOut } from "./arrange.js";
-import { boxesIn, opening } from "./expansion.js";
+import { MOST, boxesIn, opening } from "./expansion.js";
 import { levelsOf } from "./levels.js";
 import { sheetOf } from "./sheet.js";
 import { viewOf } from "./view.js";
@@ -47,8 +47,6 @@ export class Director {
     const key = viewKey(state);
     const known = this.seen.key === key ? this.seen.view : null;
     const view = known ? { ...known, state } : viewOf(this.data, state);
-    /** Width by height of the viewport when the view was first drawn: later changes of its size move nothing. */
-    this.aspect = 1;
     if (!known) this.aspect = Math.min(WIDEST, Math.max(1 / WIDEST, extent.width / extent.height));
     this.seen = { key, view };
     return view;
@@ -65,10 +63,12 @@ export class Director {
     const changed = this.data.base === null ? null : changedGroups(view);
     /** @param {Group} group */
     const mayOpen = (group) => Boolean(view.counts.get(group.id)) && !view.stubs.has(group.id) && (!changed?.size || changed.has(group.id));
-    const order = opening(view.root, boxesIn(extent.width, extent.height), mayOpen);
+    // What changed is to be seen, on narrow screens, too.
+    const most = changed?.size ? MOST : boxesIn(extent.width, extent.height);
+    const order = opening(view.root, most, mayOpen);
     if (view.state.focus !== null && !order.includes(view.state.focus)) order.unshift(view.state.focus);
     let scene = await this.stage(view, withFocus(view, order));
-    if (isLegible(scene.sheet, extent)) return scene;
+    if (changed?.size || isLegible(scene.sheet, extent)) return scene;
     // What was guessed is measured: the longest start of the order that can be read is looked for.
     let [fits, tooMany] = [0, order.length];
     scene = await this.stage(view, withFocus(view, []));
@@ -105,8 +105,8 @@ export function viewKey({ entry, configuration, grouping, focus, layers, topicsA
 }
 
 /** Containers in which something came, went or changed, and those around them. @param {View} view @returns {Set<string>} */
-function changedGroups({ entry, groups, home }) {
-  const nodes = new Set(entry.connections.filter((each) => each.mark).map((each) => each.node));
+function changedGroups({ entry, groups, home, touched }) {
+  const nodes = new Set(touched);
   entry.nodes.forEach((node, index) => node.mark && nodes.add(index));
   /** @type {Set<string>} */
   const found = new Set();

@@ -1,6 +1,6 @@
-// The containers around the nodes of an entry: by namespace, by the elements of its launch files, or by package.
+// The containers around the nodes of an entry: by namespace, by the elements of its launch files, by package, or by machine.
 
-import { compareNames, counted, cut, lastPart } from "./names.js";
+import { compareNames, counted, cut, lastPart, machineName } from "./names.js";
 
 /** @typedef {import("../data").Entry} Entry */
 /** @typedef {import("./types").Group} Group */
@@ -30,7 +30,7 @@ export function containersOf(entry, grouping) {
   if (!trees) made.set(entry, (trees = new Map()));
   let root = trees.get(grouping);
   if (!root) {
-    root = grouping === "namespace" ? byNamespace(entry) : grouping === "file" ? byElement(entry) : byPackage(entry);
+    root = MAKERS[grouping](entry);
     finish(root, entry);
     trees.set(grouping, root);
   }
@@ -105,22 +105,35 @@ function byElement(entry) {
   return root;
 }
 
-/** @param {Entry} entry */
-function byPackage(entry) {
-  const root = group("root", "g:package:", "/", "/");
+/**
+ * @param {Entry} entry
+ * @param {"package" | "machine"} kind
+ * @param {(node: Entry["nodes"][number]) => [key: string, label: string]} keyOf
+ */
+function byKey(entry, kind, keyOf) {
+  const root = group("root", `g:${kind}:`, "/", "/");
   /** @type {Map<string, Group>} */
   const known = new Map();
   entry.nodes.forEach((node, index) => {
-    let around = known.get(node.package);
+    const [key, label] = keyOf(node);
+    let around = known.get(key);
     if (!around) {
-      around = group("package", `g:package:${node.package}`, node.package || "no package");
-      known.set(node.package, around);
+      around = group(kind, `g:${kind}:${key}`, label);
+      known.set(key, around);
       root.groups.push(around);
     }
     around.nodes.push(index);
   });
   return root;
 }
+
+/** @type {Record<Grouping, (entry: Entry) => Group>} */
+const MAKERS = {
+  namespace: byNamespace,
+  file: byElement,
+  package: (entry) => byKey(entry, "package", (node) => [node.package, node.package || "no package"]),
+  machine: (entry) => byKey(entry, "machine", ({ machine: [name = "", address = ""] }) => [name, name ? machineName(name, address) : "no machine named"]),
+};
 
 /**
  * Counts, drops what is empty, joins what holds only one other, orders, and puts too many siblings into ranges.
@@ -136,7 +149,7 @@ function finish(own, entry) {
     Object.assign(own, inner, { label: `${own.label}${joint}${inner.label}`, title: inner.title });
   }
   own.nodes.sort((a, b) => compareNames(entry.nodes[a]?.name ?? "", entry.nodes[b]?.name ?? "") || a - b);
-  if (own.kind === "namespace" || own.kind === "root" || own.kind === "package") own.groups.sort((a, b) => compareNames(a.label, b.label));
+  if (own.kind === "namespace" || own.kind === "root" || own.kind === "package" || own.kind === "machine") own.groups.sort((a, b) => compareNames(a.label, b.label));
   if (own.nodes.length > MOST) byFile(own, entry);
   if (own.nodes.length > MOST) {
     const ranges = split(own.nodes).map((nodes) => {

@@ -2,7 +2,7 @@
 
 import type { Mark } from "../data";
 
-export type Grouping = "namespace" | "file" | "package";
+export type Grouping = "namespace" | "file" | "package" | "machine";
 
 /** What can be selected. Ids: node "n:<index>", channel "c:<index>", container "g:<grouping>:<path>", edge "e:…", param "p:<index>". */
 export interface Selection {
@@ -45,10 +45,10 @@ export interface DrawingEvents {
   busy(on: boolean): void;
 }
 
-/** A container of nodes: of namespaces, of the elements of launch files, or of packages; or a range of too many siblings. */
+/** A container of nodes: of namespaces, of the elements of launch files, of packages, or of machines; or a range of too many siblings. */
 export interface Group {
   id: string;
-  kind: "root" | "namespace" | "group" | "include" | "package" | "range";
+  kind: "root" | "namespace" | "group" | "include" | "package" | "machine" | "range";
   /** What is written on it. */
   label: string;
   /** All of its name. */

@@ -63,7 +63,8 @@ export function viewOf(data, state) {
     }
     loose.clear();
   }
-  return { entry, state, findings: data.findings, presence, now, root, groups, shown, counts, home, wires, loose, params, stubs };
+  const touched = new Set(entry.connections.filter((each) => each.mark).map((each) => each.node));
+  return { entry, state, findings: data.findings, presence, now, root, groups, shown, counts, home, wires, loose, params, stubs, touched };
 }
 
 /** @param {ViewState} state @param {Map<string, Group>} groups */

@@ -10,6 +10,8 @@ const FOOT = 34;
 /** Pixels a pointer may move in a click. */
 const STILL = 4;
 const STEP = 60;
+/** Names can be read at this scale. */
+const READABLE = 0.5;
 
 /** @typedef {{ x: number, y: number, scale: number }} Place */
 
@@ -96,11 +98,15 @@ export class Viewport {
   }
 
   /**
-   * Brings an area of the drawing into view, at a scale at which it can be read.
+   * Brings an area of the drawing into view, at a scale at which it can be read; what can be read already stays where it is.
    * @param {{ x: number, y: number, width: number, height: number }} area
    */
   show(area) {
     const { width, height } = this.extent;
+    const { x, y, scale: now } = this.place;
+    const [left, top] = [x + area.x * now, y + area.y * now];
+    const isSeen = left >= 0 && top >= 0 && left + area.width * now <= width && top + area.height * now <= height;
+    if (isSeen && now >= READABLE) return;
     const most = Math.min((width - 2 * MARGIN) / area.width, (height - 2 * MARGIN) / area.height);
     const scale = Math.min(Math.max(this.place.scale, 0.7), Math.max(most, SMALLEST));
     this.touched = true;

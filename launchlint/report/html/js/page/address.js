@@ -13,7 +13,7 @@ import { initialState, LAYERS } from "./state.js";
 
 const FLAGS = /** @type {const} */ (["topicsAsNodes", "hubs", "danglingOnly", "findingsOnly"]);
 const CHANNELS = ["topic", "service", "action"];
-const GROUPINGS = ["namespace", "file", "package"];
+const GROUPINGS = ["namespace", "file", "package", "machine"];
 
 /**
  * "node=/a/b&group=file": what differs from the view that opens first; empty where nothing does.

@@ -29,9 +29,13 @@ export function createModel(data) {
   /** @type {Map<number, EntryModel>} */
   const known = new Map();
   const lines = new Map(data.lines.map((each) => [each.file, new Map(each.lines)]));
+  /** @type {Map<string, string[]>} */
+  const md5s = new Map();
+  for (const [type, md5] of data.md5s) md5s.set(type, [...(md5s.get(type) ?? []), md5]);
   const findings = new Map(data.findings.map((each, index) => [each.id, index]));
   return {
     data,
+    md5s,
     /**
      * The relations of one entry file, worked out when first asked for.
      *

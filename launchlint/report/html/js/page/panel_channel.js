@@ -36,7 +36,7 @@ export function channelPanel(page, model, index) {
     channel.mark && badge(channel.mark, channel.mark),
     channel.types.length > 1 && badge(`${channel.types.length} types`, "error"),
   ];
-  const types = channel.types.map((type) => element("code", {}, type));
+  const types = channel.types.map((type) => element("div", {}, element("code", {}, type), ...md5(page, type)));
   const sides = ROLE_ORDER.flatMap((role) => {
     const those = ends.filter((each) => each.role.replace("_", " ") === role);
     return those.length > 0 ? endBlock(page, nounOf(role), those, channel.types.length > 1) : [];
@@ -50,6 +50,11 @@ export function channelPanel(page, model, index) {
     ...sides,
     offered !== used && aloneBlock(model, channel, missed(offered ? offering : using)),
   ];
+}
+
+/** What libraries say the MD5 of a type is. @param {Page} page @param {string} type */
+function md5({ model }, type) {
+  return (model.md5s.get(type) ?? []).map((each) => element("div", { class: "note" }, "MD5 ", element("code", {}, each)));
 }
 
 /** @param {Page} page @param {string} title @param {Connection[]} those @param {boolean} withType */
@@ -98,6 +103,7 @@ export function paramPanel(page, model, index) {
         : element("p", { class: "note" }, "No node is known to read it."),
     ),
     sourceBlock(page, param.place, "Set at"),
+    ...[...param.overrides].reverse().map(([value, place]) => sourceBlock(page, place, `Overrides ${value || "an empty value"}, set at`)),
     ...others.map((each) => sourceBlock(page, each.place, `In other configurations: ${each.value}`)),
     presenceBlock(page, param.only),
   ];

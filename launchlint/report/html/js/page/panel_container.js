@@ -1,4 +1,4 @@
-/** The panel of a namespace, group, include or package: what is in it, and what goes in and out. */
+/** The panel of a namespace, group, include, package or machine: what is in it, and what goes in and out. */
 
 import { button, element } from "./elements.js";
 import { containerOf, fullName, nodesWithin } from "./containers.js";
@@ -13,7 +13,7 @@ import { number } from "./wording.js";
 /** @typedef {import("../drawing/types").Group} Group */
 
 /** @type {Record<Group["kind"], string>} */
-const KINDS = { root: "Everything", namespace: "Namespace", group: "Group", include: "Include", package: "Package", range: "Neighbours" };
+const KINDS = { root: "Everything", namespace: "Namespace", group: "Group", include: "Include", package: "Package", machine: "Machine", range: "Neighbours" };
 
 /**
  * @param {Page} page

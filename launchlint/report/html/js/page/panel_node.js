@@ -6,6 +6,7 @@ import {
   badge,
   block,
   connectionFacts,
+  findingList,
   findingsBlock,
   focusButton,
   heading,
@@ -49,8 +50,9 @@ export function nodePanel(page, model, index) {
   const connections = (model.ofNode[index] ?? []).filter((each) => isIn(each, configuration));
   return [
     ...heading(kind, node.name, badges, actions),
-    element("p", {}, "runs ", element("code", {}, node.program), host(page, model, node)),
+    element("p", {}, "runs ", element("code", {}, node.program), host(page, model, node), machine(node)),
     findingsBlock(page, node.findings),
+    node.related.length > 0 && block("Findings elsewhere that speak of it", findingList(page, node.related)),
     node.knowledge === "unknown" && unknownBlock(node),
     ...ROLE_ORDER.map((role) => roleBlock(page, model, role, connections)),
     openBlock(node),
@@ -66,6 +68,13 @@ function host(page, model, node) {
   if (node.kind !== "nodelet" || !node.host) return [];
   const [manager] = model.nodesNamed.get(node.host) ?? [];
   return [" inside ", manager === undefined ? element("code", {}, node.host) : nodeReference(page, manager)];
+}
+
+/** @param {GraphNode} node @returns {Child[]} */
+function machine({ machine: [name, address] }) {
+  if (name === undefined) return [];
+  const where = address ? ` (${address})` : ", which no launch file here declares";
+  return [" on the machine ", element("code", {}, name), where];
 }
 
 /** @param {Page} page @param {EntryModel} model @param {string} role @param {Connection[]} connections */
@@ -122,6 +131,8 @@ function paramsBlock(page, model, index, configuration) {
       element("div", { class: "name" }, reference(page, { kind: "param", id: `p:${at}` }, param.name)),
       element("code", { class: "value" }, param.value),
       element("div", { class: "note" }, param.place && written(page.model, param.place), read && ` · ${read}`),
+      param.overrides.length > 0 &&
+        element("div", { class: "note" }, "overrides ", element("code", {}, param.overrides.map(([value]) => value).join(", "))),
     );
   });
   return block(number(items.length, "param"), list(items, "params"));

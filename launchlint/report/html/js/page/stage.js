@@ -10,8 +10,6 @@ import { number } from "./wording.js";
 /** @typedef {import("./model.js").EntryModel} EntryModel */
 /** @typedef {import("../drawing/types").Selection} Selection */
 
-/** Height on the screen, in pixels, from which the name on a box can be read. */
-const LEGIBLE = 18;
 
 /** What of the state the drawing depends on. */
 const DRAWN = /** @type {const} */ ([
@@ -81,18 +79,7 @@ export function createStage(page, { cameFromDrawing, holdFocus }) {
       store.set({ expanded }, "replace");
       await finished();
     }
-    if (drawing.isDrawn(target) && !isSeen(target)) drawing.panTo(target);
-  }
-
-  /** Whether all of it is on the screen, large enough to be read. @param {Selection} target */
-  function isSeen({ id }) {
-    const found = drawing
-      .focusables()
-      .find((each) => each.selection.id === id)
-      ?.element.getBoundingClientRect();
-    const frame = host.getBoundingClientRect();
-    if (!found || found.height < LEGIBLE) return false;
-    return found.left >= frame.left && found.right <= frame.right && found.top >= frame.top && found.bottom <= frame.bottom;
+    if (drawing.isDrawn(target)) drawing.panTo(target);
   }
 
   /** Resolves once nothing is being drawn. */

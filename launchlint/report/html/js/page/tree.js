@@ -18,6 +18,7 @@ const GROUPINGS = [
   ["namespace", "Namespace"],
   ["file", "Launch file"],
   ["package", "Package"],
+  ["machine", "Machine"],
 ];
 /** Systems up to this many nodes start with the whole tree open. */
 const OPEN_AT_ONCE = 60;
@@ -162,7 +163,7 @@ export function createTree(page) {
   page.store.listen((state, before) => {
     const anew = state === before || state.entry !== before.entry || state.grouping !== before.grouping;
     if (anew) {
-      grouping.show(state.grouping);
+      grouping.show(state.grouping, entryNow().nodes.some((each) => each.machine.length > 0));
       rebuild(state);
     }
     if (state.hidden !== before.hidden) for (const item of items.values()) markHidden(item, state);
@@ -186,9 +187,13 @@ function groupingChooser(page) {
   const host = element("div", { class: "segments", role: "group", "aria-label": "Group nodes by" }, ...buttons.map(([, each]) => each));
   return {
     host,
-    /** @param {Grouping} now */
-    show(now) {
-      for (const [grouping, each] of buttons) each.setAttribute("aria-pressed", String(grouping === now));
+    /** @param {Grouping} now @param {boolean} machines whether any node is on one */
+    show(now, machines) {
+      host.classList.toggle("two-rows", machines || now === "machine");
+      for (const [grouping, each] of buttons) {
+        each.setAttribute("aria-pressed", String(grouping === now));
+        each.hidden = grouping === "machine" && now !== "machine" && !machines;
+      }
     },
   };
 }

@@ -1,0 +1,47 @@
+"""What the launch files say beside the connection graph: on which machine a node runs, and which settings of a param others override."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from launchlint.graph.connections import ConnectionGraph
+from launchlint.graph.topology import place_text, value_text
+
+Key = tuple[str, str]
+"""The name of a node or param, and its place as a topology spells it."""
+
+
+class Details(NamedTuple):
+    """Details of one launch file in all its configurations.
+
+    Args:
+        machines: node → the name of its ``<machine>``, and the address of that; the address is empty where no launch file declares it.
+        overridden: param, with the place of the setting that holds → value and place of each earlier setting, in order.
+    """
+
+    machines: Mapping[Key, tuple[str, str]]
+    overridden: Mapping[Key, tuple[tuple[str, str], ...]]
+
+
+NO_DETAILS = Details({}, {})
+
+
+def details(graphs: Iterable[ConnectionGraph]) -> Details:
+    """The details of all graphs of one launch file."""
+    machines: dict[Key, tuple[str, str]] = {}
+    overridden: dict[Key, dict[tuple[str, str], None]] = {}
+    for graph in graphs:
+        launch = graph.launch
+        for instance in graph.instances:
+            node = instance.node
+            if node.machine:
+                declared = launch.machines.get(node.machine)
+                at = place_text(node.attributes.get("name", node.origin.place))
+                machines[instance.name, at] = (node.machine, "" if declared is None else declared.address)
+        for setting in launch.parameter_settings:
+            final = launch.parameters.get(setting.name)
+            if final is not None and setting is not final:
+                earlier = (value_text(setting.value), place_text(setting.origin.place))
+                overridden.setdefault((final.name, place_text(final.origin.place)), {})[earlier] = None
+    return Details(machines, {key: tuple(settings) for key, settings in overridden.items()})
