@@ -53,7 +53,7 @@ def run(command: str) -> str:
     result = subprocess.run(
         [sys.executable, "-c", program, *arguments],
         cwd=README.parent,
-        env={**environment, "NO_COLOR": "1"},
+        env={**environment, "NO_COLOR": "1", "COLUMNS": "120"},
         capture_output=True,
         text=True,
         timeout=120,
@@ -80,7 +80,7 @@ def test_readme_needs_two_commands_to_set_up_one_to_run_and_one_to_test() -> Non
         "python3 -m venv .venv",
         ".venv/bin/pip install -e '.[test]'",
         f"{TOOL} check examples/turtles/turtle_parade/launch/parade_broken.launch",
-        ".venv/bin/python -m pytest",
+        ".venv/bin/python -m pytest -n auto",
     ]
 
 

@@ -44,4 +44,4 @@ def _row(finding: Finding, run: Run) -> str:
     what = markdown(finding.message)
     if finding.help:
         what += f"<br>{markdown(finding.help)}"
-    return f"| {_ICONS[finding.severity]} | {finding.rule} {finding.name} | {markdown(f'{at.path}:{at.line}')} | {what} |"
+    return f"| {_ICONS[finding.severity]} | {markdown(finding.rule)} {markdown(finding.name)} | {markdown(f'{at.path}:{at.line}')} | {what} |"

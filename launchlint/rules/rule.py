@@ -22,12 +22,20 @@ if TYPE_CHECKING:
     from typing import Literal
 
 _LONGEST_WORDS = 1_000
+_LONGEST_EDITS = 20_000
 _ELEMENT_LOOKED_AT = 4_000
 
 
 def shortened(text: str) -> str:
     """``text``, without its middle where it is far too long to read: names and values of a hostile file may have megabytes."""
     return text if len(text) <= _LONGEST_WORDS else f"{text[: _LONGEST_WORDS - 300]} … {text[-200:]}"
+
+
+def _bounded(fix: Fix | None) -> Fix | None:
+    """``fix`` with words that can be read; none where it would write more than anybody would look at."""
+    if fix is None or sum(len(edit.text) for edit in fix.edits) > _LONGEST_EDITS:
+        return None
+    return fix._replace(message=shortened(fix.message), changes=shortened(fix.changes))
 
 
 class Fine(NamedTuple):
@@ -105,7 +113,7 @@ class Rule(NamedTuple):
             notes=tuple(shortened(note) for note in notes),
             help=shortened(help),
             element=element,
-            fix=fix,
+            fix=_bounded(fix),
             topic=topic,
         )
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import cached_property
+from types import MappingProxyType
 from typing import NamedTuple
 
 from launchlint.finding import Location
@@ -27,16 +29,24 @@ class FileView(NamedTuple):
     style: Style = Style()
 
 
-class LaunchView(NamedTuple):
+class LaunchView:
     """The launch view: what one entry file starts in one configuration.
 
     ``declared_entry``: the configuration file says how it is started. ``documents`` are the launch files it reached, by path.
     """
 
-    launch: Launch
-    packages: Packages
-    declared_entry: bool
-    documents: Mapping[str, Document] = {}
+    def __init__(
+        self, launch: Launch, packages: Packages, declared_entry: bool, documents: Mapping[str, Document] = MappingProxyType({})
+    ) -> None:
+        self.launch = launch
+        self.packages = packages
+        self.declared_entry = declared_entry
+        self.documents = documents
+
+    @cached_property
+    def node_names(self) -> frozenset[str]:
+        """The names of all nodes and tests, without their namespaces."""
+        return frozenset(node.name for node in (*self.launch.nodes, *self.launch.tests))
 
 
 class GraphView(NamedTuple):

@@ -30,6 +30,7 @@ NAMES = {
     "github": "plain.github.txt",
     "gitlab": "plain.gitlab.json",
     "junit": "plain.junit.xml",
+    "markdown": "plain.md",
 }
 HARMFUL = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2066-\u2069\ufeff\ud800-\udfff]")
 """What must never reach a terminal, a log or a strict reader; line feeds are looked at line by line."""
@@ -171,7 +172,7 @@ def test_parse(spec: str, expected: formats.Output) -> None:
     ("spec", "message"),
     [
         ("sariff:x", "there is no format 'sariff': did you mean sarif?"),
-        ("", "there is no format '': the formats are text, concise, json, jsonl, sarif, github, gitlab, junit"),
+        ("", "there is no format '': the formats are text, concise, json, jsonl, sarif, github, gitlab, junit, markdown"),
         ("json:", "--format json:: the name of a file belongs after the colon"),
     ],
 )

@@ -74,7 +74,8 @@ class _EntryData:
 
     def containers(self) -> list[dict[str, Any]]:
         found = []
-        for item, mark, base in self._order:
+        for marked in self._order:
+            item, mark, base = marked.item, marked.mark, marked.base
             label = self._plain.path(item.label) if item.kind == "include" else self._plain.name(item.label)
             found.append(
                 {
@@ -91,7 +92,8 @@ class _EntryData:
     def nodes(self, learn: Mapping[str, str]) -> list[dict[str, Any]]:
         name, text = self._plain.name, self._plain.text
         found = []
-        for item, mark, base in self._state.nodes:
+        for marked in self._state.nodes:
+            item, mark, base = marked.item, marked.mark, marked.base
             found.append(
                 {
                     "name": name(item.name),
@@ -121,7 +123,8 @@ class _EntryData:
     def channels(self) -> list[dict[str, Any]]:
         of_actions = self._of_actions()
         found = []
-        for item, mark, _ in self._state.channels:
+        for marked in self._state.channels:
+            item, mark = marked.item, marked.mark
             key = (item.kind, item.name)
             found.append(
                 {
@@ -139,7 +142,8 @@ class _EntryData:
     def connections(self) -> list[dict[str, Any]]:
         channels = {(each.item.kind, each.item.name): number for number, each in enumerate(self._state.channels)}
         found = []
-        for item, mark, base in self._state.connections:
+        for marked in self._state.connections:
+            item, mark, base = marked.item, marked.mark, marked.base
             channel = channels[item.kind, item.name]
             for node, only in self._nodes_of(item, base=base):
                 found.append({"node": node, "channel": channel, **self._connection(item, base=base), "only": only, **_mark(mark)})
@@ -163,7 +167,8 @@ class _EntryData:
 
     def params(self) -> list[dict[str, Any]]:
         found = []
-        for item, mark, base in self._state.params:
+        for marked in self._state.params:
+            item, mark, base = marked.item, marked.mark, marked.base
             readers = [number for reader in item.readers for number, node in self._by_name.get(reader, ()) if base or not node.base]
             found.append(
                 {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Generic, NamedTuple, TypeVar
 
 from launchlint.graph.difference import difference
@@ -13,7 +14,8 @@ Item = TypeVar("Item")
 ADDED, REMOVED, CHANGED = "added", "removed", "changed"
 
 
-class Marked(NamedTuple, Generic[Item]):
+@dataclass(frozen=True)
+class Marked(Generic[Item]):
     """Something of a launch file with its mark (empty: as it was). ``base``: its places are those of the revision compared with."""
 
     item: Item

@@ -93,7 +93,7 @@ def _fix(second: Node, view: LaunchView) -> Fix | None:
     place = second.attributes.get("name")
     if place is None or not is_literal(place, second.name):
         return None
-    taken = {node.name for node in (*view.launch.nodes, *view.launch.tests)}
+    taken = view.node_names
     name = next(each for number in range(2, len(taken) + 3) if (each := f"{second.name}_{number}") not in taken)
     return fix(f"call the second {name}", set_value(spot(view, place), name), safe=False, changes=f"{LOADS}, and the second node is {name}")
 
