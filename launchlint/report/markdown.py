@@ -41,7 +41,8 @@ def render(findings: Sequence[Finding], run: Run) -> str:
 
 def _row(finding: Finding, run: Run) -> str:
     at = finding.location
+    rule = f"{markdown(finding.rule)} {markdown(finding.name)}"
     what = markdown(finding.message)
     if finding.help:
         what += f"<br>{markdown(finding.help)}"
-    return f"| {_ICONS[finding.severity]} | {markdown(finding.rule)} {markdown(finding.name)} | {markdown(f'{at.path}:{at.line}')} | {what} |"
+    return f"| {_ICONS[finding.severity]} | {rule} | {markdown(f'{at.path}:{at.line}')} | {what} |"
