@@ -11,7 +11,7 @@ import os
 import secrets
 import subprocess
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.errors import UsageError
@@ -55,7 +55,7 @@ def main() -> int:
     return 0
 
 
-def read_inputs(variables: os._Environ[str] | dict[str, str]) -> Inputs:
+def read_inputs(variables: Mapping[str, str]) -> Inputs:
     """The inputs as ``action.yml`` hands them over (``LAUNCHLINT_PATHS`` and so on). Raises UsageError, naming the input."""
     workspace = os.path.realpath(variables.get("GITHUB_WORKSPACE") or os.curdir)
     directory = os.path.realpath(os.path.join(workspace, _line(variables, "working-directory")))
@@ -89,22 +89,22 @@ def read_inputs(variables: os._Environ[str] | dict[str, str]) -> Inputs:
     )
 
 
-def _value(variables: os._Environ[str] | dict[str, str], name: str) -> str:
+def _value(variables: Mapping[str, str], name: str) -> str:
     return variables.get("LAUNCHLINT_" + name.upper().replace("-", "_"), "")
 
 
-def _line(variables: os._Environ[str] | dict[str, str], name: str) -> str:
+def _line(variables: Mapping[str, str], name: str) -> str:
     text = _value(variables, name).strip()
     if "\n" in text or "\r" in text or "\0" in text:
         raise UsageError(f"{name}: this is one value, on one line")
     return text
 
 
-def _lines(variables: os._Environ[str] | dict[str, str], name: str) -> list[str]:
+def _lines(variables: Mapping[str, str], name: str) -> list[str]:
     return [line.strip() for line in _value(variables, name).splitlines() if line.strip()]
 
 
-def _flag(variables: os._Environ[str] | dict[str, str], name: str) -> bool:
+def _flag(variables: Mapping[str, str], name: str) -> bool:
     word = _line(variables, name).lower()
     if word not in (*TRUE, *FALSE):
         raise UsageError(f"{name}: it is true or false, not {word}")
@@ -122,7 +122,7 @@ def _repository(directory: str, workspace: str) -> str:
         at = os.path.dirname(at)
 
 
-def _base(variables: os._Environ[str] | dict[str, str], root: str) -> str:
+def _base(variables: Mapping[str, str], root: str) -> str:
     """The revision to compare with: the one that is given, else the base of the pull request where the clone has it."""
     given = _line(variables, "base")
     if given:

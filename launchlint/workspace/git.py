@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from typing import IO
 
 LONGEST_ERROR = 500
+FILE_MODES = ("100644", "100755", "100664")
+"""How git lists regular files."""
 _NOT_OURS = frozenset(
     {"GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_OBJECT_DIRECTORY", "GIT_COMMON_DIR", "GIT_NAMESPACE", "GIT_PREFIX"}
 )

@@ -12,12 +12,12 @@ from typing import NamedTuple
 
 from launchlint.errors import UsageError
 from launchlint.workspace.discovery import is_launch_content, may_be_launch_file
-from launchlint.workspace.git import contents, git, reason
+from launchlint.workspace.git import FILE_MODES, contents, git, reason
 from launchlint.workspace.patterns import matches_any
 
-_FILES = ("100644", "100755", "100664")
 _LARGEST_FILE = 64 << 20
-_OURS, _THEIRS = 2, 3
+_STAGES = ("0", "2", "3")
+"""Of an index: merged; of a file in conflict, our side and theirs."""
 
 
 class Staged(NamedTuple):
@@ -50,11 +50,13 @@ def staged(repository: str, paths: Sequence[str], exclude: Sequence[str] = (), b
     here = os.path.realpath(os.curdir)
     candidates: list[tuple[str, str, bytes | None]] = []
     for name, object_ in _entries(listed.stdout):
+        if not may_be_launch_file(name):
+            continue
         path = os.path.join(root, name)
+        if not any(path == each or path.startswith(each.rstrip("/") + "/") for each in wanted):
+            continue
         shown = os.path.relpath(path, here)
         hidden = any(part.startswith(".") for part in name.split("/")[:-1])
-        if not may_be_launch_file(name) or not any(path == each or path.startswith(each.rstrip("/") + "/") for each in wanted):
-            continue
         if path not in wanted and (hidden or (exclude and matches_any(exclude, os.path.relpath(os.path.abspath(shown), directory)))):
             continue
         candidates.append((shown, object_, _working_copy(path, object_)))
@@ -87,7 +89,7 @@ def _entries(listing: bytes) -> Iterator[tuple[str, str]]:
     for line in listing.split(b"\0"):
         facts, _, path = line.partition(b"\t")
         words = facts.decode("ascii", "replace").split()
-        if len(words) != 3 or words[0] not in _FILES or words[2] not in ("0", str(_OURS), str(_THEIRS)):
+        if len(words) != 3 or words[0] not in FILE_MODES or words[2] not in _STAGES:
             continue
         name = os.fsdecode(path)
         if name != seen:

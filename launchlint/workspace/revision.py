@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.errors import UsageError
-from launchlint.workspace.git import contents, git, reason
+from launchlint.workspace.git import FILE_MODES, contents, git, reason
 
 LARGEST_FILE = 4 << 20
 """Bytes; a larger file is made empty: nothing that launchlint reads is so large."""
@@ -21,7 +21,7 @@ MOST_BYTES = 1 << 30
 MOST_NESTED = 8
 """Submodules in submodules that are followed."""
 
-_LINK, _MODULE, _FILES = "120000", "160000", ("100644", "100755", "100664")
+_LINK, _MODULE = "120000", "160000"
 _NEVER_READ = (
     ".3ds .7z .a .avi .bag .bin .blend .bmp .bz2 .dae .dds .db .db3 .dwg .exr .fbx .gif .glb .gltf .gz .h5 .hdf5 .hdr .ico .iv .jar .jpeg"
     " .jpg .kml .mp3 .mp4 .mtl .npy .npz .o .obj .ogg .onnx .ovf .pb .pbm .pcd .pdf .pgm .ply .png .ppm .pt .pth .so .step .stl .stp .svg"
@@ -137,7 +137,7 @@ def _entries(listing: bytes) -> Iterator[_Entry]:
     for line in listing.split(b"\0"):
         facts, _, path = line.partition(b"\t")
         words = facts.decode("ascii", "replace").split()
-        if len(words) != 4 or words[0] not in (_LINK, _MODULE, *_FILES):
+        if len(words) != 4 or words[0] not in (_LINK, _MODULE, *FILE_MODES):
             continue
         entry = _Entry(words[0], words[2], int(words[3]) if words[3].isdecimal() else 0, os.fsdecode(path))
         if entry.mode == _LINK:
