@@ -189,3 +189,16 @@ def _escaped(value: str, quote: str) -> str:
     """``value`` as it is written between two of ``quote``."""
     other = "'" if quote == '"' else '"'
     return re.sub(r"[&<\"'\n\r\t]", lambda match: match[0] if match[0] == other else _REFERENCES[match[0]], value)
+
+
+def passed_under(view: LaunchView, place: Place, name: str, near: str | None, before: str = "") -> Fix | None:
+    """The arg ``name`` that an include passes at ``place`` goes by the name ``near``, where nothing else is passed under that one.
+
+    ``before`` is what changes besides the value of ``near``.
+    """
+    at = spot(view, place)
+    if near is None or at is None or at.element.parent is None or not is_literal(place, name):
+        return None
+    if any(each.get("name") == near for each in at.element.parent.children):
+        return None
+    return fix(f"pass {near}", set_value(at, near), safe=False, changes=f"{before}the value is that of {near}")

@@ -55,9 +55,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Fix, Severity
+from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
-from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
+from launchlint.rules.edits import LOADS, passed_under
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place, Span
@@ -84,17 +84,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         help="declare it at the top level of the included file, without a condition"
         if conditional is not None
         else did_you_mean(name, known) or "remove it here, or declare it there",
-        fix=None if conditional is not None else _fix(problem, view, name, closest(name, known)),
+        fix=None if conditional is not None else passed_under(view, problem.place, name, closest(name, known), f"{LOADS}, and "),
     )
-
-
-def _fix(problem: Problem, view: LaunchView, name: str, near: str | None) -> Fix | None:
-    at = spot(view, problem.place)
-    if near is None or at is None or at.element.parent is None or not is_literal(problem.place, name):
-        return None
-    if any(each.get("name") == near for each in at.element.parent.children):
-        return None
-    return fix(f"pass {near}", set_value(at, near), safe=False, changes=f"{LOADS}, and the value is that of {near}")
 
 
 def _declared_elsewhere(name: str, file: str, view: LaunchView) -> Place | None:

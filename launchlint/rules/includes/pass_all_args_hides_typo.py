@@ -55,10 +55,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from launchlint.finding import Finding, Fix, Severity
+from launchlint.finding import Finding, Severity
 from launchlint.model import Include
 from launchlint.problem import Problem
-from launchlint.rules.edits import fix, is_literal, set_value, spot
+from launchlint.rules.edits import passed_under
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
@@ -85,17 +85,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         label="passed for nothing",
         notes=("pass_all_args turns off roslaunch's check of the args that are passed",),
         help=did_you_mean(name, known) or "remove it, or declare it there",
-        fix=_fix(problem, view, name, closest(name, known)),
+        fix=passed_under(view, problem.place, name, closest(name, known)),
     )
-
-
-def _fix(problem: Problem, view: LaunchView, name: str, near: str | None) -> Fix | None:
-    at = spot(view, problem.place)
-    if near is None or at is None or at.element.parent is None or not is_literal(problem.place, name):
-        return None
-    if any(each.get("name") == near for each in at.element.parent.children):
-        return None
-    return fix(f"pass {near}", set_value(at, near), safe=False, changes=f"the value is that of {near}")
 
 
 def _include_around(origin: Origin, view: LaunchView) -> Include | None:
