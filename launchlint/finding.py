@@ -93,7 +93,8 @@ class Finding(NamedTuple):
     caret points at. ``chain``: the include elements that lead from the entry file to the place, outermost first. ``notes``: further
     lines, such as what roslaunch says. ``help``: what to do. ``entry`` and ``arguments``: the launch file and the ``name:=value`` pairs
     that show it. ``entries``: from how many entry files it is reached. ``element``: the normalised element text that the fingerprint is
-    made from. ``topic`` tells apart several findings of one rule at one place (a missing arg's name, say); it is never shown.
+    made from. ``topic`` tells apart several findings of one rule at one place (a missing arg's name, say); it is never shown. ``cause``:
+    findings of one rule that have the same cause (what is to be mended once for all of them, written as the rule likes) are told as one.
     """
 
     rule: str
@@ -112,6 +113,7 @@ class Finding(NamedTuple):
     element: str = ""
     fix: Fix | None = None
     topic: str = ""
+    cause: str = ""
 
     @property
     def key(self) -> Key:

@@ -110,11 +110,13 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
 
 def _finding_to_json(finding: Finding) -> list[Any]:
     fix = None if finding.fix is None else list(finding.fix)
-    return [*finding[:2], int(finding.severity), *finding[3:14], fix, finding.topic]
+    return [*finding[:2], int(finding.severity), *finding[3:14], fix, finding.topic, finding.cause]
 
 
 def _finding_from_json(value: Any) -> Finding:
-    rule, name, severity, location, message, label, related, chain, notes, help_, entry, arguments, entries, element, fix, topic = value
+    rule, name, severity, location, message, label, related, chain, notes, help_, entry, arguments, entries, element, fix, topic, cause = (
+        value
+    )
     return Finding(
         rule,
         name,
@@ -132,4 +134,5 @@ def _finding_from_json(value: Any) -> Finding:
         element,
         None if fix is None else Fix(fix[0], fix[1], tuple(Edit(*edit) for edit in fix[2]), fix[3]),
         topic,
+        cause,
     )

@@ -57,6 +57,7 @@ def command(directory: str, pre_commit: bool, github: bool, force: bool) -> int:
 
 def look(directory: str) -> Found:
     """What is in the repository at ``directory``; a configuration that is there counts."""
+    from launchlint.check.causes import told_once
     from launchlint.check.dialects import without_ros2
     from launchlint.check.entry import EntryChecker
     from launchlint.check.merge import merge
@@ -72,6 +73,7 @@ def look(directory: str) -> Found:
     kept, ros2 = without_ros2(requests, (), checker.session)
     results = check_entries(kept, checker)
     outcome = merge(results, options, checker.packages, per_file_ignores(entry.configuration, options.root), asked=entry.paths)
+    findings = told_once(outcome.findings)
     included = {path for result in results for path in result.summary.included}
     packages = sorted({package.name for place in checker.packages.places[: len(options.workspaces)] for package in place.everything})
     here = {name: os.path.exists(os.path.join(directory, name)) for name in (".github", ".gitlab-ci.yml", HOOKS)}
@@ -81,8 +83,8 @@ def look(directory: str) -> Found:
         shown,
         ros2,
         [os.path.relpath(path, directory) for path in dict.fromkeys(shown) if path not in included],
-        sum(finding.severity is Severity.ERROR for finding in outcome.findings),
-        sum(finding.severity is Severity.WARNING for finding in outcome.findings),
+        sum(finding.severity is Severity.ERROR for finding in findings),
+        sum(finding.severity is Severity.WARNING for finding in findings),
         here[".github"],
         here[".gitlab-ci.yml"],
         here[HOOKS],

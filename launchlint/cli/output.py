@@ -7,6 +7,7 @@ import sys
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from launchlint.check.causes import told_once
 from launchlint.check.entry import EntryResult
 from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.merge import Outcome, merge
@@ -56,7 +57,11 @@ def check_outputs(formats: Sequence[str], baseline: str | None) -> None:
 
 
 def report(outcome: Outcome, request: Request, notices: tuple[str, ...] = (), stream: TextIO | None = None) -> int:
-    """Give the outcome in every format asked for, files before ``stream`` (default: standard output). Returns the exit status."""
+    """Give the outcome in every format asked for, files before ``stream`` (default: standard output). Returns the exit status.
+
+    What has one cause is told once.
+    """
+    outcome = outcome._replace(findings=told_once(outcome.findings))
     run = Run(
         version=request.version,
         rules=rule_metadata,
@@ -99,7 +104,7 @@ def entry_lines(results: Sequence[EntryResult], options: Options, packages: Pack
     lines: list[str] = []
     for result in results:
         outcome = merge([result], options, packages, per_file, workspace=False, alone=True)
-        lines.append(entry_line(result.request.file, result.request.at, result.verdict, outcome.findings))
+        lines.append(entry_line(result.request.file, result.request.at, result.verdict, told_once(outcome.findings)))
         status = max(status, exit_status(outcome, request))
     text = "".join(lines)
     for file in [parse(format_).file if ":" in format_ else None for format_ in request.formats]:

@@ -9,6 +9,7 @@ from contextlib import nullcontext
 from typing import NamedTuple
 
 from launchlint import __version__
+from launchlint.check.causes import told_once
 from launchlint.check.file import INTERNAL_ERROR
 from launchlint.check.graphs import Revision, revision
 from launchlint.check.merge import Outcome, merge, without_parts
@@ -69,6 +70,7 @@ def run_report(entry: EntryOptions, given: ReportOptions) -> int:
             surveyed, befores = beside_base(surveyed, surveyor, old, given.base)
         results = [each.result for each in surveyed]
         outcome = merge(results, options, surveyor.packages, per_file, asked=entry.paths)
+        outcome = outcome._replace(findings=told_once(outcome.findings))
         kept = {id(result) for result in without_parts(results)}
         pairs = [(each, before) for each, before in zip(surveyed, befores, strict=True) if id(each.result) in kept]
         entries = _entries(outcome, pairs)

@@ -17,6 +17,7 @@ _COLORS = {Severity.ERROR: "\x1b[1;31m", Severity.WARNING: "\x1b[1;33m", Severit
 
 _NUMBER = 5
 _LONGEST_CHAIN = 8
+_MOST_RELATED = 5
 
 
 def render(findings: Sequence[Finding], run: Run) -> str:
@@ -57,14 +58,18 @@ def _block(finding: Finding, run: Run) -> Iterator[str]:
     paint = _Paint(run.color)
     yield _headline(finding, paint)
     color = _COLORS[finding.severity]
-    digits = max(_NUMBER, *(len(str(location.line)) for location in (finding.location, *(related.location for related in finding.related))))
+    shown = finding.related[:_MOST_RELATED]
+    digits = max(_NUMBER, *(len(str(location.line)) for location in (finding.location, *(related.location for related in shown))))
     yield from _excerpt(finding.location, finding.label, run, color, digits)
     path = finding.location.path
-    for related in finding.related:
+    for related in shown:
         if related.location.path != path:
             path = related.location.path
             yield paint(_FAINT, f"{' ' * (digits - 1)}--> {visible(path)}:{related.location.line}:{related.location.column}")
         yield from _excerpt(related.location, related.label, run, "\x1b[1;36m", digits)
+    if len(finding.related) > len(shown):
+        more = _plural(len(finding.related) - len(shown), "more place")
+        yield f"{' ' * (digits - 2)}{paint(_FAINT, '=')} and {more}"
     for line in _remarks(finding):
         yield f"{' ' * (digits - 2)}{paint(_FAINT, '=')} {line}"
 

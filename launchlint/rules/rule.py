@@ -73,15 +73,16 @@ class Rule(NamedTuple):
         help: str = "",
         fix: Fix | None = None,
         topic: str = "",
+        cause: str = "",
     ) -> Finding:
         """Make the finding of this rule at ``where``. ``message`` and ``help`` are single lines without a full stop.
 
-        ``topic`` tells apart several findings of this rule at one place.
+        ``topic`` tells apart several findings of this rule at one place. Findings of this rule with the same ``cause`` are told as one.
         """
         origin = where if isinstance(where, Origin) else Origin(where)
         source, span = origin.place
         finding = self.at_location(
-            Location.of(origin.place), message, severity=severity, label=label, notes=notes, help=help, fix=fix, topic=topic
+            Location.of(origin.place), message, severity=severity, label=label, notes=notes, help=help, fix=fix, topic=topic, cause=cause
         )
         return finding._replace(
             related=tuple(Related(Location.of(place), shortened(text)) for place, text in related),
@@ -100,6 +101,7 @@ class Rule(NamedTuple):
         help: str = "",
         fix: Fix | None = None,
         topic: str = "",
+        cause: str = "",
         element: str = "",
     ) -> Finding:
         """As :meth:`at`, where the place is no longer at hand; ``element`` is what the fingerprint is made from."""
@@ -115,6 +117,7 @@ class Rule(NamedTuple):
             element=element,
             fix=_bounded(fix),
             topic=topic,
+            cause=cause,
         )
 
     def fine(self, where: Origin | Place) -> Fine:

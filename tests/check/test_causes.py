@@ -1,0 +1,46 @@
+"""One cause, one finding."""
+
+from __future__ import annotations
+
+from launchlint.check.causes import told_once
+from launchlint.finding import Edit, Finding, Fix, Location, Related, Severity
+
+
+def _finding(line: int, *, cause: str = "", severity: Severity = Severity.WARNING, fix: Fix | None = None, rule: str = "LL701") -> Finding:
+    location = Location("a.launch", line, 1, line, 5, line * 10, line * 10 + 4, "text")
+    return Finding(rule, "name", severity, location, f"message {line}", label=f"label {line}", fix=fix, cause=cause)
+
+
+def test_findings_without_a_cause_stay_single() -> None:
+    findings = (_finding(1), _finding(2), _finding(3, cause="x"), _finding(4, cause="y"), _finding(5, cause="x", rule="LL702"))
+    assert told_once(findings) == findings
+
+
+def test_the_worst_then_the_first_speaks_for_all() -> None:
+    told = told_once([_finding(3, cause="x"), _finding(2, cause="x", severity=Severity.ERROR), _finding(1, cause="x"), _finding(9)])
+    assert [(each.location.line, each.severity, each.message) for each in told] == [
+        (2, Severity.ERROR, "message 2 (and at 2 more places)"),
+        (9, Severity.WARNING, "message 9"),
+    ]
+    assert [(each.location.line, each.label) for each in told[0].related] == [(1, "label 1"), (3, "label 3")]
+
+
+def test_a_place_that_is_named_already_is_not_named_again() -> None:
+    second = _finding(2, cause="x")
+    first = _finding(1, cause="x")._replace(related=(Related(second.location, "label 2"),))
+    assert told_once([first, second])[0].related == (Related(second.location, "label 2"),)
+
+
+def _insert(line: int, *, start: int, end: int, safe: bool = True) -> Finding:
+    return _finding(line, cause="x", fix=Fix(f"mend {line}", safe, (Edit("a.launch", start, end, "new"),), ""))
+
+
+def test_fixes_are_joined_where_they_do_not_meet() -> None:
+    (told,) = told_once([_insert(1, start=10, end=12), _insert(2, start=12, end=14, safe=False)])
+    assert told.fix == Fix("mend 1, and the others alike", False, (Edit("a.launch", 10, 12, "new"), Edit("a.launch", 12, 14, "new")), "")
+
+
+def test_there_is_no_joined_fix_where_one_lacks_it_or_two_meet() -> None:
+    assert told_once([_insert(1, start=10, end=12), _finding(2, cause="x")])[0].fix is None
+    assert told_once([_insert(1, start=10, end=13), _insert(2, start=12, end=14)])[0].fix is None
+    assert told_once([_insert(1, start=10, end=10), _insert(2, start=10, end=10)._replace(message="m")])[0].fix is not None
