@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from launchlint.finding import Severity
 from launchlint.spelling import closest, one_slip
-from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.packages import Hidden, Package, Packages
 from launchlint.workspace.public_packages import public_names
 
 SHORTEST_SLIP = 6
@@ -72,6 +72,9 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
             why = f"{name} is a metapackage: it only lists others, and rospack finds nothing under its name"
             return Judgement(Severity.ERROR, why, "name the package of it that holds the file or node")
     public = public_names()
+    hidden = packages.hidden(name)
+    if hidden is not None and (packages.complete or name not in public):
+        return _say_hidden(hidden, packages, home)
     declared = _declared_by(packages, local) | _declared([] if home is None else [home])
     if packages.complete:
         here = packages.names()
@@ -93,6 +96,20 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
     near = closest(name, {*packages.names(), *declared})
     why = "no package.xml here declares it, and the public ROS index does not know it"
     return Judgement(Severity.WARNING, why, _did_you_mean(near) or _add(name))
+
+
+def _say_hidden(hidden: Hidden, packages: Packages, home: Package | None) -> Judgement:
+    """A package of the workspace that is switched off; a launch file that is switched off with it is not likely to be started."""
+    marker = _shown(hidden.marker, packages)
+    why = f"the package lies in {_shown(hidden.directory, packages)}, and {marker} hides it from catkin and rospack"
+    off = home is not None and packages.is_hidden(home.directory)
+    severity = Severity.INFO if off else Severity.ERROR if packages.complete else Severity.WARNING
+    return Judgement(severity, why, f"remove {marker}, or leave out what uses {hidden.name}")
+
+
+def _shown(path: str, packages: Packages) -> str:
+    inside = [path[len(each) + 1 :] for each in packages.workspaces if path.startswith(f"{each}/")]
+    return min(inside, key=len, default=path)
 
 
 _latest_declared: list[tuple[Packages, set[str]]] = []

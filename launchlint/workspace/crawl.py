@@ -42,7 +42,14 @@ def crawl(root: str) -> list[Crawled]:
 
     What cannot be read is passed over. Never raises.
     """
+    return crawl_all(root)[0]
+
+
+def crawl_all(root: str, *, through_ignored: bool = False) -> tuple[list[Crawled], list[str]]:
+    """As :func:`crawl`, and the directories that a ``CATKIN_IGNORE`` keeps it out of; ``through_ignored`` goes into those, too."""
     found: list[Crawled] = []
+    ignored: list[str] = []
+    ends = _MARKERS - {CATKIN_IGNORE} if through_ignored else _MARKERS
     pending = [os.path.abspath(root)]  # depth first, the next directory last
     entrances: dict[tuple[int, int], int] = {}
     visited = 0
@@ -54,14 +61,14 @@ def crawl(root: str) -> list[Crawled]:
         links: set[str] = set()
         try:
             if directory.startswith(SYSTEM_SHARE):  # nothing deeper counts there, and its directories may hold thousands of files
-                markers.update(name for name in _MARKERS if os.path.isfile(directory + "/" + name))
+                markers.update(name for name in ends if os.path.isfile(directory + "/" + name))
                 if markers:
                     _note_packages(directory, markers, found)
                 continue
             with os.scandir(directory) as scan:
                 for entry in scan:
                     name = entry.name
-                    if name in _MARKERS and not _is_directory(entry):
+                    if name in ends and not _is_directory(entry):
                         markers.add(name)
                     elif name[0] != "." and _is_directory(entry):
                         below.append(name)
@@ -70,12 +77,14 @@ def crawl(root: str) -> list[Crawled]:
         except OSError:
             continue
         if markers:
+            if CATKIN_IGNORE in markers:
+                ignored.append(directory)
             _note_packages(directory, markers, found)
             continue
         below.sort(reverse=True)
         start = directory if directory.endswith("/") else directory + "/"
         pending += [start + name for name in below if name not in links or _may_enter(directory, start + name, entrances)]
-    return found
+    return found, ignored
 
 
 def _note_packages(directory: str, markers: set[str], found: list[Crawled]) -> None:

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
 
-from launchlint.workspace.crawl import Crawled, crawl, examine
+from launchlint.workspace.crawl import CATKIN_IGNORE, Crawled, crawl_all, examine
 from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE, Manifest, read_manifest
 from launchlint.workspace.prefixes import Prefix, prefixes
 from launchlint.workspace.public_packages import PublicPackages, public_names
@@ -75,30 +76,53 @@ class Package:
         return tuple(os.path.join(self.directory, each) for each in self.manifest.plugins)
 
 
+class Hidden(NamedTuple):
+    """A package of the workspace that is not found, because of the file ``marker`` (CATKIN_IGNORE) in or above its ``directory``."""
+
+    name: str
+    directory: str
+    marker: str
+
+
 class _Place:
     """One directory tree that is searched for packages."""
 
-    __slots__ = ("_all", "_by_name", "root")
+    __slots__ = ("_all", "_by_name", "_ignored", "root")
 
     def __init__(self, root: str) -> None:
         self.root = root
+        self._ignored: list[str] = []
         self._all: list[Package] | None = None
         self._by_name: dict[str, list[Package]] = {}
 
     @property
     def everything(self) -> list[Package]:
         """All packages, metapackages and broken packages, in the order of the crawl."""
-        if self._all is None:
-            self._all = [Package(each) for each in crawl(self.root)]
-            for package in self._all:
-                if package.name and not package.is_metapackage and not package.broken:
-                    self._by_name.setdefault(package.name, []).append(package)
-        return self._all
+        return self._crawl()
 
     @property
     def by_name(self) -> dict[str, list[Package]]:
         """The packages ``$(find)`` can answer, those of one name in the order of the crawl."""
         return self._by_name if self.everything else {}
+
+    def hidden(self) -> list[Hidden]:
+        """The packages that a ``CATKIN_IGNORE`` keeps from being found; each call looks at the disk again."""
+        self._crawl()  # which notes the directories that are ignored
+        return [
+            Hidden(each.name, each.directory, os.path.join(directory, CATKIN_IGNORE))
+            for directory in self._ignored
+            for each in crawl_all(directory, through_ignored=True)[0]
+            if each.name and not each.metapackage and not each.reason
+        ]
+
+    def _crawl(self) -> list[Package]:
+        if self._all is None:
+            found, self._ignored = crawl_all(self.root)
+            self._all = [Package(each) for each in found]
+            for package in self._all:
+                if package.name and not package.is_metapackage and not package.broken:
+                    self._by_name.setdefault(package.name, []).append(package)
+        return self._all
 
 
 class Packages:
@@ -123,6 +147,7 @@ class Packages:
         self._sources: dict[str, _Place] = {}
         self._resolved: dict[tuple[str, str], str] = {}
         self._duplicates: dict[str, list[Package]] | None = None
+        self._hidden: dict[str, Hidden] | None = None
 
     def get(self, name: str, near: str) -> Package | None:
         """The package called ``name`` as a launch file at ``near`` gets it; ``None`` where there is none.
@@ -171,6 +196,26 @@ class Packages:
     def names(self) -> list[str]:
         """Names of all packages, sorted."""
         return sorted({name for place in self.places for name in place.by_name})
+
+    def hidden(self, name: str) -> Hidden | None:
+        """The package ``name`` that a workspace holds and a ``CATKIN_IGNORE`` hides from catkin and rospack; ``None`` where there is none.
+
+        COLCON_IGNORE and AMENT_IGNORE hide nothing from rospack (rospkg.rospack.list_by_path): such a package is simply there.
+        """
+        return None if self.has(name) else self._all_hidden().get(name)
+
+    def is_hidden(self, directory: str) -> bool:
+        """Whether ``directory`` (absolute) is or lies in one that a ``CATKIN_IGNORE`` hides."""
+        markers = {each.marker for each in self._all_hidden().values()}
+        return any(f"{directory}/".startswith(f"{os.path.dirname(each)}/") for each in markers)
+
+    def _all_hidden(self) -> dict[str, Hidden]:
+        if self._hidden is None:
+            self._hidden = {}
+            for place in self.places[: len(self.workspaces)]:
+                for each in place.hidden():
+                    self._hidden.setdefault(each.name, each)
+        return self._hidden
 
     def duplicates(self) -> dict[str, list[Package]]:
         """Names that several packages of one workspace bear, with these packages in the order of the crawl; sorted by name.

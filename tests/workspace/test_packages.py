@@ -220,3 +220,21 @@ def test_public_packages() -> None:
     assert names[0] != ""
     assert {"tf2_ros", "rviz2", "move_base"} <= set(names)
     assert len(public) == len(names)
+
+
+def test_a_package_that_catkin_ignore_hides(grow: Grow) -> None:
+    root = grow(
+        {
+            "a/CATKIN_IGNORE": "", "a/b/package.xml": "package hidden", "a/c/CATKIN_IGNORE": "", "a/c/package.xml": "package deeper",
+            "twice/package.xml": "package twice", "a/twice/package.xml": "package twice",
+            "other/COLCON_IGNORE": "", "other/package.xml": "package other",
+        }
+    )  # fmt: skip
+    packages = Packages([str(root)], {}, explicit=True)
+    assert packages.hidden("hidden") == ("hidden", f"{root}/a/b", f"{root}/a/CATKIN_IGNORE")
+    assert packages.hidden("deeper") == ("deeper", f"{root}/a/c", f"{root}/a/CATKIN_IGNORE")
+    assert packages.hidden("twice") is None, "another one of that name is not hidden"
+    assert packages.hidden("other") is None, "rospack finds it"
+    assert packages.has("other")
+    assert packages.is_hidden(f"{root}/a/b/launch")
+    assert not packages.is_hidden(f"{root}/ab")
