@@ -15,6 +15,16 @@ INDEX = "index.json"
 """Maps each nodelet class whose name does not begin with its package to the package; made by ``scripts/bundled_library.py``."""
 
 
+def is_in_library(package: str) -> bool:
+    """Whether the shipped library knows ``package``: then there is such a package, whatever the public index says."""
+    return _may_be_a_file(package) and os.path.isfile(os.path.join(DIRECTORY, f"{package}.json"))
+
+
+def _may_be_a_file(package: str) -> bool:
+    """Whether a file of the library can bear the name: no path of a hostile launch file's making does."""
+    return package.isascii() and package.replace("_", "a").replace("-", "a").isalnum() and f"{package}.json" != INDEX
+
+
 class Bundled:
     """The shipped library. Its files were validated when it was made (a test holds them to it)."""
 
@@ -30,8 +40,8 @@ class Bundled:
         return self._packages[name]
 
     def _read(self, name: str) -> Mapping[str, Any] | None:
-        if not name.replace("_", "a").replace("-", "a").isalnum() or not name.isascii() or f"{name}.json" == INDEX:
-            return None  # also: no path of a hostile launch file's making
+        if not _may_be_a_file(name):
+            return None
         try:
             with open(os.path.join(self._directory, f"{name}.json"), "rb") as file:
                 found: Mapping[str, Any] = json.load(file)["packages"][name]

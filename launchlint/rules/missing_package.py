@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from launchlint.finding import Severity
+from launchlint.library.shipped import is_in_library
 from launchlint.spelling import closest, one_slip
 from launchlint.workspace.packages import Hidden, Package, Packages
 from launchlint.workspace.public_packages import public_names
@@ -39,8 +40,9 @@ def judge(name: str, packages: Packages, near: str) -> Judgement | None:
     """What to say of package ``name``, which a launch file at ``near`` (a path) uses; ``None`` where there is nothing to say.
 
     Error: a metapackage, any name where the picture is complete (``Packages.complete``), and a name that is one slip away from a package
-    that exists. Nothing: a package that is here, one of the public index, one that a ``package.xml`` of the workspaces declares, and one
-    whose ``package.xml`` is here and broken (LL704 tells of that), and a placeholder. Warning: any other name.
+    that is here or that a ``package.xml`` declares. Nothing: a package that is here, one of the public index or of the library that
+    launchlint ships, one that a ``package.xml`` of the workspaces declares, one whose ``package.xml`` is here and broken (LL704 tells of
+    that), and a placeholder. Warning: any other name. One slip from a public package is help and no more: no list holds all packages.
     """
     if packages.has(name) or is_placeholder(name):
         return None
@@ -86,16 +88,16 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
                 f"install it: rosdep install {name}, or your system's package of it",
             )
         return Judgement(Severity.ERROR, "every package that exists here is known", _did_you_mean(near) or _add(name))
-    if name in public or name in declared:
+    if name in public or name in declared or is_in_library(name):
         return None
-    slip = _one_slip(name, [*packages.names(), *declared, *public])
+    unlisted = f"it is not in the list of {len(public):,} public packages that launchlint ships"
+    known = [*packages.names(), *declared]
+    slip = _one_slip(name, known)
     if slip is not None:
-        return Judgement(
-            Severity.ERROR, f"no package.xml here and no public package bears this name, and {slip} does exist", _did_you_mean(slip)
-        )
-    near = closest(name, {*packages.names(), *declared})
-    why = "no package.xml here declares it, and the public ROS index does not know it"
-    return Judgement(Severity.WARNING, why, _did_you_mean(near) or _add(name))
+        where = "here" if packages.has(slip) else "declared in a package.xml"
+        return Judgement(Severity.ERROR, f"{slip} is {where}, and {unlisted}", _did_you_mean(slip))
+    near = closest(name, known) or _one_slip(name, list(public))
+    return Judgement(Severity.WARNING, f"no package.xml here declares it, and {unlisted}", _did_you_mean(near) or _add(name))
 
 
 def _say_hidden(hidden: Hidden, packages: Packages, home: Package | None) -> Judgement:

@@ -143,7 +143,7 @@ def link_package(directory: Path) -> None:
         ([change_included], "LL404", None),
         ([change_yaml], "LL503", None),
         ([remove_yaml], "LL502", None),
-        ([add_package], None, "armm"),
+        ([add_package], None, "the package armm is not known"),
         ([change_package], "base", None),
         ([declare_dependency], None, "does not declare base, which arm/"),
         ([change_build_file], "has no executable drive", None),
@@ -152,7 +152,7 @@ def link_package(directory: Path) -> None:
         ([take_first_line], "LL305", None),
         ([add_near_name], None, None),
         ([ignore_package], "LL210", None),
-        ([link_package], None, "armm"),
+        ([link_package], None, "the package armm is not known"),
     ],
     ids=lambda value: value[-1].__name__ if isinstance(value, list) else "",
 )

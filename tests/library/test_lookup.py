@@ -10,7 +10,7 @@ import pytest
 
 from launchlint.library.lookup import Library, open_libraries
 from launchlint.library.program import program
-from launchlint.library.shipped import DIRECTORY, INDEX, Bundled
+from launchlint.library.shipped import DIRECTORY, INDEX, Bundled, is_in_library
 from launchlint.library.template import UNKNOWN
 from tests.library.samples import Node, evidence, executable, library, written
 
@@ -164,3 +164,10 @@ def test_nodelet_classes_are_found(tmp_path: Path) -> None:
     (tmp_path / INDEX).write_text(json.dumps({"nodelets": {"demo/B": "far", "Plain": "far"}}))
     bundled = Bundled(str(tmp_path))
     assert [bundled.package_of_class(name) for name in ("demo/A", "demo/B", "Plain", "demo/C")] == ["demo", "far", "far", None]
+
+
+@pytest.mark.parametrize(
+    ("name", "known"), [("amcl", True), ("zzyzx", False), ("index", False), ("../bundled/amcl", False), ("", False), ("a" * 300, False)]
+)
+def test_which_packages_the_shipped_library_knows(name: str, known: bool) -> None:
+    assert is_in_library(name) is known

@@ -1,9 +1,10 @@
 """A `$(find …)` names a package that does not exist.
 
 A checkout does not hold what is installed on the robot, so that a package which is merely not here is nothing to tell
-of. It is an error where the name is one slip away from a package that does exist (here, in a `package.xml`, or in the
-public ROS index), or where everything is here: a ROS installation is set up on this machine, or the configuration
-says `packages: complete`. It is a warning where nobody has ever heard of the name. Each package is told of once in a file.
+of. It is an error where the name is one slip away from a package that is here or that a `package.xml` here declares, or
+where everything is here: a ROS installation is set up on this machine, or the configuration says `packages: complete`. It is
+a warning where the name is not in the list of public packages that launchlint ships: no list holds all packages, so that a near
+name in it is help and not proof. Each package is told of once, with all files that need it.
 
 ## Why it matters
 
@@ -13,16 +14,36 @@ roslaunch refuses the file.
 
 ```xml
 <launch>
-  <include file="$(find turtlebot3_bringpu)/launch/turtlebot3_robot.launch"/>
+  <param name="maps" value="$(find my_robto)/maps"/>
 </launch>
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+</package>
 ```
 
 ## Use instead
 
 ```xml
 <launch>
-  <include file="$(find turtlebot3_bringup)/launch/turtlebot3_robot.launch"/>
+  <param name="maps" value="$(find my_robot)/maps"/>
 </launch>
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+</package>
 ```
 """
 
@@ -57,7 +78,9 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         problem.origin,
         f"the package {name} is not known" if unsure else f"there is no package {name}",
         severity=severity,
+        label="not found",
         notes=(f"roslaunch stops{' where it is missing' if unsure else ''} with: Resource not found: {name}", judgement.why),
         help=judgement.help,
         topic=name,
+        cause=name,
     )

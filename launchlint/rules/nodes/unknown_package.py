@@ -2,8 +2,9 @@
 
 What it does: it looks for the `pkg` of every node and test among the packages of the workspace, the installed ones and the public
 index. It is an error where every package is known (a ROS installation is set up here, or the configuration says `packages:
-complete`) or where the name is one slip away from a package that exists; a warning where nobody has ever heard of the name.
-Public packages that are only not installed here are passed over. Of several nodes from one such package the first of a file is told of.
+complete`) or where the name is one slip away from a package that is here or that a `package.xml` here declares; a warning where the
+name is not in the list of public packages that launchlint ships. Public packages that are only not installed here are passed over.
+Each package is told of once, with all files that need it. Where a file looks for it with `$(find …)`, too, LL210 tells.
 
 ## Why it matters
 
@@ -13,16 +14,36 @@ roslaunch loads such a file without a word and fails only when it starts the nod
 
 ```xml
 <launch>
-  <node pkg="robot_state_publsher" type="robot_state_publisher" name="robot_state_publisher"/>
+  <node pkg="my_robto" type="drive.py" name="drive"/>
 </launch>
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+</package>
 ```
 
 ## Use instead
 
 ```xml
 <launch>
-  <node pkg="robot_state_publisher" type="robot_state_publisher" name="robot_state_publisher"/>
+  <node pkg="my_robot" type="drive.py" name="drive"/>
 </launch>
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+</package>
 ```
 """
 
@@ -49,12 +70,18 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
     The places behind it are in order for this rule: in another configuration one of them may be the first.
     """
     launch = view.launch
+    told = {
+        (problem.place.source.path, problem.facts["package"]) for problem in launch.problems if problem.kind == "package-not-found"
+    }  # by LL210, of which roslaunch takes notice first
     missing: dict[tuple[str, str], list[Node]] = {}
     for node in (*launch.nodes, *launch.tests):
         name = node.package
         if "pkg" not in node.unknown and name.strip() and not view.packages.has(name):
             missing.setdefault((_place(node).source.path, name), []).append(node)
-    for (_, name), nodes in missing.items():
+    for (path, name), nodes in missing.items():
+        if (path, name) in told:
+            yield from (RULE.fine(_place(each)) for each in nodes)
+            continue
         node = min(nodes, key=lambda each: _place(each).span.start)
         judgement = judge(name, view.packages, node.origin.place.source.file)
         if judgement is None:
@@ -75,6 +102,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
             label="not found",
             notes=tuple(notes),
             help=judgement.help,
+            cause=name,
         )
 
 
