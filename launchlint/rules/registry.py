@@ -124,6 +124,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL618", "isolated-node", "connections.isolated_node", INFO, view="graph"),
     Entry("LL619", "sim-time-mismatch", "connections.sim_time_mismatch", WARNING, view="graph"),
     Entry("LL620", "lost-connection", "connections.lost_connection", WARNING, view="base"),
+    Entry("LL621", "static-transform-args", "frames.static_transform_args", ERROR, view="launch"),
     Entry("LL701", "missing-exec-depend", "packages.missing_exec_depend", WARNING, view="file"),
     Entry("LL702", "launch-not-installed", "packages.launch_not_installed", WARNING, view="file"),
     Entry("LL703", "duplicate-package", "packages.duplicate_package", WARNING, view="run"),

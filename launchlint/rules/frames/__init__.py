@@ -1,0 +1,1 @@
+"""Rules about coordinate frames: who publishes their transforms, and who asks for them."""
