@@ -82,5 +82,5 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         notes=(f"roslaunch stops{' where it is missing' if unsure else ''} with: Resource not found: {name}", judgement.why),
         help=judgement.help,
         topic=name,
-        cause=name,
+        cause=f"{severity.word} {name}",
     )

@@ -87,6 +87,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
         if judgement is None:
             continue
         assumed = any(condition.assumed for condition in node.conditions)
+        severity = min(judgement.severity, Severity.WARNING) if assumed else judgement.severity
         place = _place(node)
         others = {_place(each) for each in nodes} - {place}
         yield from (RULE.fine(other) for other in sorted(others, key=lambda each: each.span.start))
@@ -98,11 +99,11 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
         yield RULE.at(
             Origin(place, node.origin.step),
             f"there is no package {name}" if judgement.severity is Severity.ERROR else f"the package {name} is not known here",
-            severity=min(judgement.severity, Severity.WARNING) if assumed else judgement.severity,
+            severity=severity,
             label="not found",
             notes=tuple(notes),
             help=judgement.help,
-            cause=name,
+            cause=f"{severity.word} {name}",
         )
 
 
