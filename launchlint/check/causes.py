@@ -1,15 +1,17 @@
 """One cause, one finding: what many findings of a rule say for one and the same reason is told once, at the first of their places.
 
-Suppressions, baselines and fixes work on the single findings; this is the last step before people see them.
+Suppressions, baselines and fixes work on the single findings; this is the last step before people see them. A rule whose module has a
+function ``together`` says itself what several of its findings of one cause (worst first) come to; else the first of them speaks for all.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 
 from launchlint.finding import Edit, Finding, Fix, Related
-from launchlint.order import ordered
+from launchlint.order import most_severe_first, ordered
+from launchlint.rules.registry import find
 
 
 def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
@@ -35,6 +37,10 @@ def _joined(findings: Sequence[Finding]) -> Finding:
     others = [finding for finding in findings if finding is not first]
     if not others:
         return first
+    rule = find(first.rule)
+    together: Callable[[Sequence[Finding]], Finding] | None = None if rule is None else getattr(rule.load(), "together", None)
+    if together is not None:
+        return together(most_severe_first(findings))
     related = {item.location: item for item in first.related}
     for finding in others:
         related.setdefault(finding.location, Related(finding.location, finding.label or finding.message))

@@ -6,13 +6,13 @@ from launchlint.check.causes import told_once
 from launchlint.finding import Edit, Finding, Fix, Location, Related, Severity
 
 
-def _finding(line: int, *, cause: str = "", severity: Severity = Severity.WARNING, fix: Fix | None = None, rule: str = "LL701") -> Finding:
+def _finding(line: int, *, cause: str = "", severity: Severity = Severity.WARNING, fix: Fix | None = None, rule: str = "LL702") -> Finding:
     location = Location("a.launch", line, 1, line, 5, line * 10, line * 10 + 4, "text")
     return Finding(rule, "name", severity, location, f"message {line}", label=f"label {line}", fix=fix, cause=cause)
 
 
 def test_findings_without_a_cause_stay_single() -> None:
-    findings = (_finding(1), _finding(2), _finding(3, cause="x"), _finding(4, cause="y"), _finding(5, cause="x", rule="LL702"))
+    findings = (_finding(1), _finding(2), _finding(3, cause="x"), _finding(4, cause="y"), _finding(5, cause="x", rule="LL703"))
     assert told_once(findings) == findings
 
 

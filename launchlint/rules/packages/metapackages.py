@@ -1,4 +1,4 @@
-"""What the well-known metapackages of ROS 1 pull in, for a checkout where they are not installed.
+"""What the well-known metapackages of ROS 1, and some much used packages, pull in, for a checkout where they are not installed.
 
 Facts from the package.xml files of ROS Indigo to Noetic, all of them together; what no launch file can use (message generators, tests) is
 left out.
@@ -68,7 +68,32 @@ _MEMBERS: Mapping[str, str] = {
 }
 """Metapackage → what it lists, itself or through another metapackage."""
 
+_NEEDED: Mapping[str, str] = {
+    "amcl": "dynamic_reconfigure rosbag tf2_ros",
+    "gazebo_plugins": "dynamic_reconfigure gazebo_msgs gazebo_ros image_transport nodelet tf",
+    "gazebo_ros": "dynamic_reconfigure gazebo_msgs",
+    "gazebo_ros_control": "control_toolbox controller_manager gazebo_ros",
+    "industrial_core": "industrial_msgs industrial_robot_client industrial_robot_simulator industrial_utils simple_message",
+    "industrial_robot_client": "industrial_msgs industrial_utils robot_state_publisher simple_message",
+    "industrial_robot_simulator": "industrial_msgs industrial_robot_client",
+    "joint_state_publisher_gui": "joint_state_publisher",
+    "move_base": "base_local_planner clear_costmap_recovery costmap_2d dynamic_reconfigure navfn rotate_recovery tf2_ros",
+    "moveit_ros_benchmarks": "moveit_ros_planning moveit_ros_warehouse",
+    "moveit_ros_move_group": "moveit_core moveit_ros_planning",
+    "moveit_ros_planning_interface": "moveit_ros_manipulation moveit_ros_move_group moveit_ros_planning moveit_ros_warehouse",
+    "moveit_ros_visualization": "moveit_ros_perception moveit_ros_planning_interface moveit_ros_robot_interaction"
+    " moveit_ros_warehouse rviz",
+    "moveit_ros_warehouse": "moveit_ros_planning warehouse_ros",
+    "moveit_setup_assistant": "moveit_core moveit_ros_planning moveit_ros_visualization",
+    "rosbag": "topic_tools",
+    "roslaunch": "rosclean rosgraph rosgraph_msgs roslib rosmaster rosout rosparam rosunit",
+    "rosout": "roscpp rosgraph_msgs",
+    "rostest": "roslaunch rospy",
+    "tf": "message_filters tf2_ros",
+}
+"""Package → what it needs to run, in every distribution from Indigo to Noetic that has it; only what launch files use."""
+
 
 def members(name: str) -> list[str]:
-    """What ``name`` pulls in, if it is a well-known metapackage."""
-    return _MEMBERS.get(name, "").split()
+    """What ``name`` pulls in, if it is well known."""
+    return f"{_MEMBERS.get(name, '')} {_NEEDED.get(name, '')}".split()

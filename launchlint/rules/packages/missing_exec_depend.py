@@ -3,9 +3,12 @@
 What it does: for every launch file it collects the packages of its nodes and tests, and those in `$(find …)`, as far as their
 names are written out, and compares them with the run dependencies (`<exec_depend>`, `<depend>`, `<run_depend>`) in the
 `package.xml` above it. Test dependencies count for tests. What a declared package or metapackage itself declares counts too,
-as far as it can be seen here. Names that nobody knows are LL210 and LL303, and a file with placeholders such as
-`$(find [PACKAGE])` is a template that is never launched. A dependency that stands in a comment of the `package.xml` was left out
-on purpose. Each package is told of once, at the `package.xml`.
+as far as it can be seen here, and so does what roslaunch itself needs. Names that nobody knows are LL210 and LL303, and a file with
+placeholders such as `$(find [PACKAGE])` is a template that is never launched. A dependency that stands in a comment of the
+`package.xml` was left out on purpose. Everything that one `package.xml` lacks is told at once, with the first use of each package.
+
+It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has
+the other.
 
 ## Why it matters
 
@@ -58,7 +61,7 @@ only is left alone.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.rules.missing_package import is_placeholder
@@ -74,6 +77,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.workspace.manifest import Manifest
     from launchlint.workspace.packages import Package, Packages
+
+ELSEWHERE = "it works only where something else brings {} along"
+MOST_NAMED = 12
 
 RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports", fixable="safe")
 
@@ -102,7 +108,7 @@ def check(view: FileView) -> Iterator[Finding]:
     missing = [name for name in wanted if name not in declared and not _is_commented_out(name, manifest)]
     if not missing:
         return
-    declared = _with_what_they_declare(declared, packages, file)
+    declared = _with_what_they_declare(declared | {"roslaunch"}, packages, file)
     place = _place(manifest, root_of(document.source))
     for name in missing:
         if name in declared or not (packages.has(name) or name in public_names()):
@@ -112,16 +118,54 @@ def check(view: FileView) -> Iterator[Finding]:
         tested = name in home.test_dependencies
         says = f"declares {name} for tests only" if tested else f"does not declare {name}"
         at = next((each.span for each in manifest.dependencies if each.name == name and each.tag == "test_depend"), None)
+        beside = not tested and home.name not in public_names() and _is_beside(name, packages, file)
         yield RULE.at(
             place if at is None else place._replace(span=at),
             f"{manifest_path} {says}, {'and' if tested else 'which'} {document.source.path} {how} {'it' if tested else ''}".rstrip(),
+            severity=Severity.INFO if beside else RULE.severity,
             label="for tests only" if tested else f"no {name} here",
             related=((where, "used here"),),
-            notes=(f"it works only where something else brings {name} along",),
+            notes=(f"{name} lies in this workspace; whoever has only this package lacks it" if beside else ELSEWHERE.format(name),),
             help=f"{'change it to' if tested else 'add'} {_line(name, manifest.format, is_test=is_test)}",
             topic=name,
+            cause="" if tested else manifest_path,
             fix=None if tested else _fix(place, manifest, _line(name, manifest.format, is_test=is_test)),
         )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """One finding for all that one ``package.xml`` lacks, with the first use of each package, and one fix."""
+    first = findings[0]
+    names = [finding.topic for finding in findings]
+    fixes = [finding.fix for finding in findings if finding.fix is not None]
+    edits = [edit for fix in fixes for edit in fix.edits]
+    fix = None
+    if len(fixes) == len(findings) and len({edit[:3] for edit in edits}) == 1:  # all at one place: they are one insertion
+        joined = edits[0]._replace(text="".join(edit.text for edit in edits))
+        fix = Fix(f"add {len(fixes)} dependencies", all(fix.safe for fix in fixes), (joined,))
+    return first._replace(
+        message=f"{first.location.path} does not declare {len(names)} packages that its launch files use: {_listed(names)}",
+        label="not declared here",
+        related=tuple(related._replace(label=f"{finding.topic} is used here") for finding in findings for related in finding.related),
+        notes=(
+            ELSEWHERE.format("them")
+            if first.severity is RULE.severity
+            else "they lie in this workspace; whoever has only this package lacks them",
+        ),
+        help=f"{first.help}, and so on",
+        fix=fix,
+        topic="",
+    )
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(names[:MOST_NAMED]) + (f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else "")
+
+
+def _is_beside(name: str, packages: Packages, near: str) -> bool:
+    """Whether the package lies in one of the workspaces, and not only in an installation."""
+    package = packages.get(name, near)
+    return package is not None and is_inside(package.directory, packages.workspaces)
 
 
 def _fix(place: Place, manifest: Manifest, line: str) -> Fix | None:
