@@ -27,6 +27,18 @@ class Severity(IntEnum):
         """The lower-case word users write and read: ``error``, ``warning`` or ``info``."""
         return self.name.lower()
 
+    @property
+    def meaning(self) -> str:
+        """What has to be true of a finding of this level. Each rule is held to it; the index of the rule pages prints it."""
+        return _MEANINGS[self]
+
+
+_MEANINGS = {
+    Severity.ERROR: "roslaunch refuses to load or to start what somebody would really start, or what is written cannot work",
+    Severity.WARNING: "most likely not meant, although it starts: what roslaunch itself merely warns about or ignores is a warning, too",
+    Severity.INFO: "worth knowing, and often intended: what depends on the command line, the machine or files that are made later",
+}
+
 
 class Location(NamedTuple):
     """A place, resolved: lines and columns from 1, ``end_column`` exclusive.

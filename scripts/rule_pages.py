@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 from typing import NamedTuple
 
+from launchlint.finding import Severity
 from launchlint.rules.registry import RULES
 from launchlint.rules.rule import Rule
 
@@ -90,7 +91,7 @@ def page_text(page: Page) -> str:
 
 def index_text(pages: list[Page]) -> str:
     """The Markdown of the index: one table per category."""
-    lines = ["# The rules", "", "`launchlint explain LL301` shows a page on the terminal, `launchlint rules` the list.", ""]
+    lines = ["# The rules", "", "`launchlint explain LL301` shows a page on the terminal, `launchlint rules` the list.", "", *_levels(), ""]
     for digit, title in CATEGORIES.items():
         members = [page for page in pages if page.rule.id[2] == digit]
         if not members:
@@ -101,6 +102,21 @@ def index_text(pages: list[Page]) -> str:
             lines.append(f"| [{rule.id}]({rule.id}.md) | {rule.name} | {rule.severity.word} | {summary} |")
         lines.append("")
     return "\n".join(lines)
+
+
+def _levels() -> list[str]:
+    """What each level means, and how a finding can have another one than its rule."""
+    return [
+        "## What a level means",
+        "",
+        "| level | a finding of this level says |",
+        "|---|---|",
+        *(f"| **{level.word}** | {level.meaning} |" for level in sorted(Severity, reverse=True)),
+        "",
+        "The tables below and the rule pages name the level that a rule usually has. A finding is milder where less is certain or less",
+        "happens, and an error where roslaunch refuses the very case: its note says so. SARIF has `error`, `warning` and `note` for the",
+        "three; `severity:` in `.launchlint.yaml` sets another level for all findings of a rule, `--fail-on` says which one fails a job.",
+    ]
 
 
 def expected_pages() -> dict[str, str]:

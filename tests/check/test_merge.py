@@ -75,9 +75,10 @@ def test_what_is_in_order_in_any_entry_is_no_finding(make: Make) -> None:
 
 
 def test_a_mistake_in_what_is_never_evaluated_is_no_more_than_a_warning(make: Make) -> None:
-    directory = make({"off.launch": launch('<group if="0"><nod name="a"/></group>', '<nod name="b"/>')})
-    found = findings(directory, "--select", "LL103")
-    assert brief(found) == ["off.launch:2 warning LL103", "off.launch:3 error LL103"]
+    off = '<group if="$(eval 1 == 2)"><node name="a" pkg="demo"/></group>'
+    directory = make({"off.launch": launch(off, '<node name="b" pkg="demo"/>')})
+    found = findings(directory, "--select", "LL105")
+    assert brief(found) == ["off.launch:2 warning LL105", "off.launch:3 error LL105"]
     assert found[0]["notes"][-1] == "no configuration that was found evaluates this element, so that nobody is stopped by it yet"
 
 

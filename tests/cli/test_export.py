@@ -131,8 +131,8 @@ def test_the_three_mistakes_of_the_paper(repository: Path) -> None:
     write(repository, {"tag.launch": UNKNOWN_TAG, "attribute.launch": UNKNOWN_ATTRIBUTE, "unclosed.launch": UNCLOSED})
     told = {name: run(repository, "export", f"{name}.launch", "--flatten") for name in ("tag", "attribute", "unclosed")}
     assert {name: (ran.status, ran.errors.splitlines()[0]) for name, ran in told.items()} == {
-        "tag": (0, "tag.launch:2:4: error LL103 unknown-tag: there is no tag <nod>"),
-        "attribute": (0, "attribute.launch:2:44: error LL104 unknown-attribute: <node> has no attribute speed"),
+        "tag": (0, "tag.launch:2:4: warning LL103 unknown-tag: there is no tag <nod>"),
+        "attribute": (0, "attribute.launch:2:44: warning LL104 unknown-attribute: <node> has no attribute speed"),
         "unclosed": (1, "unclosed.launch:2:3: error LL101 malformed-xml: not well-formed XML: <group> is never closed"),
     }
 

@@ -51,7 +51,7 @@ from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.syntax.ros1.dialect import TAGS
 
-RULE = Rule("LL106", "misplaced-tag", Severity.ERROR, roslaunch="reports")
+RULE = Rule("LL106", "misplaced-tag", Severity.WARNING, roslaunch="reports")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -62,7 +62,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     yield RULE.at(
         problem.origin,
         f"<{tag}> has no effect inside <{parent}>",
-        severity=Severity.ERROR if reported or problem.refused else Severity.WARNING,
+        severity=Severity.ERROR if problem.refused else None,
         label="skipped",
         notes=(said,),
         help=_advice(tag, parent),

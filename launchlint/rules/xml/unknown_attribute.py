@@ -40,7 +40,7 @@ from launchlint.rules.edits import Spot, fix, rename_attribute, spot
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely
 
-RULE = Rule("LL104", "unknown-attribute", Severity.ERROR, roslaunch="reports", fixable="safe")
+RULE = Rule("LL104", "unknown-attribute", Severity.WARNING, roslaunch="reports", fixable="safe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -56,7 +56,6 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     yield RULE.at(
         problem.origin,
         f"<{tag}> has no attribute {name}",
-        severity=Severity.WARNING if silent else Severity.ERROR,
         label="dropped",
         notes=notes,
         help=advice,

@@ -41,7 +41,7 @@ from launchlint.rules.edits import Spot, fix, rename_tag, spot
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely
 
-RULE = Rule("LL103", "unknown-tag", Severity.ERROR, roslaunch="reports", fixable="safe")
+RULE = Rule("LL103", "unknown-tag", Severity.WARNING, roslaunch="reports", fixable="safe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -59,7 +59,6 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     yield RULE.at(
         problem.origin,
         f"there is no tag <{tag}>",
-        severity=Severity.WARNING if ignored else Severity.ERROR,
         label="skipped",
         notes=(said,),
         help=advice,

@@ -5,8 +5,8 @@ the launch files of ROS 2, which look much the same.
 
 ## Why it matters
 
-roslaunch skips the tags and attributes that it does not know, and refuses the substitutions. A node with `exec` in
-place of `type` is refused as well.
+roslaunch skips the tags and attributes that it does not know, with a warning: so does launchlint. It refuses the substitutions, and a
+node with `exec` in place of `type`: these are errors.
 
 ## Example
 
@@ -62,6 +62,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     yield RULE.at(
         problem.origin,
         message,
+        severity=None if problem.refused else Severity.WARNING,
         label="ROS 2",
         notes=(note,),
         help=f"in ROS 1: {instead}" if instead else "ROS 1 has nothing like it: remove it",
