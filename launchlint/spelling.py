@@ -1,8 +1,30 @@
-"""Did you mean: the closest of the names that exist."""
+"""Did you mean: the closest of the names that exist, never one that says something else."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
+
+_OPPOSITES = (
+    ("min", "max"), ("minimum", "maximum"), ("minimal", "maximal"), ("left", "right"), ("upper", "lower"), ("top", "bottom"),
+    ("up", "down"), ("front", "rear"), ("front", "back"), ("forward", "backward"), ("fore", "aft"), ("first", "last"),
+    ("first", "second"), ("second", "third"), ("start", "stop"), ("start", "end"), ("begin", "end"), ("open", "close"), ("in", "out"),
+    ("inner", "outer"), ("internal", "external"), ("on", "off"), ("enable", "disable"), ("enabled", "disabled"), ("true", "false"),
+    ("yes", "no"), ("high", "low"), ("long", "short"), ("width", "height"), ("width", "depth"), ("height", "depth"),
+    ("horizontal", "vertical"), ("north", "south"), ("east", "west"), ("roll", "yaw"), ("roll", "pitch"), ("pitch", "yaw"),
+    ("pan", "tilt"), ("linear", "angular"), ("source", "target"), ("master", "slave"), ("read", "write"), ("pre", "post"),
+    ("with", "without"), ("static", "dynamic"), ("x", "y"), ("x", "z"), ("y", "z"), ("red", "green"), ("red", "blue"),
+)  # fmt: skip
+"""Words that take each other's place in two names for two different things."""
+_NEGATIONS = ("un", "non", "no", "not", "dis", "anti", "de")
+_WORD = re.compile(r"[^\W\d_]+")
+_NUMBER = re.compile(r"\d+")
+_HUMP = re.compile(r"(?<=[a-z])(?=[A-Z])")
+_OFF = frozenset(
+    ("off", "disable", "disabled", "no", "not", "dont", "old", "orig", "original", "backup", "bak", "unused", "ignore", "ignored", "skip",
+     "hide", "hidden", "todo", "comment", "commented", "deactivated", "inactive", "removed", "dead")
+)  # fmt: skip
+"""Words that people put to the name of a tag or attribute to switch it off."""
 
 
 def distance(left: str, right: str, limit: int = 3) -> int:
@@ -30,7 +52,8 @@ def closest(name: str, names: Iterable[str]) -> str | None:
     """The name of ``names`` that ``name`` is most likely a slip for; ``None`` where none is near enough.
 
     Near enough is one slip in a name of up to four letters, two in one of up to eight, three in a longer one. Letter case and
-    the difference between ``-`` and ``_`` count as one slip together. Of several, the nearest and then alphabetically first.
+    the difference between ``-`` and ``_`` count as one slip together. Of several, the nearest and then alphabetically first. A name that
+    says something else (:func:`differs_in_meaning`) is never near.
     """
     if not name:
         return None
@@ -47,15 +70,27 @@ def closest(name: str, names: Iterable[str]) -> str | None:
             continue  # one slip changes the length by one and takes away one letter at most
         else:
             apart = distance(name, candidate, limit)
-        if apart <= limit and apart < len(candidate) and (best is None or (apart, candidate) < best):
+        if (
+            apart <= limit
+            and apart < len(candidate)
+            and (best is None or (apart, candidate) < best)
+            and not differs_in_meaning(name, candidate)
+        ):
             best = (apart, candidate)
     return None if best is None else best[1]
 
 
 def one_slip(name: str, names: Iterable[str]) -> str | None:
-    """The only name of ``names`` that is exactly one slip away; ``None`` where there is none or more than one."""
+    """The only name of ``names`` that is exactly one slip away; ``None`` where there is none or more than one.
+
+    A name that says something else (:func:`differs_in_meaning`) is no slip.
+    """
     folded = _fold(name)
-    near = {other for other in names if other != name and (_fold(other) == folded or distance(name, other, 1) == 1)}
+    near = {
+        other
+        for other in names
+        if other != name and (_fold(other) == folded or distance(name, other, 1) == 1) and not differs_in_meaning(name, other)
+    }
     return near.pop() if len(near) == 1 else None
 
 
@@ -68,6 +103,82 @@ def did_you_mean(name: str, names: Iterable[str]) -> str:
     """A help text, ``did you mean …?``, or the empty string."""
     near = closest(name, names)
     return "" if near is None else f"did you mean {near}?"
+
+
+def differs_in_meaning(name: str, other: str) -> bool:
+    """Whether two names that look alike stand for two things: other numbers in them, or opposites in the same place.
+
+    ``laser_1`` and ``laser_2``, ``min_range`` and ``max_range``, ``goal_x`` and ``goal_y``, ``arm_l`` and ``arm_r``, ``known`` and
+    ``unknown``: whoever writes one of them does not mean the other.
+    """
+    if _NUMBER.findall(name) != _NUMBER.findall(other):
+        return True
+    words, others = _words(name), _words(other)
+    if len(words) != len(others):
+        return False
+    return any(word != another and _are_opposites(word, another) for word, another in zip(words, others, strict=True))
+
+
+def _words(name: str) -> list[str]:
+    return [word.lower() for part in _WORD.findall(name) for word in _HUMP.split(part)]
+
+
+def _are_opposites(word: str, other: str) -> bool:
+    if len(word) == len(other) == 1:
+        return True
+    if any(word == negation + other or other == negation + word for negation in _NEGATIONS):
+        return True
+    before = _shared(word, other)
+    after = _shared(word[::-1], other[::-1])
+    return any(
+        _stands_for(word, other, one, another, before, after) or _stands_for(word, other, another, one, before, after)
+        for one, another in _OPPOSITES
+    )
+
+
+def _stands_for(word: str, other: str, part: str, opposite: str, before: int, after: int) -> bool:
+    """Whether ``other`` is ``word`` with ``opposite`` in the place of ``part``; they begin with ``before`` and end with ``after`` letters
+    alike.
+    """
+    if len(word) - len(part) != len(other) - len(opposite):
+        return False
+    start = word.find(part)
+    while 0 <= start <= before:
+        if len(word) - start - len(part) <= after and other.startswith(opposite, start):
+            return True
+        start = word.find(part, start + 1)
+    return False
+
+
+def _shared(word: str, other: str) -> int:
+    """How many letters two words have in common at their beginning."""
+    return next((at for at, (one, another) in enumerate(zip(word, other, strict=False)) if one != another), min(len(word), len(other)))
+
+
+def switched_off(name: str, names: Iterable[str]) -> str | None:
+    """The name of ``names`` that stands whole in ``name``, with something put before or after it to switch it off, if there is one.
+
+    That is one letter or mark in front (``anode``, ``_if``, ``xxnode``), an ``x``, digit or mark behind (``node_``), or a word that says
+    so (``launch-prefix-off``, ``DISABLED_node``). No such thing are the slips: a letter written twice (``nnode``), a plural (``nodes``),
+    another letter behind (``noder``).
+    """
+    for known in sorted(names, key=lambda each: (-len(each), each)):
+        if name.endswith(known) and _is_off(name[: -len(known)], known[:1], front=True):
+            return known
+        if name.startswith(known) and _is_off(name[len(known) :], known[-1:], front=False):
+            return known
+    return None
+
+
+def _is_off(added: str, neighbour: str, *, front: bool) -> bool:
+    word = added.strip("_-.:").lower()
+    if not added or word in _OFF or not word:
+        return bool(added)
+    if len(set(word)) > 1:
+        return False
+    if front:
+        return len(word) < len(added) or len(word) > 1 or word != neighbour.lower()
+    return (word[0] == "x" or word.isdigit()) and (len(word) < len(added) or neighbour.lower() != word[0])
 
 
 def _fold(name: str) -> str:

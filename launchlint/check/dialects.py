@@ -1,31 +1,45 @@
-"""Leaving ROS 2 launch files out: both dialects use the same file names, and this one would find them wrong from top to bottom."""
+"""Leaving out what only looks like a launch file of ROS 1.
+
+That are the launch files of ROS 2 (both dialects use the same file names, and this one would find them wrong from top to bottom), and files
+of other programs that hold a ``<launch>`` somewhere inside (a ``<concert>`` says with it what to launch).
+"""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Collection, Sequence
+from typing import NamedTuple
 
 from launchlint.check.options import EntryRequest
 from launchlint.evaluate.session import Session
 from launchlint.workspace.packages import Packages
 
 
-def without_ros2(requests: Sequence[EntryRequest], named: Collection[str], session: Session) -> tuple[list[EntryRequest], list[str]]:
-    """``requests`` without those for ROS 2 launch files, and the paths of these.
+class SortedOut(NamedTuple):
+    """Requests for launch files of ROS 1, and the paths of others: ``ros2`` launch files, ``other`` files with the name of their root."""
 
-    Files in ``named`` (absolute) were asked for by name, and stay whatever they hold.
-    """
-    from launchlint.workspace.dialect import ROS2, dialect
+    kept: list[EntryRequest]
+    ros2: tuple[str, ...]
+    other: tuple[tuple[str, str], ...]
+
+
+def sort_out(requests: Sequence[EntryRequest], named: Collection[str], session: Session) -> SortedOut:
+    """Tell launch files of ROS 1 from others. Files in ``named`` (absolute) were asked for by name, and stay whatever they hold."""
+    from launchlint.workspace.dialect import ROS2, dialect, other_root
 
     kept: list[EntryRequest] = []
-    skipped: dict[str, None] = {}
+    ros2: dict[str, None] = {}
+    other: dict[str, str] = {}
     for request in requests:
         data = None if os.path.abspath(request.at) in named else session.read(request.file).data
-        if data is not None and dialect(data, _built_for(request.at, session.packages)) == ROS2:
-            skipped[session.shown(request.at)] = None
+        root = None if data is None else other_root(data)
+        if root is not None:
+            other[session.shown(request.at)] = root
+        elif data is not None and dialect(data, _built_for(request.at, session.packages)) == ROS2:
+            ros2[session.shown(request.at)] = None
         else:
             kept.append(request)
-    return kept, list(skipped)
+    return SortedOut(kept, tuple(ros2), tuple(other.items()))
 
 
 def _built_for(file: str, packages: Packages) -> str | None:

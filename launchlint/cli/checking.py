@@ -7,7 +7,7 @@ import sys
 from typing import NamedTuple
 
 from launchlint import __version__
-from launchlint.cli.entries import EntryOptions, leave_ros2_out, parse_severity, tell, use_color
+from launchlint.cli.entries import EntryOptions, leave_others_out, parse_severity, tell, use_color
 from launchlint.errors import UsageError
 
 TYPE_CHECKING = False
@@ -71,7 +71,7 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
     checker = EntryChecker(options, overlay)
     if options.library:
         _ = checker.library  # an unusable one is told before any work is done
-    requests, notices = leave_ros2_out(entry, requests, checker.session)
+    requests, notices = leave_others_out(entry, requests, checker.session)
     bar = None
     if not given.quiet and len(requests) > 1 and sys.stderr.isatty():
         from launchlint.cli.progress import ProgressBar

@@ -96,14 +96,14 @@ def _real(path: str) -> str:
 def _topologies(
     checker: EntryChecker, entry: EntryOptions, absent: dict[str, None], place: Callable[[str], str], back: Callable[[str], str]
 ) -> tuple[dict[str, Topology], set[str]]:
-    from launchlint.check.dialects import without_ros2
+    from launchlint.check.dialects import sort_out
 
     for path in [each for each in absent if os.path.exists(place(each))]:
         del absent[path]
     requests = entry.requests_below(place, back)
     found: dict[str, Topology] = {}
     included: set[str] = set()
-    kept, _ = without_ros2(list(requests.values()), {place(path) for path in entry.named}, checker.session)
+    kept = sort_out(list(requests.values()), {place(path) for path in entry.named}, checker.session).kept
     wanted = {request.at for request in kept}
     for path, request in requests.items():
         if request.at in wanted:

@@ -168,21 +168,26 @@ class EntryOptions:
         )
 
 
-def leave_ros2_out(entry: EntryOptions, requests: list[EntryRequest], session: Session) -> tuple[list[EntryRequest], tuple[str, ...]]:
-    """``requests`` without ROS 2 launch files that nobody asked for by name, and a notice of them."""
+def leave_others_out(entry: EntryOptions, requests: list[EntryRequest], session: Session) -> tuple[list[EntryRequest], tuple[str, ...]]:
+    """``requests`` without those that are no ROS 1 launch files and nobody asked for by name, and notices of them."""
     if (
         entry.entries is not None
         or entry.standard_input is not None
         or entry.named.issuperset(os.path.abspath(each.at) for each in requests)
     ):
         return requests, ()
-    from launchlint.check.dialects import without_ros2
+    from launchlint.check.dialects import sort_out
 
-    kept, skipped = without_ros2(requests, entry.named, session)
-    if not skipped:
-        return kept, ()
-    files = f"{len(skipped)} ROS 2 launch files such as {skipped[0]}" if len(skipped) > 1 else f"the ROS 2 launch file {skipped[0]}"
-    return kept, (f"left out {files}: only ROS 1 is checked; name a file to check it all the same",)
+    kept, ros2, other = sort_out(requests, entry.named, session)
+    notices = []
+    if ros2:
+        files = f"{len(ros2)} ROS 2 launch files such as {ros2[0]}" if len(ros2) > 1 else f"the ROS 2 launch file {ros2[0]}"
+        notices.append(f"left out {files}: only ROS 1 is checked; name a file to check it all the same")
+    if other:
+        path, root = other[0]
+        files = f"{len(other)} files such as {path}" if len(other) > 1 else path
+        notices.append(f"left out {files}: its root is <{root}>, so that it is no launch file; name a file to check it all the same")
+    return kept, tuple(notices)
 
 
 def parse_argument(text: str) -> tuple[str, str]:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from launchlint.cli.entries import EntryOptions, leave_ros2_out, style_of, tell, use_color
+from launchlint.cli.entries import EntryOptions, leave_others_out, style_of, tell, use_color
 from launchlint.errors import UsageError
 from launchlint.fix.format.formatting import Formatted, formatted
 
@@ -97,7 +97,7 @@ class _Run:
             return files
         from launchlint.check.options import EntryRequest
 
-        kept, notices = leave_ros2_out(entry, [EntryRequest(file, file) for file in files], self._session)
+        kept, notices = leave_others_out(entry, [EntryRequest(file, file) for file in files], self._session)
         if not self._given.quiet:
             for notice in notices:
                 tell(notice)

@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 import click
 
-from launchlint.cli.entries import EntryOptions, leave_ros2_out, tell
+from launchlint.cli.entries import EntryOptions, leave_others_out, tell
 from launchlint.cli.options import entry_options
 from launchlint.errors import UsageError
 
@@ -91,7 +91,7 @@ def show(entry: EntryOptions, format_: str, every_configuration: bool, dangling:
 
     requests, overlay = entry.requests()
     checker = EntryChecker(entry.options(everything=True, cache=default_directory()), overlay)
-    requests, notices = leave_ros2_out(entry, requests, checker.session)
+    requests, notices = leave_others_out(entry, requests, checker.session)
     for notice in notices:
         tell(notice)
     if not requests:

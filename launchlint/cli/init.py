@@ -58,7 +58,7 @@ def command(directory: str, pre_commit: bool, github: bool, force: bool) -> int:
 def look(directory: str) -> Found:
     """What is in the repository at ``directory``; a configuration that is there counts."""
     from launchlint.check.causes import told_once
-    from launchlint.check.dialects import without_ros2
+    from launchlint.check.dialects import sort_out
     from launchlint.check.entry import EntryChecker
     from launchlint.check.merge import merge
     from launchlint.check.run import check_entries
@@ -70,7 +70,7 @@ def look(directory: str) -> Found:
     options = entry.options()
     requests, overlay = entry.requests()
     checker = EntryChecker(options, overlay)
-    kept, ros2 = without_ros2(requests, (), checker.session)
+    kept, ros2, _ = sort_out(requests, (), checker.session)
     results = check_entries(kept, checker)
     outcome = merge(results, options, checker.packages, per_file_ignores(entry.configuration, options.root), asked=entry.paths)
     findings = told_once(outcome.findings)

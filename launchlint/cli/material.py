@@ -168,11 +168,11 @@ def base_only(entry: EntryOptions, requests: Sequence[EntryRequest], old: Revisi
     """The entry files that were there at the revision and are no more."""
     if entry.standard_input is not None or entry.entries is not None:
         return []
-    from launchlint.check.dialects import without_ros2
+    from launchlint.check.dialects import sort_out
 
     now = {os.path.abspath(request.at) for request in requests}
     gone = {path: request for path, request in entry.requests_below(old.place, old.back).items() if os.path.abspath(path) not in now}
-    kept, _ = without_ros2(list(gone.values()), frozenset(), old.checker.session)
+    kept = sort_out(list(gone.values()), frozenset(), old.checker.session).kept
     wanted = {request.at for request in kept}
     found: dict[str, Topology] = {}
     included: set[str] = set()

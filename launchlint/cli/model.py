@@ -6,7 +6,7 @@ import sys
 
 import click
 
-from launchlint.cli.entries import EntryOptions, leave_ros2_out, tell
+from launchlint.cli.entries import EntryOptions, leave_others_out, tell
 from launchlint.cli.options import entry_options
 
 
@@ -29,7 +29,7 @@ def command(entry: EntryOptions, format_: str) -> int:
 
     requests, overlay = entry.requests()
     checker = EntryChecker(entry.options(everything=True), overlay)
-    requests, notices = leave_ros2_out(entry, requests, checker.session)
+    requests, notices = leave_others_out(entry, requests, checker.session)
     for notice in notices:
         tell(notice)
     refused = False

@@ -16,7 +16,7 @@ from launchlint.check.merge import Outcome, merge, without_parts
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.run import default_directory
 from launchlint.check.survey import Surveyed, Surveyor, reached, survey_entries
-from launchlint.cli.entries import EntryOptions, leave_ros2_out, parse_severity, tell
+from launchlint.cli.entries import EntryOptions, leave_others_out, parse_severity, tell
 from launchlint.cli.material import base_only, beside_base, known_programs, learnable, reader, refusal, roots, source_prefix, usual_title
 from launchlint.errors import UsageError
 from launchlint.finding import Severity
@@ -62,7 +62,7 @@ def run_report(entry: EntryOptions, given: ReportOptions) -> int:
     surveyor = Surveyor(options, overlay)
     if options.library:
         _ = surveyor.library  # an unusable one is told before any work is done
-    requests, notices = leave_ros2_out(entry, requests, surveyor.session)
+    requests, notices = leave_others_out(entry, requests, surveyor.session)
     surveyed = _survey(requests, surveyor, given)
     with nullcontext() if given.base is None else revision(options, given.base) as old:
         befores: list[Any] = [None] * len(surveyed)

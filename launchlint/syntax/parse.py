@@ -53,7 +53,8 @@ def parse(data: bytes, path: str, file: str | None = None) -> Document:
 
     * ``malformed-xml`` (refused): ``message`` in plain words, ``code`` the name of expat's error, ``hint`` what was probably meant (may be
       empty), ``opened`` and ``closed`` the tag names where tags do not match;
-    * ``root-not-launch`` (refused): ``tag`` the document element, ``count`` the number of ``<launch>`` elements;
+    * ``root-not-launch`` (refused, unless there is one ``<launch>`` inside another root): ``tag`` the document element, ``count`` the
+      number of ``<launch>`` elements;
     * ``unreadable-file``: ``reason``. The file is larger than launchlint is willing to read; roslaunch might do so.
     """
     if len(data) > MAX_BYTES:
@@ -346,13 +347,16 @@ def _find_launch(document: Document, decoded: Decoded) -> None:
         _malformed(document, decoded, "RecursionError", deepest.start_span.start)
         return
     found = [element for element in document.elements if element.tag == "launch"]
-    if len(found) == 1:
-        document.launch = found[0]
-        return
     root = document.root
     if root is None:  # expat refuses a document without an element
         return
     facts: dict[str, Any] = {"tag": root.tag, "count": len(found)}
+    if len(found) == 1:
+        document.launch = found[0]
+        if found[0] is not root:
+            inside = ((document.place(found[0].name_span), "what roslaunch looks at"),)
+            document.problems.append(Problem("root-not-launch", Origin(document.place(root.name_span)), facts, related=inside))
+        return
     if found:
         related: tuple[tuple[Place, str], ...] = ((document.place(found[0].name_span), "the first <launch>"),)
         where = found[1].name_span

@@ -17,6 +17,7 @@ _PACKAGE_WEIGHT = 2
 
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _ROOT = re.compile(r"<launch(?=[\s/>])")
+_START = re.compile(r"<([^\W\d][\w:.-]*)")
 # What stands before the root element: declaration, processing instructions, a document type (with or without an internal part).
 _PROLOG = re.compile(r"\ufeff?(?:\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?>)*", re.DOTALL)
 
@@ -62,6 +63,24 @@ def has_launch_root(data: bytes) -> bool:
     text = decoded(data)
     prolog = _PROLOG.match(text)
     return _ROOT.match(text, prolog.end() if prolog else 0) is not None
+
+
+def other_root(data: bytes) -> str | None:
+    """Name of the root element where it is another one than ``<launch>`` and a ``<launch>`` stands somewhere inside it.
+
+    roslaunch would take that ``<launch>`` (roslaunch.xmlloader.XmlLoader._parse_launch), but the file is of another program. A root that is
+    nearly ``launch`` is a slip, and no other root.
+    """
+    if b"<launch" not in data and not data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return None
+    text = decoded(data)
+    prolog = _PROLOG.match(text)
+    start = _START.match(text, prolog.end() if prolog else 0)
+    if start is None or start[1] == "launch":
+        return None
+    from launchlint.spelling import closest
+
+    return start[1] if closest(start[1], ("launch",)) is None and _ROOT.search(_COMMENT.sub("", text)) is not None else None
 
 
 def dialect(data: bytes, package: str | None = None) -> str | None:

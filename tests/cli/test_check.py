@@ -279,6 +279,18 @@ def test_ros2_launch_files_are_left_out_with_one_notice(repository: Path) -> Non
     assert "LL112" in named.output
 
 
+def test_files_of_other_programs_are_left_out_with_one_notice(repository: Path) -> None:
+    text = '<concert>\n  <launch package="demo" name="solution.launch"/>\n</concert>\n'
+    write(repository, {"demo/launch/solution.launch": text})
+    notice = (
+        "launchlint: left out demo/launch/solution.launch: its root is <concert>, so that it is no launch file; "
+        "name a file to check it all the same\n"
+    )
+    assert concise(repository) == (1, BOTH, notice)
+    named = run(repository, "check", "-v", "--format", "concise", "--select", "LL102", "demo/launch/solution.launch")
+    assert "info LL102" in named.output
+
+
 def test_what_a_package_is_built_for_decides_where_the_file_does_not(repository: Path) -> None:
     package = PACKAGE.format(name="two").replace("</license>", "</license><export><build_type>ament_cmake</build_type></export>")
     write(repository, {"two/package.xml": package, "two/launch/plain.launch.xml": "<launch/>\n"})

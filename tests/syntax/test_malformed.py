@@ -337,5 +337,6 @@ def test_root(written: str, place: str, facts: dict[str, object], related: list[
 
 def test_a_foreign_root_around_one_launch_is_accepted() -> None:
     document = parse(b"<robot><launch/></robot>", "a.launch")
-    assert document.problems == []
+    (problem,) = document.problems
+    assert (problem.kind, problem.refused, problem.place.text) == ("root-not-launch", False, "robot")
     assert document.launch is document.elements[1]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from launchlint.workspace.dialect import dialect, has_launch_root
+from launchlint.workspace.dialect import dialect, has_launch_root, other_root
 from launchlint.workspace.discovery import is_launch_file
 
 NODE_1 = '<node pkg="a" type="b" name="c"/>'
@@ -101,3 +101,22 @@ def test_public_files(corpus: Path) -> None:
     ros2 = told(corpus / "ros2", ".launch.xml")
     # Files with nothing but includes or comments in them, which are the same in both.
     assert len(ros2.get("ros1", [])) <= 6
+
+
+@pytest.mark.parametrize(
+    ("text", "root"),
+    [
+        ("<concert><launch/></concert>", "concert"),
+        ('<?xml version="1.0"?>\n<!-- <launch> -->\n<my:concert name="a"><launch a="b"/></my:concert>', "my:concert"),
+        ("<launch><launch/></launch>", None),
+        ("<Launch><launch/></Launch>", None),
+        ("<lanch><launch/></lanch>", None),
+        ("<concert><!-- <launch/> --></concert>", None),
+        ("<robot/>", None),
+        ("no XML <launch/>", None),
+        ("", None),
+    ],
+)
+def test_another_root_around_a_launch(text: str, root: str | None) -> None:
+    assert other_root(text.encode()) == root
+    assert other_root(text.encode("utf-16")) == root

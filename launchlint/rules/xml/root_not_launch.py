@@ -3,6 +3,9 @@
 roslaunch looks for the `<launch>` element anywhere in the file and works on that. It refuses a file without one, a
 file whose root is misspelt (`<Launch>`), and a file in which a second `<launch>` stands inside the first.
 
+A file of another program (a `<concert>`, say) that holds a `<launch>` somewhere is no launch file: it is left out where a directory is
+searched. Where it is named, or included, an info says what it is.
+
 ## Why it matters
 
 Nothing of the file is started.
@@ -46,6 +49,17 @@ STOPS = "roslaunch stops with: Invalid roslaunch XML syntax: no root <launch> ta
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
     """Say what stands there instead; facts: ``tag`` of the root, ``count`` of ``<launch>`` elements."""
     tag, count = problem.facts.get("tag", ""), problem.facts.get("count", 0)
+    if count and tag != "launch":
+        alone = count == 1
+        yield RULE.at(
+            problem.origin,
+            f"the root element is <{tag}>, with {'a' if alone else count} <launch> inside: this is a file of another program",
+            severity=Severity.INFO if alone else Severity.ERROR,
+            related=problem.related,
+            notes=("roslaunch takes the <launch> inside it, and nothing else of the file" if alone else STOPS,),
+            help="if this is a launch file, make <launch> its root; if not, exclude it",
+        )
+        return
     if count > 1:
         yield RULE.at(
             problem.origin,

@@ -8,6 +8,9 @@ that never existed.
 roslaunch drops the attribute. It says so in a warning that is easy to miss, and for `<launch>` not at all; the node
 then runs without the setting that somebody wrote down.
 
+A known attribute with a letter, a mark or a word like `off` put to it (`_if`, `xargs`, `launch-prefix-off`) has been switched off by
+somebody: that is an info, without a fix.
+
 ## Example
 
 ```xml
@@ -38,7 +41,8 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import Spot, fix, rename_attribute, spot
 from launchlint.rules.rule import Rule
-from launchlint.spelling import closest, surely
+from launchlint.spelling import closest, surely, switched_off
+from launchlint.syntax.ros1.dialect import TAGS
 
 RULE = Rule("LL104", "unknown-attribute", Severity.WARNING, roslaunch="reports", fixable="safe")
 
@@ -48,6 +52,16 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     facts = problem.facts
     tag, name, owners = facts["tag"], facts["attribute"], facts["owners"]
     silent: bool = facts["silent"]
+    off = None if owners else _switched_off(tag, name, facts["known"])
+    if off is not None:
+        yield RULE.at(
+            problem.origin,
+            f"<{tag}> has no attribute {name}, so that its {off} is switched off",
+            severity=Severity.INFO,
+            label="dropped",
+            help=f"if that is meant, remove it, or put it into a comment; else write {off}",
+        )
+        return
     near = closest(name, facts["known"])
     belongs = f"{name} belongs to {_tags(owners)}" if owners else ""
     advice = f"did you mean {near}?" if near is not None else f"{belongs}: move it there, or remove it" if belongs else "remove it"
@@ -63,6 +77,13 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         if near is None
         else _fix(name, near, sure=not owners and surely(name, facts["known"]) == near, at=spot(view, problem.place)),
     )
+
+
+def _switched_off(tag: str, name: str, free: tuple[str, ...]) -> str | None:
+    """The attribute that ``name`` is, switched off; nobody does that to one that the tag has to have."""
+    rule = TAGS[tag]
+    off = switched_off(name, rule.known)
+    return None if off in rule.required and off in free else off
 
 
 def _fix(name: str, near: str, *, sure: bool, at: Spot | None) -> Fix | None:

@@ -9,6 +9,9 @@ roslaunch starts everything else, and its warning scrolls by with the rest of th
 and other tags that take no children there is not even a warning). The node or parameter that was meant is simply
 missing on the robot.
 
+A known tag with a letter, a mark or a word like `off` put to it (`<xnode>`, `<_node>`, `<DISABLED_node>`) has been
+switched off by somebody: that is an info, without a fix.
+
 ## Example
 
 ```xml
@@ -39,7 +42,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import Spot, fix, rename_tag, spot
 from launchlint.rules.rule import Rule
-from launchlint.spelling import closest, surely
+from launchlint.spelling import closest, surely, switched_off
 
 RULE = Rule("LL103", "unknown-tag", Severity.WARNING, roslaunch="reports", fixable="safe")
 
@@ -48,6 +51,16 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     """Name the tag that was meant; facts: ``tag``, ``parent``, ``known`` (what may stand there), ``ignored`` (without a word)."""
     tag, parent, known = problem.facts["tag"], problem.facts["parent"], problem.facts["known"]
     ignored: bool = problem.facts["ignored"]
+    off = switched_off(tag, known)
+    if off is not None:
+        yield RULE.at(
+            problem.origin,
+            f"there is no tag <{tag}>, so that this <{off}> is switched off",
+            severity=Severity.INFO,
+            label="skipped",
+            help=f'if that is meant, put the <{off}> into a comment, or give it if="false"; else remove what stands around the name',
+        )
+        return
     near = closest(tag, known)
     if near is not None:
         advice = f"did you mean <{near}>?"
