@@ -107,6 +107,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL512", "suspicious-param-value", "params.suspicious_param_value", WARNING, view="launch"),
     Entry("LL513", "duplicate-yaml-key", "params.duplicate_yaml_key", WARNING, on=("yaml-duplicate-key",)),
     Entry("LL514", "param-repeated", "params.param_repeated", INFO, view="launch"),
+    Entry("LL515", "ros2-parameter-file", "params.ros2_parameter_file", WARNING, on=("ros2-parameters",)),
     Entry("LL601", "remap-matches-nothing", "remaps.remap_matches_nothing", WARNING, view="graph"),
     Entry("LL602", "remap-after-node", "remaps.remap_after_node", WARNING, view="launch"),
     Entry("LL603", "remap-out-of-effect", "remaps.remap_out_of_effect", WARNING, view="launch"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from launchlint.evaluate.block import MoreParameters, PrivateParameter, RunStep, Value
 from launchlint.evaluate.names import canonical, join
@@ -28,6 +29,8 @@ LONGEST_KEPT = 1 << 20
 """Characters of a YAML text whose parameters are kept for the next time."""
 SOURCES = ("value", "textfile", "binfile", "command")
 STEPS = ("load", "dump", "delete")
+ROS2_KEY = "ros__parameters"
+"""Below it stand the params of a node in a parameter file of ROS 2."""
 
 
 def param(file: FileEvaluation, element: Element, context: Context, namespace: str) -> None:
@@ -294,6 +297,7 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
         related = ((place(*duplicate.first), "the first one"),)
         key = "/".join(map(str, duplicate.path))
         file.record_at(place(*duplicate.second), "yaml-duplicate-key", related=related, key=key, same=duplicate.same_value)
+    _notice_ros2(file, element, loaded, content, full, place)
     for path, value, key_start, key_end, *_ in loaded.entries:
         target = full
         for key in path:
@@ -306,3 +310,23 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
             value = Unknown("", str(value))
         where = Origin(place(key_start, key_end)) if path else Origin(file.place(element.start_span))
         file.effect(ParameterSetting(canonical(target), value, where, "rosparam", None, file.conditions))
+
+
+def _notice_ros2(
+    file: FileEvaluation, element: Element, loaded: Loaded, content: str, full: str, place: Callable[[int, int], Place]
+) -> None:
+    """Record that the YAML is made for ROS 2, once, at the first of its keys that say so."""
+    if ROS2_KEY not in content:
+        return
+    below = [entry for entry in loaded.entries if ROS2_KEY in entry.path[:-1]]
+    if not below:
+        return
+    first = below[0]
+    start = content.rfind(ROS2_KEY, 0, first.key_start)
+    name = full
+    for key in first.path:
+        name = join(name, key)
+    written = element.attributes.get("file")
+    related = () if written is None else ((file.place(written.value_span), "loaded here"),)
+    at = place(start, start + len(ROS2_KEY)) if start >= 0 else place(first.key_start, first.key_end)
+    file.record_at(at, "ros2-parameters", related=related, name=canonical(name), count=len(below))
