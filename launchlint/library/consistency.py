@@ -73,7 +73,7 @@ def _program(program: Mapping[str, Any], path: Path) -> Iterator[Fault]:
         if others:
             yield Fault((*path, others[0]), f"`like` says all there is to say: {others[0]} beside it has no effect")
             return
-    elif not variants and program.get("status") != "failed" and program.get("class") != "none":
+    elif not variants and "removed" not in program and program.get("status") != "failed" and program.get("class") != "none":
         yield Fault(path, 'this says nothing: give it `variants` or `like`; a program that is no node has "class": "none"')
     for name, variant in (variants or {}).items():
         here = (*path, "variants", name)

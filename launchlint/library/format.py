@@ -72,6 +72,11 @@ class Keys(NamedTuple):
 
 Shape = Text | Number | Flag | Plain | Rule | Items | Entries | Keys
 
+DISTRIBUTIONS = ("fuerte", "groovy", "hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
+"""The distributions of ROS 1 that ``removed`` may name, the oldest first."""
+
+REMOVED = Keys("a removal", {"in": Text(DISTRIBUTIONS), "instead": Text()}, ("in",))
+
 EVIDENCE = Keys("evidence", {"by": Text(("manual", "dynamic", "static")), "at": Text(), "run": Text()}, ("by",))
 
 _NAMED: Mapping[str, Shape] = {"name": Text(syntax="name")}
@@ -93,7 +98,7 @@ INTERFACES: Mapping[str, Keys] = {
     "actions": Keys("an action", {**_TYPED, "role": Text(("server", "client")), **_WHEN}, ("name", "role")),
     "params": Keys(
         "a param",
-        {**_NAMED, "type": Text(_VALUE_TYPES), "default": Plain(), "min": Plain(), "max": Plain(), **_WHEN},
+        {**_NAMED, "type": Text(_VALUE_TYPES), "default": Plain(), "min": Plain(), "max": Plain(), "removed": REMOVED, **_WHEN},
         ("name",),
     ),
 }
@@ -118,6 +123,7 @@ PROGRAM = Keys(
         "class": Text(("roscpp", "rospy", "nodelet", "none", "other")),
         "status": Text(("ok", "failed")),
         "like": Text(),
+        "removed": REMOVED,
         "hash": Text(),
         "options": Entries(Number(), "option"),
         "problems": Items(Keys("a problem", {"code": Text(), "detail": Text(longest=LONGEST_TEXT)}, ("code",))),

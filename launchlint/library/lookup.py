@@ -58,6 +58,21 @@ class Library:
         """Whether some library says that it lists every nodelet class of the package."""
         return any("nodelets" in known.get("complete", ()) for known in self._sources(package))
 
+    def has_all_executables(self, package: str) -> bool:
+        """Whether some library says that it lists every executable of the package."""
+        return any("executables" in known.get("complete", ()) for known in self._sources(package))
+
+    def removed(self, package: str, table: str, name: str) -> Mapping[str, str] | None:
+        """The distribution that has a program no more (``in``) and what took its place (``instead``, if anything did).
+
+        None where it was not removed, or is listed as something that is there by a library that is more trusted.
+        """
+        for known in self._sources(package):
+            if name in known.get(table, ()):
+                found: Mapping[str, str] | None = known[table][name].get("removed")
+                return found
+        return None
+
     def packages(self) -> tuple[str, ...]:
         """The names of all packages, sorted."""
         sources = (*self._files, *(() if self._bundled is None else (self._bundled,)))

@@ -101,7 +101,7 @@ def merge_programs(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         merged = dict(next((each for key in ("like", "class") for each in known if _says(each, key)), known[0]))
     else:
         ranked = sorted(usable, key=lambda each: -max((_trust_of_variant(variant) for variant in each["variants"].values()), default=0))
-        merged = _first(ranked, ("class", "status", "hash", "options"))
+        merged = _first(ranked, ("class", "status", "removed", "hash", "options"))
         names = sorted({name for each in usable for name in each["variants"]})
         merged["variants"] = {name: _variants([each["variants"][name] for each in ranked if name in each["variants"]]) for name in names}
     return {**merged, "problems": problems} if problems else merged

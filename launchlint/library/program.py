@@ -30,6 +30,7 @@ class Declaration(NamedTuple):
     each: Any = None
     default: Any = None
     evidence: tuple[Mapping[str, str], ...] = ()
+    removed: Mapping[str, str] | None = None
 
 
 class Variant(NamedTuple):
@@ -90,4 +91,5 @@ def _declaration(category: str, entry: Mapping[str, Any]) -> Declaration:
         entry.get("each"),
         entry.get("default"),
         tuple(entry.get("evidence", ())),
+        entry.get("removed"),
     )

@@ -60,7 +60,7 @@ def test_what_has_an_effect_is_no_fault() -> None:
         ({"name": "{node}/a b"}, '0/name: "/a b" cannot be a part of a name: letters, digits, _, / and ~ can'),
         ({"name": "{option:-r}"}, "0/name: {option:-r} has no value: did you mean -R?"),
         ({"name": "{option:--topic|x}"}, "0/name: {option:--topic} has no value: `options` has -R, -l"),
-        ({"name": "{param:~x|{option:-z}}"}, "0/name: {option:-z} has no value: did you mean -R?"),
+        ({"name": "{param:~x|{option:-z}}"}, "0/name: {option:-z} has no value: `options` has -R, -l"),
         (
             {"name": "x", "condition": {"not": {"all": [{"arg": 1}, {"option": "--rate"}]}}},
             '0/condition/not/all/1/option: the option "--rate" is never given: `options` has -R, -l',

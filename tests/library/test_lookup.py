@@ -171,3 +171,23 @@ def test_nodelet_classes_are_found(tmp_path: Path) -> None:
 )
 def test_which_packages_the_shipped_library_knows(name: str, known: bool) -> None:
     assert is_in_library(name) is known
+
+
+def test_what_a_distribution_removed() -> None:
+    shipped = Library()
+    assert shipped.removed("robot_state_publisher", "executables", "state_publisher") == {
+        "in": "noetic",
+        "instead": "robot_state_publisher",
+    }
+    assert shipped.removed("robot_state_publisher", "executables", "robot_state_publisher") is None
+    assert shipped.removed("zzyzx", "executables", "zzyzx") is None
+
+
+def test_a_library_of_ones_own_may_still_have_it(tmp_path: Path) -> None:
+    own = library(robot_state_publisher={"executables": {"state_publisher": executable()}})
+    assert opened(tmp_path, own, bundled=True).removed("robot_state_publisher", "executables", "state_publisher") is None
+
+
+def test_which_lists_of_executables_are_whole(tmp_path: Path) -> None:
+    found = opened(tmp_path, library(a={"complete": ["executables"]}, b={"complete": ["nodelets"]}))
+    assert [found.has_all_executables(package) for package in ("a", "b", "c")] == [True, False, False]

@@ -28,7 +28,7 @@ EVERYTHING = library(
         "complete": ["nodelets"],
         "build": {"result": "partial", "errors": ["x"]},
         "launch": [{"file": "a.launch"}],
-        "nodelets": {"demo/Filter": {"like": "demo/Other"}},
+        "nodelets": {"demo/Filter": {"like": "demo/Other", "removed": {"in": "noetic", "instead": "demo/Other"}}},
         "executables": {
             "node": {
                 "class": "rospy",
@@ -51,7 +51,9 @@ EVERYTHING = library(
                         "services": [{"name": "~reset", "type": "std_srvs/Empty", "condition": {"param": "~a", "is": 1, "default": 2}}],
                         "clients": [{"name": "{each}", "each": {"words": "~x"}, "condition": {"text": "if (x)"}}],
                         "actions": [{"name": "go", "role": "client", "condition": {"remap": "in"}}],
-                        "params": [{"name": "~rate", "type": "int", "default": [1], "min": 0, "max": {"a": None}}],
+                        "params": [
+                            {"name": "~rate", "type": "int", "default": [1], "min": 0, "max": {"a": None}, "removed": {"in": "kinetic"}}
+                        ],
                     },
                     "other": {
                         "match": {"all": [{"not": {"arg": -1, "in": ["x"]}}, {"any": [{"option": "-r"}, {"param": "~x", "set": True}]}]}

@@ -2,8 +2,9 @@
 
 What it does: where the package lies in the workspace or is installed, it looks for the `type` among the programs that its
 `CMakeLists.txt` builds, its scripts, and its installed files. It is an error where the package is installed or the name is one
-slip away from a program of it; otherwise a warning. Nothing is said where the list of programs may have gaps, as with packages
-below `/usr`, whose programs Debian distributes over several packages of its own.
+slip away from a program of it; otherwise a warning. Where the package is not here, the library is asked: a name that is one slip away
+from a program that it knows is an error where the library lists all programs of the package, else a warning. Nothing is said where
+the list of programs may have gaps, as with packages below `/usr`, whose programs Debian distributes over several packages of its own.
 
 ## Why it matters
 
@@ -68,16 +69,16 @@ add_executable(drive_node src/drive.cpp)
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Node
 from launchlint.rules.edits import fix, is_literal, set_value, spot
 from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import GraphView
 from launchlint.source import Origin
-from launchlint.spelling import closest, one_slip
+from launchlint.spelling import closest, one_slip, surely
 from launchlint.workspace.packages import SYSTEM_SHARE
 
 RULE = Rule("LL304", "unknown-executable", Severity.ERROR, roslaunch="reports", fixable="unsafe")
@@ -85,7 +86,7 @@ RULE = Rule("LL304", "unknown-executable", Severity.ERROR, roslaunch="reports", 
 _MOST_NAMED = 6
 
 
-def check(view: LaunchView) -> Iterator[Finding]:
+def check(view: GraphView) -> Iterator[Finding]:
     """Yield one finding for each node or test whose executable is not there (roslib.packages.find_node)."""
     launch = view.launch
     for node in (*launch.nodes, *launch.tests):
@@ -94,6 +95,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
             continue
         package = view.packages.get(node.package, launch.entry.file)
         if package is None:
+            yield from _by_library(node, view)
             continue
         known = contents(view.packages).executables(package)
         if name in known.by_name or known.flaw(name) is not None:
@@ -105,7 +107,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
         assumed = any(condition.assumed for condition in node.conditions)
         certain = exhaustive and (known.installed or slip is not None) and not assumed
         near = slip or closest(name, known.names)
-        some = ", ".join(known.names[:_MOST_NAMED]) + (" …" if len(known.names) > _MOST_NAMED else "")
+        some = _some(known.names)
         has = f"it has: {some}" if some else "it has no executables at all"
         yield RULE.at(
             Origin(node.attributes.get("type", node.origin.place), node.origin.step),
@@ -118,7 +120,31 @@ def check(view: LaunchView) -> Iterator[Finding]:
         )
 
 
-def _fix(node: Node, view: LaunchView, slip: str) -> Fix | None:
+def _by_library(node: Node, view: GraphView) -> Iterator[Finding]:
+    """Where the package is not here: is it a slip for a program that the library knows? Programs of tests are seldom installed."""
+    name, library = node.executable, view.library
+    known = library.executables(node.package)
+    if not known or name in known or node in view.launch.tests or view.packages.complete:
+        return
+    complete = library.has_all_executables(node.package)
+    near = surely(name, known)
+    if near is None or not _same_digits(name, near) or library.removed(node.package, "executables", near):
+        return
+    assumed = any(condition.assumed for condition in node.conditions)
+    yield RULE.at(
+        Origin(node.attributes.get("type", node.origin.place), node.origin.step),
+        f"the package {node.package} has no executable {name}"
+        if complete
+        else f"the package {node.package} has {near}, and {name} is not known",
+        severity=Severity.ERROR if complete and not assumed else Severity.WARNING,
+        label="not found" if complete else "not known",
+        notes=(f"the library knows of it: {_some(known)}", "roslaunch loads the file and fails when it starts a node that is not there"),
+        help=f"did you mean {near}?",
+        fix=_fix(node, view, near),
+    )
+
+
+def _fix(node: Node, view: GraphView, slip: str) -> Fix | None:
     place = node.attributes.get("type")
     if place is None or not is_literal(place, node.executable):
         return None
@@ -132,6 +158,12 @@ def _slip(name: str, names: list[str]) -> str | None:
         if other != name and other.removesuffix(".py") == stem:
             return other
     slip = one_slip(name, names)
-    if slip is None or "".join(filter(str.isdigit, slip)) != "".join(filter(str.isdigit, name)):
-        return None
-    return slip
+    return None if slip is None or not _same_digits(slip, name) else slip
+
+
+def _same_digits(one: str, other: str) -> bool:
+    return "".join(filter(str.isdigit, one)) == "".join(filter(str.isdigit, other))
+
+
+def _some(names: Sequence[str]) -> str:
+    return ", ".join(names[:_MOST_NAMED]) + (" …" if len(names) > _MOST_NAMED else "")

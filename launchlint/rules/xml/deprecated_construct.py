@@ -2,7 +2,9 @@
 
 The `<master>` tag (roslaunch starts a master by itself), the `ros-root`, `ros-package-path`, `ros-ip` and
 `ros-hostname` attributes and the `<env>` children of a `<machine>`, the `ns` attribute of `<rosparam>` (it is called
-`param` now), and the program `xacro.py`, which ROS Noetic does not have.
+`param` now), and the program `xacro.py`, which ROS Noetic does not have. So are programs and params of which the library knows that a
+distribution removed them (`robot_state_publisher/state_publisher`, `use_gui` of joint_state_publisher), where the package is not here.
+A param that is set to what was its default is an info: it changed nothing when it was still read.
 
 ## Why it matters
 
@@ -34,12 +36,15 @@ proved before it is done. It writes `xacro` for `xacro.py`: the command is anoth
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from launchlint.finding import Finding, Fix, Severity
+from launchlint.graph.connections import Instance
 from launchlint.problem import Problem
-from launchlint.rules.edits import LOADS, fix, remove_attribute, remove_element, rename_attribute, replace, spot
+from launchlint.rules.edits import LOADS, fix, is_literal, remove_attribute, remove_element, rename_attribute, replace, set_value, spot
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import GraphView
+from launchlint.source import Origin
 
 RULE = Rule("LL111", "deprecated-construct", Severity.WARNING, fixable="safe")
 
@@ -66,6 +71,66 @@ WORDS = {
     ),
     "machine env": ("<machine> takes no <env>", STOPS.format("<env> tag is"), SCRIPT),
 }
+
+
+def check(view: GraphView) -> Iterator[Finding]:
+    """Yield a finding for each program that is started and each param that is set although a distribution has it no more."""
+    for instance in view.graph.instances:
+        yield from _program(instance, view)
+    for name, readings in view.graph.readers.items():
+        setting = view.graph.parameters.setting(name)
+        removed = readings[0].declaration.removed if readings else None
+        if setting is None or removed is None or not all(reading.declaration.removed for reading in readings):
+            continue
+        if view.packages.has(_package(readings[0].node, view)):
+            continue  # which version that is nobody knows here
+        default = readings[0].declaration.default
+        yield RULE.at(
+            setting.origin,
+            f"{_of(readings[0].node, view)} has no param {readings[0].declared} in ROS {removed['in'].title()} any more",
+            severity=Severity.INFO if default is not None and setting.value == default else None,
+            label="out of date",
+            notes=("nothing reads it there",),
+            help=_instead(removed, "remove it"),
+            topic=f"removed {readings[0].declared}",
+        )
+
+
+def _program(instance: Instance, view: GraphView) -> Iterator[Finding]:
+    node = instance.node
+    if instance.kind == "nodelet":
+        package, table, name, attribute = instance.program.partition("/")[0], "nodelets", instance.program, "args"
+    else:
+        package, table, name, attribute = node.package, "executables", node.executable, "type"
+    removed = None if view.packages.has(package) else view.library.removed(package, table, name)
+    if removed is None:
+        return
+    place = node.attributes.get(attribute, node.origin.place)
+    instead = removed.get("instead", "")
+    change = None
+    if instead and "/" not in instead and is_literal(place, name):
+        change = fix(f"write {instead}", set_value(spot(view, place), instead), safe=False, changes=f"{instead} is started")
+    yield RULE.at(
+        Origin(place, node.origin.step),
+        f"ROS {removed['in'].title()} has no {name} in {package} any more",
+        label="out of date",
+        notes=("roslaunch loads the file there and fails when it starts this node",),
+        help=_instead(removed, "remove the node"),
+        fix=change,
+        topic="removed",
+    )
+
+
+def _instead(removed: Mapping[str, str], otherwise: str) -> str:
+    return f"use {removed['instead']} instead" if "instead" in removed else otherwise
+
+
+def _package(node: str, view: GraphView) -> str:
+    return next((instance.program.partition("/")[0] for instance in view.graph.instances if instance.name == node), "")
+
+
+def _of(node: str, view: GraphView) -> str:
+    return next((instance.program for instance in view.graph.instances if instance.name == node), node)
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
