@@ -14,6 +14,7 @@ from collections.abc import Callable, Sequence
 from launchlint.workspace.cmake import CMakeError, Command, commands
 from launchlint.workspace.cmake_blocks import block_end, never, parsed, section, sources_and_rest
 from launchlint.workspace.cmake_installs import install, install_programs
+from launchlint.workspace.cmake_made import MAKING
 from launchlint.workspace.cmake_scope import Scope, Value, together
 from launchlint.workspace.cmake_targets import CMakeFacts, Generated, Target
 from launchlint.workspace.cmake_words import CATKIN_WORDS, HARMLESS, HARMLESS_PREFIXES
@@ -68,7 +69,7 @@ def read_cmake(directory: str, files: Callable[[], Sequence[str]]) -> CMakeFacts
 class _Reader:
     """One run over the CMake files of a package."""
 
-    __slots__ = ("_blocks", "facts", "generated", "macros", "parameters", "renamed", "scope", "steps")
+    __slots__ = ("_blocks", "_file_shown", "facts", "generated", "macros", "parameters", "renamed", "scope", "steps")
 
     def __init__(self, root: str, files: Callable[[], Sequence[str]]) -> None:
         self.scope = Scope(root, files)
@@ -79,6 +80,7 @@ class _Reader:
         self.generated: dict[str, Generated] = {}
         self.steps = 0
         self._blocks = 0
+        self._file_shown = CMAKE_FILE
 
     # -- reading ------------------------------------------------------------------------------------------------------
 
@@ -99,7 +101,9 @@ class _Reader:
         except CMakeError as error:
             self._unknown(f"{shown}, {error}")
             return
+        outer, self._file_shown = self._file_shown, shown
         self.run(listed, depth)
+        self._file_shown = outer
 
     def run(self, listed: Sequence[Command], depth: int) -> None:
         """Evaluate commands in order."""
@@ -200,7 +204,10 @@ class _Reader:
         first = arguments[0] if arguments else None
         if len(name) > _LONGEST_NAME:
             self._unknown("a command with a very long name")
-        elif _TARGET.fullmatch(name) or _TEST_TARGET.fullmatch(name):
+            return
+        if name in MAKING:
+            self.facts.made.note(self.scope, command, self._file_shown)
+        if _TARGET.fullmatch(name) or _TEST_TARGET.fullmatch(name):
             if arguments[1:2] not in (["IMPORTED"], ["ALIAS"]):
                 self._executable(first, name)
                 self._target(first, self.scope.expand(command.arguments, any_way=True)[1:], is_library=False)
@@ -261,6 +268,7 @@ class _Reader:
             self._call(name, command, depth)
         elif name not in HARMLESS and not name.startswith(HARMLESS_PREFIXES) and not _TOOLING.search(name):
             self._unknown(f"the command {name} (line {command.line}) is not known")
+            self.facts.made.note(self.scope, command, self._file_shown)
             if _WRAPPER.fullmatch(name) and not _NO_WRAPPER.search(name):
                 self._wrapped(self.scope.expand(command.arguments, any_way=True))
 
@@ -389,7 +397,7 @@ class _Reader:
             self.read(self.scope.path(name), depth + 1)
 
     def _call(self, name: str, command: Command, depth: int) -> None:
-        """A macro or function of this package: only targets are noted of what it does, and whether it makes something."""
+        """A macro or function of this package: only targets and files are noted of what it does, and whether it makes something."""
         self._targets_of(name, command, depth)
         pending, seen = [name], {name}
         while pending:
@@ -405,13 +413,13 @@ class _Reader:
             self._forget_assigned(self.macros[called])
 
     def _targets_of(self, name: str, command: Command, depth: int) -> None:
-        """Go through a macro or function with its arguments, for the targets alone."""
+        """Go through a macro or function with its arguments, for the targets and the files it makes alone."""
         body = self.macros[name]
-        if self._blocks >= _DEEPEST_BLOCK or not any(_MAKES_TARGETS.search(inner.name) or inner.name in self.macros for inner in body):
+        if self._blocks >= _DEEPEST_BLOCK or not any(self._makes(inner.name) for inner in body):
             return
         facts, scope = self.facts, self.scope.variables
         self.facts = CMakeFacts()
-        self.facts.targets = facts.targets
+        self.facts.targets, self.facts.made = facts.targets, facts.made
         arguments = self.scope.expand(command.arguments, any_way=True)
         parameters = self.parameters.get(name, ())
         self.scope.variables = dict(scope)
@@ -431,6 +439,9 @@ class _Reader:
         for each, value in after.items():
             if value and each not in known and scope.get(each) != value:
                 self.scope.unions[each] = together([self.scope.unions.get(each, ""), value])
+
+    def _makes(self, name: str) -> bool:
+        return name in MAKING or name in self.macros or _MAKES_TARGETS.search(name) is not None
 
     def _forget_assigned(self, listed: Sequence[Command]) -> None:
         """Variables that these commands may set, some number of times, are unknown afterwards."""

@@ -102,6 +102,21 @@ class Scope:
                 expanded += [each for each in value.split(";") if each]
         return expanded
 
+    def with_gaps(self, arguments: Sequence[Argument]) -> list[str]:
+        """As :meth:`expand` ``any_way``, with ``*`` for each variable that is not known."""
+        expanded: list[str] = []
+        for argument in arguments:
+            known = self.expand([argument], any_way=True)
+            if None in known:
+                text = argument.text
+                for _ in range(_DEEPEST_REFERENCE):
+                    text, count = _REFERENCE.subn(lambda match: self.variables.get(match[1]) or "*", text)
+                    if not count or len(text) > _LONGEST_VALUE:
+                        break
+                known = [text[:_LONGEST_VALUE]]
+            expanded += [each for each in known if each]
+        return expanded
+
     def project(self, name: Value) -> None:
         """``project(name)``: the variables that depend on it."""
         self._put("PROJECT_NAME", name)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from launchlint.workspace.cmake_made import Made
 from launchlint.workspace.cmake_scope import Value
 
 
@@ -56,13 +57,15 @@ class Target:
 
 class CMakeFacts:
     """What was found: ``executables`` maps the name of each executable to the command that makes it, ``targets`` the name of each target
-    to what it is made of. ``programs`` are the files that are installed to be run, absolute; ``include_directories`` where headers are.
+    to what it is made of. ``programs`` are the files that are installed to be run, absolute; ``include_directories`` where headers are;
+    ``made`` is what files the build makes.
 
     ``executables_reasons`` and ``installs_reasons`` say why the respective list may be incomplete; empty lists mean: it is complete.
     """
 
     __slots__ = (
-        "executables", "executables_reasons", "include_directories", "installs", "installs_reasons", "programs", "project", "targets",
+        "executables", "executables_reasons", "include_directories", "installs", "installs_reasons", "made", "programs", "project",
+        "targets",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -74,3 +77,4 @@ class CMakeFacts:
         self.executables_reasons: list[str] = []
         self.installs: list[Install] = []
         self.installs_reasons: list[str] = []
+        self.made = Made()

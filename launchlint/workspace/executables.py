@@ -13,6 +13,7 @@ from fnmatch import fnmatchcase
 from typing import NamedTuple
 
 from launchlint.workspace.cmake_facts import CMAKE_FILE, read_cmake
+from launchlint.workspace.cmake_made import Made
 from launchlint.workspace.cmake_targets import CMakeFacts, Install
 from launchlint.workspace.looking import start
 from launchlint.workspace.manifest import PACKAGE_FILE
@@ -151,15 +152,21 @@ def launch_install_directories(package: Package) -> InstalledFiles:
     return InstalledFiles(tuple(facts.installs), tuple(dict.fromkeys(facts.installs_reasons)))
 
 
-class ExecutableIndex:
-    """:func:`executables` and :func:`launch_install_directories` for the packages of one run, each looked at once."""
+def made_files(package: Package) -> Made:
+    """What files the CMake files of ``package`` make. Never raises."""
+    return read_cmake(package.directory, lambda: list(_files(package.directory)[0])).made
 
-    __slots__ = ("_executables", "_installs", "_packages")
+
+class ExecutableIndex:
+    """:func:`executables`, :func:`launch_install_directories` and :func:`made_files` for the packages of one run, each looked at once."""
+
+    __slots__ = ("_executables", "_installs", "_made", "_packages")
 
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
         self._executables: dict[str, Executables] = {}
         self._installs: dict[str, InstalledFiles] = {}
+        self._made: dict[str, Made] = {}
 
     def executables(self, package: Package) -> Executables:
         """What ``package`` can run."""
@@ -172,6 +179,12 @@ class ExecutableIndex:
         if package.directory not in self._installs:
             self._installs[package.directory] = launch_install_directories(package)
         return self._installs[package.directory]
+
+    def made(self, package: Package) -> Made:
+        """What files the build of ``package`` makes."""
+        if package.directory not in self._made:
+            self._made[package.directory] = made_files(package)
+        return self._made[package.directory]
 
 
 def _files(directory: str) -> tuple[dict[str, int], bool]:

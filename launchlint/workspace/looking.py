@@ -63,6 +63,16 @@ def start(path: str) -> bytes | None:
         os.close(descriptor)
 
 
+def content(path: str) -> bytes | None:
+    """All of a small file; ``None`` where there is none that can be read."""
+    from launchlint.workspace.reading import read_bytes
+
+    try:
+        return read_bytes(_note(path))
+    except OSError:
+        return None
+
+
 def noted() -> frozenset[str]:
     """What was looked at since this was called last; absolute paths."""
     taken = frozenset(_noted)

@@ -184,6 +184,32 @@ def test_a_hint_from_looking_around_is_noticed(repository: Repository) -> None:
     assert run(repository.directory, *words) == run(repository.directory, *words, "--no-cache")
 
 
+STEPS: dict[str, tuple[dict[str, str], str]] = {
+    ".gitignore": ({".gitignore": "prt.launch\n"}, "git ignores it (prt.launch in .gitignore)"),
+    "another pattern": ({".gitignore": "/arm/launch/prt*\n"}, "git ignores it (/arm/launch/prt* in .gitignore)"),
+    ".gitignore below": ({".gitignore": "", "arm/launch/.gitignore": "prt.launch\n"}, "in arm/launch/.gitignore)"),
+    "the clone's own": ({"arm/launch/.gitignore": "", ".git/info/exclude": "prt.launch\n"}, "in .git/info/exclude)"),
+    "template": ({".git/info/exclude": "", "arm/launch/prt.launch.in": "<launch/>\n"}, "arm/launch/prt.launch.in lies beside it"),
+    "CMake": ({"arm/CMakeLists.txt": "configure_file(prt.in launch/prt.launch)\n"}, "configure_file (CMakeLists.txt, line 1)"),
+    "included": (
+        {"arm/CMakeLists.txt": "\ninclude(more.cmake)\n", "arm/more.cmake": "em_expand(a b c prt.launch)\n"},
+        "(more.cmake, line 1)",
+    ),
+}
+
+
+def test_what_makes_a_file_is_noticed(repository: Repository) -> None:
+    """A file that is not here is told of in another way where something makes it."""
+    words = ["check", "--format", "text", "--select", "LL401", "-v"]
+    assert "error LL401 include-not-found: the included file arm/launch/prt.launch" in run(repository.directory, *words).output
+    for name, (files, reason) in STEPS.items():
+        write(repository.directory, files)
+        told = run(repository.directory, *words)
+        assert reason in told.output, name
+        assert "error LL401" not in told.output
+        assert told == run(repository.directory, *words, "--no-cache")
+
+
 def test_environment_variables_are_noticed(repository: Repository) -> None:
     unset = repository.findings()
     assert any("TALK_OUTPUT" in finding for finding in unset)

@@ -3,7 +3,8 @@
 What it does: it looks for the `file` of every `<include>` whose name can be worked out. A plain relative name is looked up where
 roslaunch is started, not beside the including file. It is a warning where the answer hangs on this machine: for absolute
 names outside the workspace, for relative names that do exist beside the including file, and for files that `CMakeLists.txt` may
-install. For names made from an environment variable, whose value here says little, it is an info.
+install. It is an info for names made from an environment variable, whose value here says little, and for a file that is made: by a
+command of `CMakeLists.txt`, from a template that lies beside it, or by what `.gitignore` keeps out of the repository.
 
 ## Why it matters
 
@@ -52,6 +53,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.installed import installed_from
+from launchlint.rules.made_file import made
 from launchlint.rules.made_up import is_made_up
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.rule import Rule
@@ -99,10 +101,15 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     if environment:
         notes.append("the name hangs on an environment variable, which may be another one on the robot")
     installed = installed_from(file, view.packages) if not relative and not environment else None
+    maker = made(file, view.packages, root) if not relative and not environment and installed is None else None
+    if maker is not None:
+        notes.append(maker.why)
     if installed is not None:
         notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")
     severity = Severity.WARNING if beside or outside or installed is not None else None
     advice = f'write file="$(dirname)/{file}"' if beside else _suggestion(file, source, written, view, root)
+    if maker is not None:
+        severity, advice = Severity.INFO, maker.help
     if environment:
         severity = Severity.INFO
         advice = "give the variable the value it has on the robot, under env: in .launchlint.yaml, or correct the path"
@@ -110,7 +117,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         problem.origin,
         f"the included file {named} does not exist" if file else "the name of the included file is empty",
         severity=severity,
-        label="found only beside this file" if beside else "not found",
+        label="found only beside this file" if beside else "not here" if maker is not None else "not found",
         notes=tuple(notes),
         help=advice,
         fix=None if environment else _fix(problem, view, written, f"$(dirname)/{file}" if beside else _meant(advice), sure=beside),

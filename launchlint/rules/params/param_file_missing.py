@@ -7,7 +7,8 @@ after substitution, and the file has to be readable UTF-8 text (but for `binfile
 
 roslaunch refuses the launch file, and with it every launch file that includes it. It is a warning where the file may
 well be there on the robot: a path outside of all packages, a relative one, and one that `CMakeLists.txt` may install. It is
-an info where the path is made from an environment variable, whose value here says little.
+an info where the path is made from an environment variable, whose value here says little, and where the file is made: by a command
+of `CMakeLists.txt`, from a template that lies beside it, or by what `.gitignore` keeps out of the repository.
 
 ## Example
 
@@ -42,6 +43,7 @@ from typing import Any
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.installed import installed_from
+from launchlint.rules.made_file import made
 from launchlint.rules.made_up import is_made_up
 from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.rule import Rule
@@ -68,12 +70,17 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     name = path.rpartition("/")[2] or path
     severity = None
     elsewhere = installed_from(facts["file"], view.packages) if missing and not facts["relative"] else None
+    look = missing and not facts["relative"] and not facts["environment"] and elsewhere is None
+    maker = made(facts["file"], view.packages, root_of(problem.place.source)) if look else None
     if path and facts["environment"]:
         severity = Severity.INFO
     elif elsewhere is not None:
         severity = Severity.WARNING
         notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")
         facts = {**facts, "near": shown(elsewhere, root_of(problem.place.source))}
+    elif maker is not None:
+        severity = Severity.INFO
+        notes.append(maker.why)
     elif path and (facts["relative"] or facts["elsewhere"]):
         severity = Severity.WARNING
     if not path:
@@ -87,7 +94,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         label="no such file" if missing else "",
         related=problem.related,
         notes=tuple(notes),
-        help=_advice(facts),
+        help=maker.help if maker is not None else _advice(facts),
     )
 
 
