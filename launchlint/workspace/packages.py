@@ -16,6 +16,10 @@ from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE, Manifest,
 from launchlint.workspace.prefixes import Prefix, prefixes
 from launchlint.workspace.public_packages import PublicPackages, public_names
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.environment_hooks import Hooks
+
 SYSTEM_SHARE = "/usr/share"
 DEBIAN_CATKIN = "/usr/lib/python3/dist-packages/catkin"
 """Debian's own catkin looks for resources of every package in ``/usr`` too, before the source tree, whatever the workspaces are."""
@@ -148,6 +152,7 @@ class Packages:
         self._resolved: dict[tuple[str, str], str] = {}
         self._duplicates: dict[str, list[Package]] | None = None
         self._hidden: dict[str, Hidden] | None = None
+        self._hooks: Hooks | None = None
 
     def get(self, name: str, near: str) -> Package | None:
         """The package called ``name`` as a launch file at ``near`` gets it; ``None`` where there is none.
@@ -216,6 +221,16 @@ class Packages:
                 for each in place.hidden():
                     self._hidden.setdefault(each.name, each)
         return self._hidden
+
+    def hook_variables(self) -> Mapping[str, str]:
+        """The environment variables that env-hooks of the workspaces' packages set, each with the file (absolute) that does."""
+        from launchlint.workspace.environment_hooks import read_hooks
+        from launchlint.workspace.looking import note
+
+        if self._hooks is None:
+            self._hooks = read_hooks(each for place in self.places[: len(self.workspaces)] for each in place.everything)
+        note(self._hooks.looked)
+        return self._hooks.variables
 
     def duplicates(self) -> dict[str, list[Package]]:
         """Names that several packages of one workspace bear, with these packages in the order of the crawl; sorted by name.

@@ -218,6 +218,23 @@ def test_environment_variables_are_noticed(repository: Repository) -> None:
     assert repository.findings() == unset
 
 
+def test_hooks_that_set_variables_are_noticed(repository: Repository) -> None:
+    def told() -> bool:
+        return any("TALK_OUTPUT" in finding for finding in repository.findings())
+
+    assert told()
+    write(repository.directory, {"base/env-hooks/50.base.sh.em": "export TALK_OTHER=1\n"})
+    assert told()
+    write(repository.directory, {"base/env-hooks/50.base.sh.em": "export TALK_OUTPUT=@(output)\n"})
+    assert not told()
+    write(repository.directory, {"base/env-hooks/50.base.sh.em": "\n", "arm/60.arm.bash": "export TALK_OUTPUT=screen\n"})
+    assert told()
+    write(repository.directory, {"arm/CMakeLists.txt": "catkin_add_env_hooks(60.arm SHELLS bash DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})\n"})
+    assert not told()
+    write(repository.directory, {"arm/60.arm.bash": "# export TALK_OUTPUT=screen\n"})
+    assert told()
+
+
 def test_packages_of_the_environment_are_noticed(repository: Repository, tmp_path: Path) -> None:
     """Those on ROS_PACKAGE_PATH lie outside of the checked repository."""
     path = tmp_path / "more"

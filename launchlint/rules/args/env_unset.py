@@ -1,6 +1,7 @@
 """A `$(env …)` reads an environment variable that is not set here.
 
-Variables that every login or ROS installation sets are not told of. Others may be set on the robot and not where this
+Variables that every login or ROS installation sets are not told of, nor those that an env-hook of a package in the workspace sets
+(`catkin_add_env_hooks`, `env-hooks/*.sh`). Others may be set on the robot and not where this
 check runs; `env:` in `.launchlint.yaml` gives them a value for the check. Each variable is told of once in a file.
 
 ## Why it matters
@@ -53,7 +54,7 @@ def check(view: LaunchView) -> Iterator[Fine]:
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Suggest a default; facts: ``variable``."""
     name = problem.facts["variable"]
-    if name in USUAL:
+    if name in USUAL or name in view.packages.hook_variables():
         return
     slip = one_slip(name, (*USUAL, *OPTIONAL))
     given = f"write $(optenv {name} DEFAULT), or give it a value under env: in .launchlint.yaml if it is always set"
