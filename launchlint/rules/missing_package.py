@@ -12,12 +12,14 @@ from typing import NamedTuple
 
 from launchlint.finding import Severity
 from launchlint.library.shipped import is_in_library
-from launchlint.spelling import closest, one_slip
+from launchlint.spelling import closest, distance, one_slip
 from launchlint.workspace.packages import Hidden, Package, Packages
 from launchlint.workspace.public_packages import public_names
 
 SHORTEST_SLIP = 6
 """Below this many letters most names are one slip away from some other name."""
+LETTERS_FOR_A_SLIP = 8
+"""Of several slips there is one in so many letters at most."""
 
 
 _LEGAL = re.compile(r"[A-Za-z][\w-]*")
@@ -96,7 +98,7 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
     if slip is not None:
         where = "here" if packages.has(slip) else "declared in a package.xml"
         return Judgement(Severity.ERROR, f"{slip} is {where}, and {unlisted}", _did_you_mean(slip))
-    near = closest(name, known) or _one_slip(name, list(public))
+    near = _near(name, known) or _one_slip(name, list(public))
     return Judgement(Severity.WARNING, f"no package.xml here declares it, and {unlisted}", _did_you_mean(near) or _add(name))
 
 
@@ -146,6 +148,12 @@ def _one_slip(name: str, names: Sequence[str]) -> str | None:
     if slip is None or _digits(slip) != _digits(name) or slip.rstrip("s") == name.rstrip("s"):
         return None
     return slip
+
+
+def _near(name: str, names: Iterable[str]) -> str | None:
+    """The most similar name, if that is much alike: packages of one maker share most of their letters and are no slips for each other."""
+    near = closest(name, names)
+    return near if near is not None and distance(_fold(name), _fold(near)) <= max(1, len(name) // LETTERS_FOR_A_SLIP) else None
 
 
 def _fold(name: str) -> str:

@@ -4,7 +4,8 @@ The `<master>` tag (roslaunch starts a master by itself), the `ros-root`, `ros-p
 `ros-hostname` attributes and the `<env>` children of a `<machine>`, the `ns` attribute of `<rosparam>` (it is called
 `param` now), and the program `xacro.py`, which ROS Noetic does not have. So are programs and params of which the library knows that a
 distribution removed them (`robot_state_publisher/state_publisher`, `use_gui` of joint_state_publisher), where the package is not here.
-A param that is set to what was its default is an info: it changed nothing when it was still read.
+A param that is set to what was its default is an info: it changed nothing when it was still read. Each such program or param is told of
+once, with all places.
 
 ## Why it matters
 
@@ -82,17 +83,20 @@ def check(view: GraphView) -> Iterator[Finding]:
         removed = readings[0].declaration.removed if readings else None
         if setting is None or removed is None or not all(reading.declaration.removed for reading in readings):
             continue
-        if view.packages.has(_package(readings[0].node, view)):
+        program = _of(readings[0].node, view)
+        if view.packages.has(program.partition("/")[0]):
             continue  # which version that is nobody knows here
         default = readings[0].declaration.default
+        severity = Severity.INFO if default is not None and setting.value == default else RULE.severity
         yield RULE.at(
             setting.origin,
-            f"{_of(readings[0].node, view)} has no param {readings[0].declared} in ROS {removed['in'].title()} any more",
-            severity=Severity.INFO if default is not None and setting.value == default else None,
+            f"{program} has no param {readings[0].declared} in ROS {removed['in'].title()} any more",
+            severity=severity,
             label="out of date",
             notes=("nothing reads it there",),
             help=_instead(removed, "remove it"),
             topic=f"removed {readings[0].declared}",
+            cause=f"{severity.word} {program} {readings[0].declared.lstrip('~')}",
         )
 
 
@@ -118,15 +122,12 @@ def _program(instance: Instance, view: GraphView) -> Iterator[Finding]:
         help=_instead(removed, "remove the node"),
         fix=change,
         topic="removed",
+        cause=f"{package}/{name}",
     )
 
 
 def _instead(removed: Mapping[str, str], otherwise: str) -> str:
     return f"use {removed['instead']} instead" if "instead" in removed else otherwise
-
-
-def _package(node: str, view: GraphView) -> str:
-    return next((instance.program.partition("/")[0] for instance in view.graph.instances if instance.name == node), "")
 
 
 def _of(node: str, view: GraphView) -> str:
@@ -143,7 +144,14 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         note = "not supported since ROS Fuerte"
     severity = Severity.ERROR if problem.refused else Severity.INFO if construct == "rosparam ns" else Severity.WARNING
     yield RULE.at(
-        problem.origin, message, severity=severity, label="out of date", notes=(note,), help=advice, fix=_fix(construct, problem, view)
+        problem.origin,
+        message,
+        severity=severity,
+        label="out of date",
+        notes=(note,),
+        help=advice,
+        fix=_fix(construct, problem, view),
+        cause=construct if construct == "xacro.py" else "",
     )
 
 
