@@ -6,6 +6,10 @@ expand, about `..` that leads out of the package, and about relative names, whic
 in. Absolute names of system configuration (`/etc`, `/dev`, `/tmp` and the like) are passed over, and so is all that begins with a
 substitution other than `$(find …)` and `$(dirname)`.
 
+In the values of args and params, and in what nodes get as `args` or `env`, it speaks about paths below the home directory of one person
+and about `..` that leads out of a package; that is an info where no package holds what is named, and so is `~`, which nodes expand or
+do not. What stands in many places is told once.
+
 ## Why it matters
 
 The launch breaks on the next robot, for the next user, or as soon as the package is installed.
@@ -62,6 +66,11 @@ from launchlint.workspace.looking import exists
 RULE = Rule("LL406", "non-portable-path", Severity.WARNING, fixable="safe")
 
 _ATTRIBUTES = {"include": ("file",), "rosparam": ("file",), "param": ("textfile", "binfile")}
+_TEXTS = {"arg": ("value", "default"), "param": ("value",), "node": ("args",), "test": ("args",), "env": ("value",)}
+_HOME = r"(?<![\w.$/\\-])(?:/home/|/Users/)[\w.-]+/"
+_TILDE = r"(?<![\w.$/\\-])~/(?:\.[\w-]|(?:[\w. -]+/)*[\w-]+\.[A-Za-z]\w{0,5}\b)[^\s\"';,:]*"
+"""``~/.ros/x`` or ``~/maps/hall.yaml``; ``~/scan`` may well be a topic."""
+_ANY_PACKAGE = "keep it in a package, and write $(find pkg)/…"
 _SYSTEM = r"/(?:etc|dev|tmp|var|run|mnt|media|sys|proc|opt/(?!ros/))"
 _PERSONAL = r"/home/[^/$]+/|/Users/[^/$]+/|/root/|/(?:[^/]*_ws|src)/|/opt/ros/|[A-Za-z]:[\\/]"
 _PACKAGE = r"/(?:src|share)/(?:.*/)?(\w+)/((?:launch|config|params|param|cfg|urdf|maps|map)/.*)$"
@@ -71,6 +80,8 @@ class _Fault(NamedTuple):
     message: str
     note: str
     help: str
+    severity: Severity | None = None
+    cause: str = ""
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -83,15 +94,45 @@ def check(view: FileView) -> Iterator[Finding]:
                 continue
             fault = _fault(attribute.value, element.tag, view)
             if fault is not None:
-                place = Place(document.source, attribute.shown_span)
-                yield RULE.at(
-                    place,
-                    fault.message,
-                    label="not portable",
-                    notes=(fault.note,),
-                    help=fault.help,
-                    fix=_fix(fault, Spot(document, element, attribute)),
-                )
+                yield _finding(fault, Spot(document, element, attribute), _fix(fault, Spot(document, element, attribute)))
+        for name in _TEXTS.get(element.tag, ()):
+            attribute = element.attributes.get(name)
+            if attribute is not None and ("/" in attribute.value or "\\" in attribute.value):
+                fault = _home(attribute.value) or _out_of_package(attribute.value, view)
+                if fault is not None:
+                    yield _finding(fault, Spot(document, element, attribute), None)
+
+
+def _finding(fault: _Fault, at: Spot, fix: Fix | None) -> Finding:
+    span = at.element.start_span if at.attribute is None else at.attribute.shown_span
+    return RULE.at(
+        Place(at.document.source, span), fault.message, severity=fault.severity, label="not portable", notes=(fault.note,),
+        help=fault.help, fix=fix, cause=fault.cause,
+    )  # fmt: skip
+
+
+def _home(text: str) -> _Fault | None:
+    """A path below somebody's home directory in any text."""
+    plain = re.sub(r"\$\([^()]*\)", "$", text)
+    found = re.search(_HOME, plain)
+    if found is not None:
+        help = "name files with $(find pkg)/…, others with $(env HOME)/… or an arg that each machine sets"
+        return _Fault(f"{found[0]}… is somebody's home directory", "it is there on machines of that user only", help, cause=found[0])
+    found = re.search(_TILDE, plain)
+    if found is None:
+        return None
+    note = "roslaunch does not expand ~: it works only where the node does"
+    return _Fault(f"{found[0]} begins with ~", note, "write $(env HOME)/…, which works for every node", Severity.INFO, "~")
+
+
+def _out_of_package(text: str, view: FileView) -> _Fault | None:
+    for found in re.finditer(r"\$\(\s*(?:find\s+[\w-]+|dirname)\s*\)[^$\s\"';,:]*", text):
+        fault = _above(found[0], view)
+        if fault is not None:
+            known = fault.help != _ANY_PACKAGE
+            start = "/".join(found[0].split("/")[:3])
+            return fault._replace(severity=None if known else Severity.INFO, cause=f"{start} {fault.help if known else ''}")
+    return None
 
 
 def _fix(fault: _Fault, at: Spot) -> Fix | None:
@@ -137,13 +178,24 @@ def _above(value: str, view: FileView) -> _Fault | None:
     for part in match[3].split("/"):
         depth += -1 if part == ".." else part not in ("", ".")
         if depth < 0:
-            rest = re.sub(r"^(?:\.\./)*", "", match[3].strip("/"))
-            other = rest.split("/", 1)
-            help = f"write $(find {other[0]})/{other[1]}" if len(other) == 2 and re.fullmatch(r"\w+", other[0]) else "write $(find pkg)/…"
-            return _Fault(
-                f"{value} leads out of its package", "packages lie side by side in a source workspace only, not once installed", help
-            )
+            message = f"{value} leads out of its package"
+            return _Fault(message, "packages lie side by side in a source workspace only, not once installed", _beside(match, view))
     return None
+
+
+def _beside(match: re.Match[str], view: FileView) -> str:
+    """How to name what a path with ``..`` leads to, where a package that is here holds it."""
+    file = posixpath.abspath(view.document.source.file)
+    start = posixpath.dirname(file) if match[2] else view.packages.find(match[1], file)
+    if start is not None:
+        target = posixpath.normpath(f"{start}/{match[3]}")
+        package = view.packages.package_of(target)
+        if package is None or not package.name or view.packages.find(package.name, file) != package.directory:
+            return _ANY_PACKAGE
+        inside = posixpath.relpath(target, package.directory)
+        return f"write $(find {package.name})" + ("" if inside == "." else f"/{inside}")
+    other = re.sub(r"^(?:\.\./)*", "", match[3].strip("/")).split("/", 1)
+    return f"write $(find {other[0]})/{other[1]}" if len(other) == 2 and view.packages.has(other[0]) else _ANY_PACKAGE
 
 
 def _relative(value: str, view: FileView) -> _Fault | None:
