@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from launchlint.library.file import parse, read
-from launchlint.library.format import CATEGORIES, FORMAT, VERSION
+from launchlint.library.format import FORMAT, LISTS, VERSION
 from launchlint.library.merge import merge_programs
 from launchlint.library.shipped import INDEX
 from launchlint.library.template import default_text
@@ -116,7 +116,7 @@ class Shelf:
 def entries_of(program: Mapping[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
     """All interface entries of a program, each with its category."""
     for variant in program.get("variants", {}).values():
-        for category in CATEGORIES:
+        for category in LISTS:
             for entry in variant.get(category, ()):
                 yield category, entry
 
@@ -142,7 +142,7 @@ def without(program: Program, kind: str) -> Program | None:
     variants = {}
     for name, variant in program["variants"].items():
         variants[name] = dict(variant)
-        for category in set(CATEGORIES) & set(variant):
+        for category in set(LISTS) & set(variant):
             left = [_less(entry, kind) for entry in variant[category]]
             variants[name][category] = [entry for entry in left if entry is not None]
             if not variants[name][category]:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from launchlint.graph.command_line import CommandLine, command_line
 from launchlint.graph.connections import CATEGORY, OFFERS, Channel, ConnectionGraph, Doubt, Endpoint, Instance, Missing, Reading
+from launchlint.graph.frames import Frame, frames
 from launchlint.graph.instantiate import Interface, instantiate
 from launchlint.graph.names import Namer, NodeletNamer, absolute
 from launchlint.graph.parameters import Parameters
@@ -93,6 +94,7 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
     unknown = _unknown_start(node)
     parts: list[Interface] = []
     looked_up: dict[str, str] = {}
+    shown: list[Frame] = []
     reason = unknown
     kind, host, program, namer, client = "node", process.namer.graph_name, f"{node.package}/{node.executable}", process.namer, ""
     if process.program is not None and not unknown:
@@ -100,6 +102,7 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
         start = Start(namer, process.line, parameters, process.program.options, named="name" not in node.unknown)
         parts.append(instantiate(process.program, start, namer, namer.graph_name, certain=certain))
         looked_up.update(start.looked_up)
+        shown.extend(frames(process.program, start, namer, certain=certain))
     elif not unknown:
         reason = f"no library knows {program}"
     if (node.package, node.executable) == NODELET and not unknown:
@@ -119,6 +122,7 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
                 start = Start(namer, process.line, parameters, known.options, skip, named="name" not in node.unknown)
                 parts.append(instantiate(known, start, namer, host, certain=certain))
                 looked_up.update(start.looked_up)
+                shown.extend(frames(known, start, namer, certain=certain))
         elif process.mode != "unload":
             reason = "its args do not say what it loads"
     if "name" in node.unknown:
@@ -146,6 +150,7 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
         namer=namer,
         certain=certain,
         client=client,
+        frames=tuple(shown),
     )
 
 

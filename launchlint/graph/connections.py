@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from launchlint.graph.frames import Frame
 from launchlint.graph.names import Applied, Namer
 from launchlint.graph.parameters import Parameters
 from launchlint.library.program import Declaration
@@ -136,6 +137,7 @@ class Instance(NamedTuple):
         looked_up: further names its code resolves → how the code says them.
         namer: resolves its names.
         certain: whether it runs in this configuration for certain.
+        frames: the coordinate frames it publishes, asks for and writes into messages.
         client: its client library: roscpp, rospy, nodelet, none, other; empty where it is unknown.
     """
 
@@ -154,6 +156,7 @@ class Instance(NamedTuple):
     namer: Namer
     certain: bool = True
     client: str = ""
+    frames: tuple[Frame, ...] = ()
 
     @property
     def is_unknown(self) -> bool:

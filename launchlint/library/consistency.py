@@ -9,7 +9,7 @@ import json
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
-from launchlint.library.format import CATEGORIES
+from launchlint.library.format import LISTS
 from launchlint.library.lookup import LONGEST_LIKE
 from launchlint.library.template import Slot, Template, is_template, parse
 from launchlint.library.validate import MOST_PROBLEMS, Fault, Path
@@ -81,11 +81,11 @@ def _program(program: Mapping[str, Any], path: Path) -> Iterator[Fault]:
             yield Fault((*here, "match"), "the variant default stands where no other one does: its `match` is never asked")
         elif name != "default" and "match" not in variant:
             yield Fault(here, f"the variant {_quoted(name)} is never chosen: only default does without `match`, the condition for it")
-        if program.get("class") == "none" and any(variant.get(category) for category in CATEGORIES):
+        if program.get("class") == "none" and any(variant.get(category) for category in LISTS):
             yield Fault(here, "a program of class none never talks to the ROS master, so it cannot have these names")
         options = program.get("options")
         yield from _options_of_condition(variant.get("match"), options, (*here, "match"))
-        for category in CATEGORIES:
+        for category in LISTS:
             yield from _entries(category, variant, options, (*here, category))
 
 
@@ -106,7 +106,7 @@ def _entries(category: str, variant: Mapping[str, Any], options: Any, path: Path
         elif name in derived:
             yield Fault((*here, "name"), f"{_quoted(name)} follows from the action {_quoted(derived[name])}: leave it out")
         yield from _options_of_condition(entry.get("condition"), options, (*here, "condition"))
-        for key in ("name", "type"):
+        for key in ("name", "type", "parent"):
             if is_template(entry.get(key, "")):
                 yield from (Fault((*here, key), said) for said in _template(parse(entry[key]), entry.get("each"), options))
         if "each" in entry and not any(slot.kind == "each" for slot in _slots(parse(name))):

@@ -7,14 +7,14 @@ from collections.abc import Iterator, Mapping
 from itertools import zip_longest
 from typing import NamedTuple
 
-from launchlint.library.format import CATEGORIES, KINDS
+from launchlint.library.format import KINDS, LISTS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
 _SINGULAR = {"publishers": "publisher", "subscribers": "subscriber", "services": "service", "clients": "service client",
-             "actions": "action", "params": "param"}  # fmt: skip
+             "actions": "action", "params": "param", "frames": "frame"}  # fmt: skip
 _MISSING = object()
 
 
@@ -80,7 +80,7 @@ def _programs(place: _Place, what: str, old: Any, new: Any) -> Iterator[Change]:
             yield from _keys(inner, "variant", variant, one, other, {"match", "open"})
         elif variant != "default":
             yield Change("added" if one is None else "removed", *inner, "variant", variant, None, None)
-        for category in CATEGORIES:
+        for category in LISTS:
             yield from _entries(inner, _SINGULAR[category], (one or {}).get(category, ()), (other or {}).get(category, ()))
 
 

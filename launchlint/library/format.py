@@ -10,7 +10,9 @@ from typing import NamedTuple
 
 from launchlint.library.terms import CATEGORIES as CATEGORIES
 from launchlint.library.terms import DEEPEST_CONDITION as DEEPEST_CONDITION
+from launchlint.library.terms import FRAMES as FRAMES
 from launchlint.library.terms import KINDS as KINDS
+from launchlint.library.terms import LISTS as LISTS
 
 FORMAT = "launchlint-library"
 VERSION = 1
@@ -101,8 +103,21 @@ INTERFACES: Mapping[str, Keys] = {
         {**_NAMED, "type": Text(_VALUE_TYPES), "default": Plain(), "min": Plain(), "max": Plain(), "removed": REMOVED, **_WHEN},
         ("name",),
     ),
+    FRAMES: Keys(
+        "a frame",
+        {
+            "name": Text(syntax="frame"),
+            "role": Text(("child", "used", "label")),
+            "parent": Text(syntax="frame"),
+            "urdf": Text(syntax="name"),
+            "through": Text(("tf", "tf2")),
+            "condition": Rule("condition"),
+            "evidence": Items(EVIDENCE),
+        },
+        ("name", "role"),
+    ),
 }
-"""What an entry of each category holds; the order of the keys is that in which they are written."""
+"""What an entry of each list holds; the order of the keys is that in which they are written."""
 
 VARIANT = Keys(
     "a variant",
@@ -112,7 +127,7 @@ VARIANT = Keys(
         "env": Entries(Text(), "variable"),
         "remap": Entries(Text(), "name"),
         "run": Plain(),
-        **{category: Items(INTERFACES[category]) for category in CATEGORIES},
+        **{each: Items(INTERFACES[each]) for each in LISTS},
         "open": Keys("what is open", {category: Text() for category in CATEGORIES}),
     },
 )

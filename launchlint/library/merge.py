@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from launchlint.errors import LibraryError
-from launchlint.library.format import CATEGORIES, FORMAT, VERSION
+from launchlint.library.format import CATEGORIES, FORMAT, LISTS, VERSION
 from launchlint.library.template import default_text, is_template
 
 TYPE_CHECKING = False
@@ -113,7 +113,7 @@ def _says(known: Mapping[str, Any], key: str) -> bool:
 
 
 def _trust_of_variant(variant: Mapping[str, Any]) -> int:
-    """That of its best entry; one without entries is a person's word."""
+    """That of its best entry; one without entries is a person's word. Frames say nothing of who knows its names."""
     return max((_trust(entry) for category in CATEGORIES for entry in variant.get(category, ())), default=_MANUAL)
 
 
@@ -125,7 +125,7 @@ def _variants(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     if len(known) == 1:
         return dict(known[0])
     merged = _first(known, ("match", "args", "env", "remap", "run"))
-    for category in CATEGORIES:
+    for category in LISTS:
         if any(category in each for each in known):
             merged[category] = _entries([each.get(category, ()) for each in known])
     best = max(_trust_of_variant(each) for each in known)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from launchlint.library.condition import holds
-from launchlint.library.terms import CATEGORIES
+from launchlint.library.terms import CATEGORIES, FRAMES
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,6 +33,20 @@ class Declaration(NamedTuple):
     removed: Mapping[str, str] | None = None
 
 
+class FrameDeclaration(NamedTuple):
+    """One coordinate frame that a program publishes (role ``child``), asks for (``used``) or writes into messages (``label``).
+
+    The fields are the keys of the format.
+    """
+
+    name: str
+    role: str
+    parent: str = ""
+    urdf: str = ""
+    through: str = ""
+    condition: Any = None
+
+
 class Variant(NamedTuple):
     """One way a program can be started. ``match`` is the condition for it (None: always); ``open`` the categories that may hold more."""
 
@@ -40,6 +54,7 @@ class Variant(NamedTuple):
     match: Any
     declarations: tuple[Declaration, ...]
     open: Mapping[str, str]
+    frames: tuple[FrameDeclaration, ...] = ()
 
 
 class Program(NamedTuple):
@@ -74,7 +89,13 @@ def program(package: str, name: str, data: Mapping[str, Any]) -> Program:
 
 def _variant(name: str, data: Mapping[str, Any]) -> Variant:
     declarations = [_declaration(category, entry) for category in CATEGORIES for entry in data.get(category, ())]
-    return Variant(name, data.get("match"), tuple(declarations), data.get("open", {}))
+    frames = [_frame(entry) for entry in data.get(FRAMES, ())]
+    return Variant(name, data.get("match"), tuple(declarations), data.get("open", {}), tuple(frames))
+
+
+def _frame(entry: Mapping[str, Any]) -> FrameDeclaration:
+    parent, urdf, through = (entry.get(key, "") for key in ("parent", "urdf", "through"))
+    return FrameDeclaration(entry["name"], entry["role"], parent, urdf, through, entry.get("condition"))
 
 
 def _declaration(category: str, entry: Mapping[str, Any]) -> Declaration:

@@ -39,6 +39,7 @@ MOST_PROBLEMS = 100
 
 _NAME = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*|~|/", re.ASCII)
 _TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII)
+_FRAME = re.compile(r"[^\s/~{}][^\s~{}]*")
 _MD5 = re.compile(r"[0-9a-f]{32}|\*")
 
 
@@ -146,6 +147,12 @@ def _template(value: str) -> str:
     return ""
 
 
+def _frame(value: str) -> str:
+    if is_template(value):
+        return _template(value)
+    return "" if _FRAME.fullmatch(value) else f"{_said(value)} is no frame: it has no blanks, no ~ and no / before it"
+
+
 def _type(value: str) -> str:
     if is_template(value):
         return _template(value)
@@ -156,7 +163,7 @@ def _md5(value: str) -> str:
     return "" if _MD5.fullmatch(value) else f"{_said(value)} is no MD5 sum: 32 digits of 0-9 a-f"
 
 
-_SYNTAX = {"name": _name, "type": _type, "md5": _md5}
+_SYNTAX = {"name": _name, "frame": _frame, "type": _type, "md5": _md5}
 _COMPARISONS = ("is", "in", "set", "default")
 
 

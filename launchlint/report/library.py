@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from launchlint.library.catalogue import Entry, Row
-from launchlint.library.format import CATEGORIES, KINDS
+from launchlint.library.format import CATEGORIES, FRAMES, KINDS, LISTS
 from launchlint.report.escape import line_start, visible
 
 _VERBS = {
@@ -17,6 +17,7 @@ _VERBS = {
     "clients": "calls",
     "actions": "acts",
     "params": "reads",
+    "frames": "frame",
 }
 _WHEN = {"subscriber": "while somebody listens", "message": "after a first message or call"}
 
@@ -126,8 +127,9 @@ def _variant(name: str, variant: Mapping[str, Any], verbose: bool, *, alone: boo
     if not alone or name != "default":
         match = f", where {condition_words(variant['match'])}" if "match" in variant and name != "default" else ""
         yield f"  variant {visible(name + match)}"
-    table = [(category, entry) for category in CATEGORIES for entry in variant.get(category, ())]
-    cells = [(_VERBS[category], visible(entry["name"]), visible(entry.get("type", "?"))) for category, entry in table]
+    table = [(category, entry) for category in LISTS for entry in variant.get(category, ())]
+    kind = {FRAMES: "role"}
+    cells = [(_VERBS[category], visible(entry["name"]), visible(entry.get(kind.get(category, "type"), "?"))) for category, entry in table]
     widths = [min(48, max((len(row[column]) for row in cells), default=0)) for column in range(3)]
     for (category, entry), row in zip(table, cells, strict=True):
         plain = "  ".join(f"{cell:{width}}" for cell, width in zip(row, widths, strict=True))
@@ -149,6 +151,12 @@ def notes(category: str, entry: Mapping[str, Any]) -> Iterator[str]:
         yield "latched"
     if "transport" in entry:
         yield "by image_transport"
+    if "parent" in entry:
+        yield f"under {entry['parent']}"
+    if "urdf" in entry:
+        yield f"each link of the URDF in {entry['urdf']}"
+    if "through" in entry:
+        yield f"through {entry['through']}"
     if "default" in entry:
         yield f"default {_plain(entry['default'])}"
     if "min" in entry or "max" in entry:

@@ -97,6 +97,17 @@ def test_roles_stay_apart() -> None:
     assert joined([server], [client], category="actions") == [server, client]
 
 
+def test_frames_are_joined_and_say_nothing_of_who_knows_the_names() -> None:
+    frames = [{"name": "odom", "role": "child", "parent": "map", "evidence": MANUAL}, {"name": "odom", "role": "used"}]
+    seen = executable(publishers=[{"name": "scan", "evidence": STATIC}], frames=frames, open={"params": "static"})
+    other = executable(
+        publishers=[{"name": "scan", "evidence": DYNAMIC}], frames=[frames[1] | {"through": "tf2"}], open={"clients": "seen"}
+    )
+    variant = merge_programs([seen, other])["variants"]["default"]
+    assert variant["frames"] == [{"name": "odom", "role": "used", "through": "tf2"}, frames[0]]
+    assert variant["open"] == {"clients": "seen"}
+
+
 def test_open_is_what_the_most_trusted_say() -> None:
     manual = executable(publishers=[{"name": "a", "evidence": MANUAL}], open={"publishers": "plugins"})
     static = executable(publishers=[{"name": "a", "evidence": STATIC}], open={"clients": "computed"})

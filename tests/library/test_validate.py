@@ -33,6 +33,10 @@ def publisher(text: str) -> str:
     return program(f'{{"variants": {{"default": {{"publishers": [\n   {{"name": "a"}},\n   {text}\n  ]}}}}}}')
 
 
+def frame(text: str) -> str:
+    return program(f'{{"variants": {{"default": {{"frames": [{text}]}}}}}}')
+
+
 def condition(text: str) -> str:
     return publisher(f'{{"name": "x", "condition": {text}}}')
 
@@ -83,6 +87,8 @@ SHAPES = [
     (publisher('{"name": "x", "latched": §"yes"}'), 'this must be true or false, and is "yes"'),
     (publisher('{"name": "x", "evidence": [§{"at": "x"}]}'), 'evidence lacks the key "by"'),
     (publisher('{"name": "x", "evidence": [{"by": §"guess"}]}'), '"guess" is not one of manual, dynamic, static'),
+    (frame('{"name": "odom", "role": §"parent"}'), '"parent" is not one of child, used, label'),
+    (frame('§{"name": "odom"}'), 'a frame lacks the key "role"'),
     (condition("§1"), f"a condition has one of the keys {CONDITION_KINDS}"),
     (condition("§{}"), f"a condition has one of the keys {CONDITION_KINDS}"),
     (condition('§{"param": "x", "arg": 1}'), f"a condition has one of the keys {CONDITION_KINDS}"),
@@ -104,6 +110,12 @@ SHAPES = [
 ]
 
 GRAMMAR = [
+    (frame('{"name": §"/map", "role": "used"}'), '"/map" is no frame: it has no blanks, no ~ and no / before it'),
+    (
+        frame('{"name": §"{arg:0}", "role": "used"}'),
+        '"{arg:0}" is no template: {arg:0} must be the number of an argument, counted from 1 or from -1',
+    ),
+    (frame('{"name": "odom", "role": "child", "parent": §"a b"}'), '"a b" is no frame: it has no blanks, no ~ and no / before it'),
     (publisher('{"name": §""}'), '"" is no ROS name: letters, digits, _ and /, after a / or ~ at most'),
     (publisher('{"name": §"a b"}'), '"a b" is no ROS name: letters, digits, _ and /, after a / or ~ at most'),
     (publisher('{"name": §"größe"}'), '"größe" is no ROS name: letters, digits, _ and /, after a / or ~ at most'),

@@ -1,0 +1,87 @@
+"""Two nodes of one launch publish the transform of the same frame.
+
+What it does: it compares the frames whose transforms the nodes publish, as far as that is known for certain: those of the
+`static_transform_publisher`s of tf and tf2_ros, of localizers and SLAM nodes that the library knows (map → odom), and of the fixed
+joints of a plain URDF that a `robot_state_publisher` gets. It is an error where two static publishers hang one frame below two parents,
+an info where they say the same twice, and a warning elsewhere. Nodes whose `/tf` is remapped apart do not meet, and with a `tf_prefix` in
+the launch the rule is silent.
+
+## Why it matters
+
+A frame has one parent. With two, the one heard last wins: the robot jumps between two places, or a part of the tree is cut off, and
+which part changes from start to start.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="tf2_ros" type="static_transform_publisher" name="laser" args="0.2 0 0.1 0 0 0 base_link laser"/>
+  <node pkg="tf2_ros" type="static_transform_publisher" name="mount" args="0 0 0.1 0 0 0 mast laser"/>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="tf2_ros" type="static_transform_publisher" name="laser" args="0.2 0 0.1 0 0 0 mast laser"/>
+  <node pkg="tf2_ros" type="static_transform_publisher" name="mount" args="0 0 0.1 0 0 0 base_link mast"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.graph.connections import Instance
+from launchlint.rules.frames.published import STATIC, Published, has_prefix, published
+from launchlint.rules.made_up import has_odd_boolean
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import GraphView
+from launchlint.source import Origin
+
+RULE = Rule("LL622", "competing-transforms", Severity.ERROR)
+
+
+def check(view: GraphView) -> Iterator[Finding]:
+    """Compare the child frames of all transforms (tf2::BufferCore::setTransform keeps one parent for each frame)."""
+    graph = view.graph
+    if has_odd_boolean(view.launch) or has_prefix(graph):
+        return
+    known: dict[tuple[str, str], list[Published]] = {}
+    for each in published(graph):
+        if each.certain and not each.instance.node.is_test and not each.instance.node.unknown & {"args", "ns", "name"}:
+            known.setdefault((each.topic, each.child), []).append(each)
+    for group in known.values():
+        first = group[0]
+        for other in group[1:]:
+            if other.instance is not first.instance:
+                yield _finding(first, other)
+
+
+def _finding(first: Published, other: Published) -> Finding:
+    static = {first.instance.program, other.instance.program} <= STATIC
+    severity, effect = Severity.WARNING, f"both say where {other.child} is in {other.parent}, and the one heard last wins"
+    if first.parent != other.parent:
+        severity = Severity.ERROR if static else Severity.WARNING
+        effect = f"{first.instance.name} puts it below {first.parent}, {other.instance.name} below {other.parent}: a frame has one parent"
+    elif static and first.instance.node.arguments.split() == other.instance.node.arguments.split():
+        severity, effect = Severity.INFO, "they say the same: one of them is enough"
+    return RULE.at(
+        _place(other.instance),
+        f"{first.instance.name} publishes the transform of the frame {other.child}, too",
+        severity=severity,
+        label=f"publishes {other.parent} → {other.child}",
+        related=((_place(first.instance).place, f"publishes {first.parent} → {first.child}"),),
+        notes=(effect,),
+        help="start only one of them, or give each a frame of its own",
+        topic=other.child,
+    )
+
+
+def _place(instance: Instance) -> Origin:
+    node = instance.node
+    place = node.attributes.get("args" if instance.program in STATIC else "name", node.origin.place)
+    return Origin(place, node.origin.step)

@@ -1,0 +1,100 @@
+"""A param names a frame that nobody publishes, and a published one is one letter away.
+
+What it does: it compares the frames that nodes take from their params with those whose transforms the launch publishes: by static
+publishers, by nodes that the library knows, and by a plain URDF. It speaks where all that publishes transforms is known, and
+where exactly one frame is one letter away. Names that differ in a digit or in a mark (`_l`, `_r`) are those of other sensors.
+
+## Why it matters
+
+There is no transform to a frame that does not exist: the node waits, or drops its data.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="tf2_ros" type="static_transform_publisher" name="mount" args="0.2 0 0.1 0 0 0 base_link laser_front"/>
+  <node pkg="rplidar_ros" type="rplidarNode" name="lidar">
+    <param name="frame_id" value="laser_fron"/>
+  </node>
+</launch>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="tf2_ros" type="static_transform_publisher" name="mount" args="0.2 0 0.1 0 0 0 base_link laser_front"/>
+  <node pkg="rplidar_ros" type="rplidarNode" name="lidar">
+    <param name="frame_id" value="laser_front"/>
+  </node>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.graph.connections import ConnectionGraph, Instance
+from launchlint.rules.connections.near_names import SLIP, relation
+from launchlint.rules.frames.published import TOPICS, bare, description, has_prefix, published
+from launchlint.rules.made_up import has_odd_boolean
+from launchlint.rules.params.values import is_certain
+from launchlint.rules.rule import Fine, Rule
+from launchlint.rules.view import GraphView
+
+RULE = Rule("LL624", "unknown-frame", Severity.WARNING)
+
+
+def check(view: GraphView) -> Iterator[Finding | Fine]:
+    """Look for each frame among those that are published."""
+    graph = view.graph
+    named = [
+        (instance, frame, setting)
+        for instance in graph.instances
+        for frame in instance.frames
+        if frame.role != "child" and frame.name and frame.parameter and (setting := graph.parameters.setting(frame.parameter)) is not None
+    ]
+    if not named or has_odd_boolean(view.launch):
+        return
+    made = _made(graph)
+    for instance, frame, setting in named:
+        name = bare(frame.name)
+        if made is None or name in made:
+            yield RULE.fine(setting.origin)
+            continue
+        near = [other for other in made if relation(f"/{name}", f"/{other}") == SLIP]
+        if len(near) == 1 and frame.certain and is_certain(setting):
+            yield RULE.at(
+                setting.origin,
+                f"nothing in this launch publishes the frame {name}, which {instance.program} takes from {frame.parameter}",
+                label="no such frame",
+                notes=(f"{made[near[0]].name} publishes {near[0]}",),
+                help=f"did you mean {near[0]}?",
+                topic=frame.parameter,
+                cause=f"{name} for {near[0]}",
+            )
+
+
+def _made(graph: ConnectionGraph) -> dict[str, Instance] | None:
+    """Each frame that the launch publishes, with a node that does; None where there may be others."""
+    if not graph.launch.complete or has_prefix(graph) or any(_may_publish_more(graph, instance) for instance in graph.instances):
+        return None
+    made: dict[str, Instance] = {}
+    for each in published(graph):
+        made.setdefault(each.child, each.instance)
+        made.setdefault(each.parent, each.instance)
+    return made
+
+
+def _may_publish_more(graph: ConnectionGraph, instance: Instance) -> bool:
+    """Whether a node may publish transforms of frames that are not known."""
+    if instance.is_unknown or instance.may_have_more("publishers"):
+        return True
+    children = [frame for frame in instance.frames if frame.role == "child"]
+    if any(
+        (frame.urdf and description(graph, frame) is None) or (not frame.urdf and not (frame.name and frame.parent)) for frame in children
+    ):
+        return True
+    return not children and any(each.role == "publisher" and each.unremapped in TOPICS for each in instance.endpoints)
