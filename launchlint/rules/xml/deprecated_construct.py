@@ -3,9 +3,9 @@
 The `<master>` tag (roslaunch starts a master by itself), the `ros-root`, `ros-package-path`, `ros-ip` and
 `ros-hostname` attributes and the `<env>` children of a `<machine>`, the `ns` attribute of `<rosparam>` (it is called
 `param` now), and the program `xacro.py`, which ROS Noetic does not have. So are programs and params of which the library knows that a
-distribution removed them (`robot_state_publisher/state_publisher`, `use_gui` of joint_state_publisher), where the package is not here.
-A param that is set to what was its default is an info: it changed nothing when it was still read. Each such program or param is told of
-once, with all places.
+distribution removed them (`robot_state_publisher/state_publisher`, `use_gui` of joint_state_publisher), where the package is not in the
+workspace. A param that is set to what was its default is an info: it changed nothing when it was still read. Each such program or param
+is told of once, with all places.
 
 ## Why it matters
 
@@ -43,9 +43,12 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import Instance
 from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, is_literal, remove_attribute, remove_element, rename_attribute, replace, set_value, spot
+from launchlint.rules.other_file import is_inside
+from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
+from launchlint.workspace.packages import SYSTEM_SHARE
 
 RULE = Rule("LL111", "deprecated-construct", Severity.WARNING, fixable="safe")
 
@@ -84,8 +87,8 @@ def check(view: GraphView) -> Iterator[Finding]:
         if setting is None or removed is None or not all(reading.declaration.removed for reading in readings):
             continue
         program = _of(readings[0].node, view)
-        if view.packages.has(program.partition("/")[0]):
-            continue  # which version that is nobody knows here
+        if _lies_here(program.partition("/")[0], view):
+            continue  # which version that is nobody knows
         default = readings[0].declaration.default
         severity = Severity.INFO if default is not None and setting.value == default else RULE.severity
         yield RULE.at(
@@ -106,8 +109,8 @@ def _program(instance: Instance, view: GraphView) -> Iterator[Finding]:
         package, table, name, attribute = instance.program.partition("/")[0], "nodelets", instance.program, "args"
     else:
         package, table, name, attribute = node.package, "executables", node.executable, "type"
-    removed = None if view.packages.has(package) else view.library.removed(package, table, name)
-    if removed is None:
+    removed = view.library.removed(package, table, name)
+    if removed is None or _lies_here(package, view) or _is_settled(package, name, view):
         return
     place = node.attributes.get(attribute, node.origin.place)
     instead = removed.get("instead", "")
@@ -124,6 +127,21 @@ def _program(instance: Instance, view: GraphView) -> Iterator[Finding]:
         topic="removed",
         cause=f"{package}/{name}",
     )
+
+
+def _lies_here(package: str, view: GraphView) -> bool:
+    """Whether the package lies in a workspace: its own sources say what it has."""
+    found = view.packages.get(package, view.launch.entry.file)
+    return found is not None and is_inside(found.directory, view.packages.workspaces)
+
+
+def _is_settled(package: str, name: str, view: GraphView) -> bool:
+    """Whether an installation shows that the program is there, or shows all there is (then LL304 tells that it is not)."""
+    found = view.packages.get(package, view.launch.entry.file)
+    if found is None:
+        return False
+    known = contents(view.packages).executables(found)
+    return name in known.by_name or (known.exhaustive and not found.directory.startswith(SYSTEM_SHARE + "/"))
 
 
 def _instead(removed: Mapping[str, str], otherwise: str) -> str:
