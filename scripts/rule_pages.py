@@ -25,7 +25,7 @@ CATEGORIES = {
     "3": "Nodes, names and machines",
     "4": "Includes",
     "5": "Params",
-    "6": "Remaps and connections",
+    "6": "Remaps, connections and frames",
     "7": "Packages",
     "8": "Style and normal form",
     "9": "ROS 2",

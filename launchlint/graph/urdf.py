@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import NamedTuple
 
 LARGEST = 4 << 20
@@ -16,6 +17,7 @@ class Joint(NamedTuple):
     fixed: bool
 
 
+@lru_cache(maxsize=4)
 def joints(text: str) -> Mapping[str, Joint] | None:
     """The joint above each link of a plain URDF; None where it cannot be told: it is no XML, no robot, or has macros (xacro) in it."""
     from pyexpat import ExpatError, ParserCreate

@@ -36,7 +36,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from math import isnan
+from math import inf, isfinite
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.command_line import command_line
@@ -151,7 +151,7 @@ def _quaternion(node: Node, parts: list[float]) -> Iterator[Finding]:
         return
     off = f"the quaternion {' '.join(f'{part:g}' for part in parts)} has the length {square**0.5:.4g}, not 1"
     help_ = "the four numbers are qx qy qz qw; no rotation is 0 0 0 1"
-    if node.package == "tf2_ros" or square == 0 or isnan(square):
+    if node.package == "tf2_ros" or square == 0 or not isfinite(square):
         yield _told(node, off, "no rotation", ("who receives the transform drops it (TF_DENORMALIZED_QUATERNION)",), help_)
     elif abs(square - 1) >= _PLAINLY_OFF:
         yield _told(node, off, "no rotation as it stands", ("tf brings it to the length 1",), help_, Severity.WARNING)
@@ -179,5 +179,8 @@ def _value(word: str) -> tuple[float, bool]:
     if match is None:
         return 0.0, False
     number = match[0]
-    value = float(int(number, 16)) if "x" in number.lower() else float(number)
+    try:
+        value = float(int(number, 16)) if "x" in number.lower() else float(number)
+    except OverflowError:
+        value = inf
     return value, text[match.end() :] in ("", ",")

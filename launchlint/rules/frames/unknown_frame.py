@@ -44,6 +44,9 @@ from launchlint.rules.params.values import is_certain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 
+MOST_COMPARED = 100_000
+"""Pairs of names that are held against each other: no robot has so many."""
+
 RULE = Rule("LL624", "unknown-frame", Severity.WARNING)
 
 
@@ -59,6 +62,8 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     if not named or has_odd_boolean(view.launch):
         return
     made = _made(graph)
+    if made is not None and len(named) * len(made) > MOST_COMPARED:
+        return
     for instance, frame, setting in named:
         name = bare(frame.name)
         if made is None or name in made:
