@@ -182,7 +182,7 @@ class EntryChecker:
         for rule in self.launch_rules:
             for found in run_rule(rule, view, launch.entry.path):
                 yield found if isinstance(found, Fine) else self._at_home(found, evaluation, assumed=False)
-        if self.graph_rules and (launch.nodes or launch.tests):
+        if self.graph_rules and (launch.nodes or launch.tests or launch.parameter_settings):
             yield from self._graph_findings(evaluation, request)
 
     def connected(self, evaluation: Evaluation) -> ConnectionGraph:

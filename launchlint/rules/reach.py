@@ -14,8 +14,9 @@ _STARTS = ("<node", "<test", "<group", "<include")
 def settings_of(launch: Launch, kind: str) -> Iterator[tuple[ScopedSetting, bool | None]]:
     """Each setting of ``kind`` with whether it acts on any node; None where that cannot be known.
 
-    It cannot be known where the setting itself, or an element behind it in its scope that may hold nodes, stands under a condition that
-    is not met here and may be met elsewhere. A setting that a later one of its scope replaces is left out where it acts on nothing.
+    It cannot be known where the setting itself stands under a condition of unknown value, or where an element behind it in its scope that
+    may hold nodes is left out by its condition: what one switches off by hand (``if="false"``) may come back as well. An include that
+    could not be followed counts as a node. A setting that a later one of its scope replaces is left out where it acts on nothing.
     """
     replaced = {(setting.replaced.source.path, setting.replaced.span.start) for setting in launch.settings if setting.replaced is not None}
     leaked = {_key(setting.origin) for setting in launch.parameter_settings if setting.node is not None} if kind == "param" else set()
@@ -37,13 +38,13 @@ def _key(origin: Origin) -> tuple[str, int]:
 
 
 def _left_out(launch: Launch) -> dict[int, list[int]]:
-    """Where elements that may hold nodes are left out by a condition that may be met elsewhere: sorted offsets by source.
+    """Where elements that may hold nodes are left out by their conditions: sorted offsets by source.
 
     For one that stands in an included file, the ``<include>`` elements that lead to it count too.
     """
     found: dict[int, set[int]] = {}
     for branch in launch.branches:
-        skipped = branch.open if branch.taken is False else branch.taken is None and branch.attribute == "unless"
+        skipped = branch.taken is False or (branch.taken is None and branch.attribute == "unless")
         if skipped and branch.element.text.startswith(_STARTS):
             for place in (branch.element, *branch.origin.chain):
                 found.setdefault(id(place.source), set()).add(place.span.start)

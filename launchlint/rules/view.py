@@ -48,6 +48,25 @@ class LaunchView:
         """The names of all nodes and tests, without their namespaces."""
         return frozenset(node.name for node in (*self.launch.nodes, *self.launch.tests))
 
+    @cached_property
+    def started_in(self) -> Mapping[tuple[str, int], bool]:
+        """The elements that nodes are started in, by file and offset: groups, includes, and the nodes themselves.
+
+        True where a program that need not be a Python script is among them: any executable that does not end in ``.py``, and what an
+        include would start that cannot be followed.
+        """
+        found: dict[tuple[str, int], bool] = {}
+        unseen = ((each.origin, each.scope, True) for each in self.launch.includes if each.source is None)
+        nodes = ((each.origin, each.scope, not each.executable.endswith(".py")) for each in (*self.launch.nodes, *self.launch.tests))
+        for origin, scope, other in (*nodes, *unseen):
+            place, around = origin.place, scope
+            while found.get(key := (place.source.path, place.span.start)) not in (True, other):
+                found[key] = other
+                if around is None:
+                    break
+                place, around = around.origin.place, around.parent
+        return found
+
 
 class GraphView(NamedTuple):
     """The graph view: who talks to whom in what one entry file starts in one configuration; else as :class:`LaunchView`."""

@@ -43,12 +43,12 @@ def include(file: FileEvaluation, element: Element, context: Context, default_ma
     entry = Include("", None, namespace, passed, pass_all, origin, scope, file.conditions)
     if isinstance(name, Unknown):
         file.effect(entry._replace(file=name.text))
-        context.reach(1)
+        _reach_unseen(file, context)
         return default_machine
     document = _open(file, element, name, from_environment=file.from_environment(made_from))
     if document is None or document.launch is None:
         file.effect(entry._replace(file=name, source=None if document is None else document.source))
-        context.reach(1)
+        _reach_unseen(file, context)
         return default_machine
     private_above = bool(context.private) or file.private_above
     outside = frozenset(passed_name for passed_name, made_from in reads.items() if file.from_environment(made_from))
@@ -57,6 +57,7 @@ def include(file: FileEvaluation, element: Element, context: Context, default_ma
     )  # fmt: skip
     if entering.key in file.progress.stack or len(file.progress.stack) >= DEEPEST_INCLUDE:
         _cycle(file, element, name, entering.key)
+        _reach_unseen(file, context)
         return default_machine
     block = enter(file.session, document, entering, file.entry, file.progress)
     file.block.anonymous |= block.anonymous
@@ -77,6 +78,12 @@ def include(file: FileEvaluation, element: Element, context: Context, default_ma
         step_origin = leaked.origin._replace(step=_below(origin.place, leaked.origin))
         set_private(context.private, parameter._replace(setting=leaked._replace(origin=step_origin)))
     return block.default_machine
+
+
+def _reach_unseen(file: FileEvaluation, context: Context) -> None:
+    """A file that is not followed may start nodes: it counts as one, here and in the files that include this one."""
+    file.block.node_count += 1
+    context.reach(1)
 
 
 def _below(place: Place, origin: Origin) -> Any:

@@ -1,7 +1,8 @@
 """An `<env>` acts on no node.
 
 What it does: an `<env>` outside nodes sets an environment variable for the nodes and tests that stand below it in its scope: in
-the same file or group, and in what is included there. It speaks where there are none in any configuration that was found.
+the same file or group, and in what is included there. It speaks where there are none in any configuration that was found, and is
+silent where an include in the scope cannot be followed, or a condition of unknown value may bring nodes.
 
 ## Why it matters
 
@@ -32,6 +33,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.rules.reach import settings_of
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 
@@ -42,11 +44,10 @@ _MOST_SHOWN = 3
 
 def check(view: LaunchView) -> Iterator[Finding | Fine]:
     """Yield one finding for each scoped ``<env>`` that no node follows (roslaunch.loader.Loader.load_env)."""
-    for setting in view.launch.settings:
-        if setting.kind != "env":
-            continue
-        if setting.reached:
+    for setting, acts in settings_of(view.launch, "env"):
+        if acts:
             yield RULE.fine(setting.origin)
+        if acts is not False:
             continue
         above = setting.before
         yield RULE.at(

@@ -1,12 +1,13 @@
 """A namespace is none that ROS allows.
 
 What it does: it looks at the resolved `ns` of groups, includes, nodes and tests. A private name (`~…`) is an error, because
-roslaunch stops with a traceback. Other characters than letters, digits, `_` and `/`, or a digit at the start, are warnings:
-roslaunch takes them and the nodes do not.
+roslaunch stops with a traceback. Other characters than letters, digits, `_` and `/` are warnings: roslaunch takes them and C++ nodes do
+not. They are an info where no node is started in the namespace, or only Python nodes are (executables that end in `.py`), which run. A
+digit at the start of a namespace is allowed everywhere.
 
 ## Why it matters
 
-C++ nodes end at start with an invalid-name exception. Python nodes end up under names that other tools refuse.
+C++ nodes end at start with an invalid-name exception. Python nodes end up under names that other nodes and tools refuse.
 
 ## Example
 
@@ -60,13 +61,32 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         )  # fmt: skip
         return
     good = re.sub(r"[^\w/]", "_", namespace.strip(), flags=re.ASCII)
-    good = f"n_{good}" if good[:1].isdigit() else good
+    if good == namespace:
+        return
+    sufferers = _started_in(problem, view)
+    if sufferers:
+        note = "roslaunch takes it, but C++ nodes in it end at start with an invalid-name exception"
+    elif sufferers is None:
+        note = "roslaunch takes it, and no node is started in it; a C++ node that asks for a name in it ends with an invalid-name exception"
+    else:
+        note = (
+            "roslaunch and the Python nodes in it take it, but a C++ node that uses one of their names ends with an invalid-name exception"
+        )
     yield RULE.at(
-        problem.origin, f"the namespace {namespace!r} is not a valid ROS name", severity=Severity.WARNING, label="invalid",
-        notes=("roslaunch takes it, but C++ nodes in it end at start with an invalid-name exception",),
+        problem.origin, f"the namespace {namespace!r} is not a valid ROS name",
+        severity=Severity.WARNING if sufferers else Severity.INFO, label="invalid",
+        notes=(note,),
         help=f"use letters, digits, _ and /, a letter first: {good}",
         fix=_fix(problem, view, good, f"the namespace is {good}"),
     )  # fmt: skip
+
+
+def _started_in(problem: Problem, view: LaunchView) -> bool | None:
+    """Whether anything but Python nodes may be started in the namespace that ``problem`` is about; None where nothing is."""
+    at = spot(view, problem.place)
+    if at is None:
+        return True
+    return view.started_in.get((at.source.path, at.element.span.start))
 
 
 def _fix(problem: Problem, view: LaunchView, namespace: str, changes: str) -> Fix | None:

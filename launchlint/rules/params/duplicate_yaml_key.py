@@ -1,6 +1,7 @@
 """A key stands twice in one YAML dictionary.
 
-The YAML parser takes the last one and drops the others without a word. Where both have the same value, it is an info.
+The YAML parser takes the last one and drops the others without a word. Where both have the same value, it is an info, and all of
+one file are told as one.
 
 ## Why it matters
 
@@ -58,5 +59,6 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         label="the last one counts",
         related=problem.related,
         topic=key,
+        cause=f"{problem.place.source.path} same" if same else "",
         help="remove one of the two" if same else "remove one of the two, or merge what is below them",
     )

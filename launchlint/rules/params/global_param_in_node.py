@@ -1,7 +1,8 @@
 """A parameter inside a node has a global name, which roslaunch makes private.
 
 Inside a `<node>` every `<param>` belongs to the node, also one whose name begins with `/`. It is an info, unless others look
-for the global name: it is one that all nodes know, such as `/use_sim_time`, or the launch sets it elsewhere.
+for the global name: it is one that all nodes know, such as `/use_sim_time`, or the launch sets it elsewhere. The infos of one file are told
+as one.
 
 ## Why it matters
 
@@ -57,5 +58,6 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         severity=None if everybodys else Severity.INFO,
         label="not global here",
         related=problem.related,
+        cause="" if everybodys else problem.place.source.path,
         help=f"put the <param> above the <node> to set {name}, or write {name.lstrip('/')} for the private one",
     )

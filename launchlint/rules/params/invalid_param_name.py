@@ -1,11 +1,14 @@
 """A parameter has a name that is no ROS name.
 
 A name begins with a letter (or `/` or `~`) and goes on with letters, digits, `_` and `/`. Hyphens, blanks, dots and
-letters outside ASCII are not allowed.
+letters outside ASCII are not allowed. roslaunch sets the parameter all the same, and rospy asks for any name; roscpp checks it first.
+
+So it is a warning where the node that the parameter is for is a C++ node, or where there is no name at all; silence where it is a Python
+node; and an info where the library does not say which of the two will read it.
 
 ## Why it matters
 
-roslaunch sets the parameter all the same, but a C++ node that asks for it ends with an InvalidNameException.
+A C++ node that asks for the parameter ends with an InvalidNameException, and it cannot be set with `_name:=value` either.
 
 ## Example
 
@@ -31,23 +34,82 @@ roslaunch sets the parameter all the same, but a C++ node that asks for it ends 
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.graph.connections import ConnectionGraph, Instance
+from launchlint.model import ParameterSetting
 from launchlint.problem import Problem
-from launchlint.rules.rule import Rule
+from launchlint.rules.rule import Fine, Rule
+from launchlint.rules.view import GraphView
 
 RULE = Rule("LL510", "invalid-param-name", Severity.WARNING)
 
 UNREADABLE = "roslaunch sets it, but a C++ node that asks for it ends with an InvalidNameException"
+PERHAPS = "roslaunch sets it, and a Python node can read it; a C++ node that asks for it ends with an InvalidNameException"
 NAMELESS = "roslaunch gives the value to the namespace itself, so that all parameters in it are in danger"
+CPP = ("roscpp", "nodelet")
 _ILLEGAL = re.compile(r"[^A-Za-z0-9_/~]+", re.ASCII)
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Name the character at fault; facts: ``name``."""
-    name = problem.facts["name"]
-    bare = name.lstrip("~/")
+def check(view: GraphView) -> Iterator[Finding | Fine]:
+    """Look at every ``<param>`` of such a name (ros::names::validate; rospy's get_param takes any)."""
+    problems = [problem for problem in view.launch.problems if problem.kind == "invalid-param-name"]
+    if not problems:
+        return
+    settings, clients = _Settings(view.graph), _Clients(view.graph)
+    for problem in problems:
+        name = problem.facts["name"]
+        bare = name.lstrip("~/")
+        if bare and name.startswith("/") and _ILLEGAL.search(name) is None:
+            continue  # only the first character of what is written may not be a digit
+        readers = {client for setting in settings.made_at(problem) for client in clients.of(setting)}
+        if bare and "rospy" in readers:
+            yield RULE.fine(problem.origin)
+        else:
+            yield _finding(problem, name, bare, sure=not bare or not readers.isdisjoint(CPP))
+
+
+class _Settings:
+    """The settings of a launch by where they are written."""
+
+    def __init__(self, graph: ConnectionGraph) -> None:
+        self._by_file: dict[str, dict[int, list[ParameterSetting]]] = {}
+        for setting in graph.launch.parameter_settings:
+            if setting.tag == "param":
+                source, span = setting.origin.place
+                self._by_file.setdefault(source.path, {}).setdefault(span.start, []).append(setting)
+        self._starts = {path: sorted(settings) for path, settings in self._by_file.items()}
+
+    def made_at(self, problem: Problem) -> list[ParameterSetting]:
+        """What the element sets in whose start tag the problem lies."""
+        source, span = problem.place
+        starts = self._starts.get(source.path, [])
+        index = bisect_right(starts, span.start)
+        found = self._by_file[source.path][starts[index - 1]] if index else []
+        return [setting for setting in found if span.start < setting.origin.place.span.end]
+
+
+class _Clients:
+    """The client libraries of the nodes that may read a parameter, as far as they are known."""
+
+    def __init__(self, graph: ConnectionGraph) -> None:
+        self._graph = graph
+        self._instances = {instance.name: instance for instance in graph.instances}
+
+    def of(self, setting: ParameterSetting) -> Iterator[str]:
+        """Those of the node that it is private to, else of the nodes that are known to read it."""
+        readings = self._graph.readers.get(setting.name, ())
+        names = [reading.node for reading in readings] if setting.node is None else [setting.node]
+        yield from (_client(self._instances[name]) for name in names if name in self._instances)
+
+
+def _client(instance: Instance) -> str:
+    return "rospy" if not instance.client and instance.node.executable.endswith(".py") else instance.client
+
+
+def _finding(problem: Problem, name: str, bare: str, *, sure: bool) -> Finding:
     found = _ILLEGAL.search(name)
     if not bare:
         message, help_ = "the parameter has no name", "give it a name"
@@ -56,13 +118,15 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         message, help_ = f"{name!r} is no parameter name: {what} is not allowed", f"write {_legal(name)}"
     else:
         message, help_ = f"{name!r} is no parameter name: it begins with {bare[0]!r}", "begin it with a letter"
-    yield RULE.at(
+    return RULE.at(
         problem.origin,
         message,
+        severity=None if sure else Severity.INFO,
         label="no ROS name",
         related=problem.related,
-        notes=(UNREADABLE if bare else NAMELESS,),
-        help=help_,
+        notes=(NAMELESS if not bare else UNREADABLE if sure else PERHAPS,),
+        help=help_ if sure else f"{help_}, unless only Python nodes read it",
+        cause="" if sure else name,
     )
 
 

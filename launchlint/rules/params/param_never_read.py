@@ -3,7 +3,11 @@
 What it does: where the library knows every param that a node reads, it compares them with those set in the node's private namespace:
 inside the `<node>`, by a `<rosparam>` there, or from outside by their full names. It is a warning where the name is nearly that of a
 param which the node reads and which is not set, and where the node reads a param of this name in its namespace instead of its private
-one; else it is an info: a param may have been removed from the node since, or be there for others to look at.
+one; else it is an info: a param may have been removed from the node since, or be there for others to look at. Names are compared part by
+part, so that `global_costmap/inflation/radus` is near `global_costmap/inflation/radius`, and also where the part in the middle is one that
+the node takes from a param. Of a node that may read more than is known, only a slip of one letter is told.
+
+The infos about one YAML file and one program are told as one, and so are those about the same param in several launch files.
 
 ## Why it matters
 
@@ -37,7 +41,8 @@ the YAML in a `<rosparam>`. Keys in YAML files are left alone.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
@@ -48,9 +53,14 @@ from launchlint.rules.params.reads import UNIVERSAL, Declared, declared_by
 from launchlint.rules.params.values import is_certain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
-from launchlint.spelling import closest
+from launchlint.spelling import closest, one_slip
 
 RULE = Rule("LL507", "param-never-read", Severity.WARNING, fixable="unsafe")
+_FARTHEST = 3
+"""Letters that :func:`~launchlint.spelling.closest` lets two names be apart at most."""
+_SHORTEST_SLIP = 5
+_SHORTEST_WORD = 3
+_MOST_NAMES = 8
 
 
 def check(view: GraphView) -> Iterator[Finding | Fine]:
@@ -58,14 +68,30 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     graph = view.graph
     instances = {instance.name: instance for instance in graph.instances}
     reads = _Reads(graph, view.library)
+    unread: list[tuple[ParameterSetting, Instance]] = []
+    in_file: Counter[tuple[str, str]] = Counter()
     for setting in graph.launch.parameters.values():
         owner = _owner(setting.name, instances)
         if owner is None:
             continue
-        if not is_certain(setting) or not _is_known(owner) or reads.any_of(setting.name, owner):
+        if not is_certain(setting) or not _has_interface(owner) or reads.any_of(setting.name, owner):
             yield RULE.fine(setting.origin)
-            continue
-        yield _finding(setting, owner, reads.declared(owner), view)
+        elif _is_known(owner) or reads.slip(_inner(setting, owner), owner) is not None:
+            unread.append((setting, owner))
+            in_file[_file(setting, owner)] += setting.tag == "rosparam"
+        else:
+            yield RULE.fine(setting.origin)
+    for setting, owner in unread:
+        several = setting.tag == "rosparam" and in_file[_file(setting, owner)] > 1
+        yield _finding(setting, owner, reads, view, several=several)
+
+
+def _inner(setting: ParameterSetting, owner: Instance) -> str:
+    return setting.name[len(owner.name) + 1 :]
+
+
+def _file(setting: ParameterSetting, owner: Instance) -> tuple[str, str]:
+    return setting.origin.place.source.path, owner.program
 
 
 def _owner(name: str, instances: dict[str, Instance]) -> Instance | None:
@@ -78,9 +104,14 @@ def _owner(name: str, instances: dict[str, Instance]) -> Instance | None:
     return None
 
 
+def _has_interface(instance: Instance) -> bool:
+    """Whether something is known of the params that the node reads."""
+    return not instance.is_unknown and instance.client not in ("", "none", "other") and instance.certain
+
+
 def _is_known(instance: Instance) -> bool:
     """Whether every param that the node reads is known."""
-    return not instance.may_have_more("params") and instance.client not in ("", "none", "other") and instance.certain
+    return not instance.may_have_more("params")
 
 
 class _Reads:
@@ -90,6 +121,7 @@ class _Reads:
         self._graph = graph
         self._library = library
         self._declared: dict[str, Declared] = {}
+        self._private: dict[str, list[str]] = {}
         self._around: set[str] = set()
         for name in graph.readers:
             self._around.add(name)
@@ -105,6 +137,33 @@ class _Reads:
             self._declared[instance.name] = declared_by(instance, self._library)
         return self._declared[instance.name]
 
+    def private(self, instance: Instance) -> Sequence[str]:
+        """The params that a node may read below its own name, without that name."""
+        if instance.name not in self._private:
+            start = f"{instance.name}/"
+            self._private[instance.name] = [name[len(start) :] for name in self.declared(instance).names if name.startswith(start)]
+        return self._private[instance.name]
+
+    def unset(self, inner: str, owner: Instance, *, apart: int) -> list[str]:
+        """Those that are not set and not ``apart`` letters longer or shorter than ``inner``; where a part may be anything it is that of
+        ``inner``.
+        """
+        found = [name for name in self.private(owner) if abs(len(name) - len(inner)) <= apart]
+        parts = inner.split("/")
+        for pattern in self.declared(owner).patterns:
+            others = pattern.pattern[len(owner.name) + 1 :].split("/")
+            if pattern.pattern.startswith(f"{owner.name}/") and len(others) == len(parts) and "*" not in others[-1]:
+                full = "/".join(mine if other == "*" else other for mine, other in zip(parts, others, strict=True))
+                found += [full] if "*" not in full and abs(len(full) - len(inner)) <= apart else []
+        return [name for name in dict.fromkeys(found) if not self._graph.parameters.is_set(f"{owner.name}/{name}")]
+
+    def slip(self, inner: str, owner: Instance) -> str | None:
+        """The only name that ``inner`` must be a slip for, although the node may read more than is known."""
+        if max(map(len, inner.split("/"))) < _SHORTEST_SLIP:
+            return None
+        near = [name for name in self.unset(inner, owner, apart=1) if _is_slip(_differing(inner, name))]
+        return near[0] if len(near) == 1 else None
+
     def any_of(self, name: str, owner: Instance) -> bool:
         """Whether somebody may read ``name``, which is private to ``owner``, something around it or something below it."""
         if name.rpartition("/")[2] in UNIVERSAL or name in self._around:
@@ -119,11 +178,14 @@ class _Reads:
         return any(doubt.may_be(name) for doubt, _ in self._graph.missing["params"].doubts)
 
 
-def _finding(setting: ParameterSetting, owner: Instance, declared: Declared, view: GraphView) -> Finding:
-    inner = setting.name[len(owner.name) + 1 :]
-    private = {name[len(owner.name) + 1 :]: name for name in declared.names if name.startswith(f"{owner.name}/")}
-    elsewhere = next((name for name in sorted(declared.names) if declared.names[name].lstrip("/") == inner), None)
-    candidates = _near(inner, [name for name, full in private.items() if not view.graph.parameters.is_set(full)])
+def _finding(setting: ParameterSetting, owner: Instance, reads: _Reads, view: GraphView, *, several: bool) -> Finding:
+    inner, declared = _inner(setting, owner), reads.declared(owner)
+    if _is_known(owner):
+        elsewhere = next((name for name in sorted(declared.names) if declared.names[name].lstrip("/") == inner), None)
+        candidates = _near(inner, reads.unset(inner, owner, apart=_FARTHEST))
+    else:
+        slip = reads.slip(inner, owner)
+        elsewhere, candidates = None, [] if slip is None else [slip]
     near = closest(inner, candidates)
     if elsewhere is not None:
         help_ = f"{owner.program} reads {elsewhere}, not a private param: set it outside the <node>"
@@ -136,9 +198,14 @@ def _finding(setting: ParameterSetting, owner: Instance, declared: Declared, vie
         f"{owner.program} does not read the param {inner}, which is set for {owner.name}",
         severity=Severity.WARNING if elsewhere is not None or near is not None else Severity.INFO,
         label="never read",
-        notes=(_reads(private),),
+        notes=(_listed(reads.private(owner), everything=_is_known(owner)),),
         help=help_,
         topic=inner,
+        cause=""
+        if elsewhere or near
+        else f"{setting.origin.place.source.path}: {owner.program}"
+        if several
+        else f"{owner.program} {inner}",
         fix=_fix(setting, owner, inner, candidates[0], view) if elsewhere is None and len(candidates) == 1 else None,
     )
 
@@ -176,19 +243,36 @@ def _in_yaml(setting: ParameterSetting, inner: str, near: str, view: GraphView) 
 
 def _near(name: str, names: list[str]) -> list[str]:
     """The names that ``name`` may be a slip for: one part of it differs, by a few letters, and not in its digits."""
-    parts = name.split("/")
     candidates: list[str] = []
     for other in names:
-        others = other.split("/")
-        apart = [at for at in range(len(parts)) if parts[at] != others[at]] if len(others) == len(parts) else []
-        if len(apart) == 1 and closest(parts[apart[0]], [others[apart[0]]]) is not None and _digits(other) == _digits(name):
+        part = _differing(name, other)
+        if part is not None and closest(part[0], [part[1]]) is not None and _digits(other) == _digits(name):
             candidates.append(other)
     return [other for other in candidates if closest(name, [other]) is not None]
 
 
-def _reads(private: dict[str, str]) -> str:
+def _is_slip(part: tuple[str, str] | None) -> bool:
+    """Whether two parts of names are one letter apart, and not as siblings are: ``vel_x`` and ``vel_y``, ``topic`` and ``topics``."""
+    if part is None or min(map(len, part)) < _SHORTEST_SLIP or _digits(part[0]) != _digits(part[1]):
+        return False
+    one, other = part
+    words = [pair for pair in zip(one.split("_"), other.split("_"), strict=False) if pair[0] != pair[1]]
+    if one.rstrip("s") == other.rstrip("s") or any(max(map(len, pair)) < _SHORTEST_WORD for pair in words):
+        return False
+    return one_slip(one, (other,)) is not None
+
+
+def _differing(name: str, other: str) -> tuple[str, str] | None:
+    """The only part in which two names differ, as it is in each of them."""
+    parts, others = name.split("/"), other.split("/")
+    apart = [pair for pair in zip(parts, others, strict=True) if pair[0] != pair[1]] if len(others) == len(parts) else []
+    return apart[0] if len(apart) == 1 else None
+
+
+def _listed(private: Sequence[str], *, everything: bool) -> str:
     """What the node reads, for people who look for the right name."""
-    return f"it reads {', '.join(sorted(private)[:8])}{' …' if len(private) > 8 else ''}" if private else "it reads no private params"
+    more = len(private) > _MOST_NAMES or not everything
+    return f"it reads {', '.join(sorted(private)[:_MOST_NAMES])}{' …' if more else ''}" if private else "it reads no private params"
 
 
 def _digits(name: str) -> str:

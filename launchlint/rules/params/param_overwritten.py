@@ -6,7 +6,8 @@ YAML file and single parameters after it, several YAML files from the general to
 the include whose value it replaces, a `~param` of a group that a node sets again, and a second setting under a
 condition.
 
-Two included files that disagree about a parameter are told as an info.
+Two included files that disagree about a parameter are told as an info. The same two values of the same parameter in several files, which
+were copied with the mistake in them, are told as one.
 
 ## Why it matters
 
@@ -83,6 +84,7 @@ def _severity(earlier: Origin, later: Origin, *, single: bool) -> Severity | Non
 
 
 def _finding(again: SetAgain, severity: Severity) -> Finding:
+    last = again.name.rsplit("/", 1)[-1]
     behind = again.first.place.source is not again.second.place.source
     return RULE.at(
         again.first,
@@ -93,5 +95,6 @@ def _finding(again: SetAgain, severity: Severity) -> Finding:
         help="set it once; to override a value of an included file, set it behind the <include>, or pass an arg"
         if behind
         else "remove one of the two, or put a condition on the second",
-        topic=again.name.rsplit("/", 1)[-1],
+        topic=last,
+        cause=f"{last} {shown(again.old)} {shown(again.new)}",
     )

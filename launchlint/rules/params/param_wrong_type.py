@@ -2,7 +2,8 @@
 
 What it does: where the library says with which type a node reads a param, it compares that with the value. roscpp takes a whole number
 for a double and rounds a double to an int, and nothing else: text is no number, and 1 is no bool. rospy takes any value; there only a
-list or a mapping instead of a single value is told, and the reverse.
+list or a mapping instead of a single value is told, and the reverse. Values in one YAML file that are wrong in the same way are told as
+one, and so is the same value of the same param in several files.
 
 ## Why it matters
 
@@ -32,6 +33,7 @@ A roscpp node that asks for a bool and finds an int behaves as if the param were
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from math import ceil, floor
 
@@ -60,6 +62,8 @@ def check(view: GraphView) -> Iterator[Finding]:
     """Compare the value of each param with the types it is read with (ros::param::get)."""
     graph = view.graph
     instances = {instance.name: instance for instance in graph.instances}
+    found: list[tuple[ParameterSetting, Finding]] = []
+    in_file: Counter[tuple[str, str]] = Counter()
     for name, readings in graph.readers.items():
         setting = graph.parameters.setting(name)
         if setting is None or not is_known(setting.value) or not is_certain(setting) or _is_tried(setting, graph.launch):
@@ -70,7 +74,12 @@ def check(view: GraphView) -> Iterator[Finding]:
         for node, own in by_node.items():
             finding = _judge(setting, instances[node], own)
             if finding is not None:
-                yield finding
+                found.append((setting, finding))
+                in_file[setting.origin.place.source.path, finding.label] += setting.tag == "rosparam"
+    for setting, finding in found:
+        several = setting.tag == "rosparam" and in_file[setting.origin.place.source.path, finding.label] > 1
+        where = setting.origin.place.source.path if several else f"{setting.tag} {finding.topic} {shown(setting.value)}"
+        yield finding._replace(cause=f"{where} {finding.label}")
 
 
 def _is_tried(setting: ParameterSetting, launch: Launch) -> bool:
@@ -97,7 +106,7 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
     instead = f"it runs with its default, {shown(default)}" if known else "it behaves as if the param were not set"
     if instance.client == "rospy":
         instead = f"it expects {_WORDS[one]}"
-    means_default = known and str(value).lower() in (str(default).lower(), str(int(default)) if isinstance(default, bool) else "")
+    means_default = known and _plain(value) in (_plain(default), str(int(default)) if isinstance(default, bool) else "")
     return RULE.at(
         setting.origin,
         f"{instance.program} reads {reading.declared} as {_WORDS[one]}, and {shown(value)} is {_WORDS[type_]}: {instead}",
@@ -107,6 +116,11 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
         help=_help(setting, one, type_),
         topic=f"{instance.program} {reading.declared}",
     )
+
+
+def _plain(value: Any) -> str:
+    """The value without what tells a list from the text of one."""
+    return str(value).lower().replace(" ", "").strip("[]")
 
 
 def _rounded(setting: ParameterSetting, instance: Instance, reading: Reading) -> Finding:

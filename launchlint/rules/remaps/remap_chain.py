@@ -1,10 +1,10 @@
 """Two remaps of a node look like a chain, and remaps do not chain.
 
 With `a` to `b` and `b` to `c`, what the node calls `a` becomes `b`, and only what it calls `b` itself becomes `c`. It
-is told where a node remaps a name to one that a scope around it remaps for every node. Two such remaps in one node
-are an info only: the node may well have both names, as filters do that take `scan` and give `scan_filtered`. So is what
-is said of a node that no library knows. Topics of Python nodes are an exception: rospy looks them up twice, so there
-two remaps do chain, and nothing is said.
+is told where a node remaps a name to one that a scope around it remaps for every node, and meets nobody there. What somebody plainly
+wanted is left alone: a name on which the node has a partner, and two such remaps in one node, as filters have that take `scan` and give
+`scan_filtered`. It is an info where a node that is not known may be the partner, and of a node that no library knows. Topics of Python
+nodes are an exception: rospy looks them up twice, so there two remaps do chain, and nothing is said.
 
 ## Why it matters
 
@@ -39,7 +39,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.graph.connections import Instance
+from launchlint.graph.connections import OFFERS, ConnectionGraph, Instance
 from launchlint.model import Node, Remap
 from launchlint.rules.remaps.resolved import has_known_name, resolve
 from launchlint.rules.rule import Rule
@@ -49,8 +49,9 @@ RULE = Rule("LL606", "remap-chain", Severity.WARNING)
 
 
 def check(view: GraphView) -> Iterator[Finding]:
-    """Look at every node whose own remap leads to a name that is remapped too."""
-    for instance in view.graph.instances:
+    """Look at every node whose own remap leads to a name that a scope around it remaps too."""
+    graph = view.graph
+    for instance in graph.instances:
         node = instance.node
         if len(node.remaps) < 2 or not has_known_name(node) or not instance.certain or instance.kind == "manager":
             continue
@@ -58,12 +59,30 @@ def check(view: GraphView) -> Iterator[Finding]:
         for source, remap in by_source.items():
             middle = resolve(node, remap.target)
             further = by_source.get(middle)
-            if further is None or middle == source or not _is_own(node, remap):
+            if further is None or middle == source or not _is_own(node, remap) or _is_own(node, further):
                 continue
             end = resolve(node, further.target)
             ends = _ends(instance, source)
-            if end not in (middle, source) and end not in ends and (middle in ends or instance.is_unknown):
-                yield _finding(node, remap, further, sure=middle in ends and not _is_own(node, further))
+            if end in (middle, source) or end in ends or not (middle in ends or instance.is_unknown):
+                continue
+            meets = _meets(graph, instance, middle)
+            if meets is not True:
+                yield _finding(node, remap, further, sure=middle in ends and meets is False)
+
+
+def _meets(graph: ConnectionGraph, instance: Instance, name: str) -> bool | None:
+    """Whether the node is certainly connected to another one on ``name``, as was wanted then; None where that cannot be known."""
+    possible = False
+    for kind in ("topic", "service", "action"):
+        channel = graph.channels.get((kind, name))
+        ends = () if channel is None else (*channel.offers, *channel.uses)
+        own = {each.role in OFFERS for each in ends if each.node == instance.name}
+        if any(each.node != instance.name and (not own or (each.role in OFFERS) not in own) for each in ends):
+            return True
+        possible = possible or any((graph.may_use if offers else graph.may_offer)(kind, name) for offers in own)
+    if graph.parameters.is_set(name):
+        return True
+    return None if possible else False
 
 
 def _ends(instance: Instance, source: str) -> set[str]:
