@@ -5,6 +5,9 @@ An arg that its `doc`, or a comment above a run of args, calls unused, old or de
 purpose. So is one with a fixed `value` that is an `$(eval …)`, which may be there to stop roslaunch when it fails, and every arg
 of a file with `<rosparam file="…" subst_value="true"/>`: the YAML file may read it.
 
+It is an info where nobody who gives the arg a value is misled: what reads it is commented out, and may come back, or the arg has a fixed
+`value`. The same arg, declared with the same words in several files that were copied from each other, is told as one.
+
 ## Why it matters
 
 Giving the arg a value, on the command line or in an `<include>`, has no effect, and nobody says so. Often a misspelt name is
@@ -80,18 +83,33 @@ def check(view: FileView) -> Iterator[Finding]:
     for name, elements in declared.items():
         if name in read or any(_is_check(element) or element.index in kept for element in elements):
             continue
+        idle = name in in_comments or all("value" in element.attributes for element in elements)
         first, *others = (document.place(element.attributes["name"].value_span) for element in elements)
         yield RULE.at(
             first,
             f"the arg {name} is never read",
+            severity=Severity.INFO if idle else None,
             label="unused",
             related=tuple((place, "declared here too") for place in others),
-            notes=("only a comment reads it",) if name in in_comments else ("a value that is given for it has no effect",),
+            notes=(_why(name, in_comments, idle=idle),),
+            cause=_words(elements),
             help=f"remove it here and in the includes that pass it, or use it as $(arg {name})",
             fix=None
             if others
             else fix("remove the arg", remove_element(spot(view, first)), safe=False, changes=f"{name} can no longer be given"),
         )
+
+
+def _why(name: str, in_comments: set[str], *, idle: bool) -> str:
+    if name in in_comments:
+        return "only a comment reads it"
+    return "it has a fixed value, which nobody uses" if idle else "a value that is given for it has no effect"
+
+
+def _words(elements: list[Element]) -> str:
+    """What is written in the declarations, but for what says when they count and what they are for."""
+    said = (attribute for element in elements for attribute in element.attributes.values())
+    return " ".join(f"{attribute.name}={attribute.value}" for attribute in said if attribute.name in ("name", "value", "default"))
 
 
 def _names_read(document: Document) -> set[str] | None:

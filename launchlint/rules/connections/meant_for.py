@@ -10,8 +10,10 @@ from launchlint.graph.names import kind
 from launchlint.rules.connections.loose_ends import Missed
 from launchlint.rules.connections.misspelt import Repairs
 from launchlint.rules.connections.near_names import NAMESPACE, SLIP
+from launchlint.rules.connections.one_cause import Cause
 from launchlint.rules.connections.places import TALKS, acting_origin, how, node_origin, remap_origin, write_remap
 from launchlint.rules.rule import Rule
+from launchlint.source import Origin
 
 _ALONE = {
     "publisher": ("nobody subscribes to", "reaches nobody"),
@@ -23,12 +25,13 @@ _PLURAL = {"publisher": "publish", "subscriber": "subscribe to", "server": "serv
 _MOST_NODES = 5
 
 
-def tell(rule: Rule, missed: Missed, consequence: str, repairs: Repairs) -> Finding:
-    """The finding of ``rule`` about a loose end; ``consequence`` says why it matters."""
+def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Finding:
+    """The finding of ``rule`` about the loose ends of one cause; ``consequence`` says why they matter."""
+    missed, others = cause.first, cause.others
     end, other = missed.end, missed.other
-    nobody, label = _ALONE[end.role]
-    at_partner = missed.loose and remap_origin(end) is None and remap_origin(other) is not None
-    origin = acting_origin(other, missed.partner) if at_partner else acting_origin(end, missed.instance)
+    _, label = _ALONE[end.role]
+    at_partner = _is_at_partner(missed)
+    origin = _origin(missed)
     shown, place = (missed.instance, end) if at_partner else (missed.partner, other)
     related = [(node_origin(shown).place, f"{shown.name} {TALKS[place.role]} {place.name}")]
     related.extend(
@@ -36,21 +39,48 @@ def tell(rule: Rule, missed: Missed, consequence: str, repairs: Repairs) -> Find
         for each in missed.feeding[:2]
         if len(missed.alike) > 1
     )
+    related.extend((_origin(each).place, _what(each)) for each in others)
     notes = [text for text in (how(end, missed.instance), how(other, missed.partner)) if text]
     if len(missed.alike) > 1:
         notes.append(f"{_listed(missed.alike)} all {_PLURAL[other.role]} {other.name}" + _fed(missed))
     notes.append(consequence)
+    more = f" (and {len(others)} more name{'s' if len(others) > 1 else ''} for the same reason)" if others else ""
     return rule.at(
         origin,
-        f"{nobody} {end.name}, which {missed.instance.name} {TALKS[end.role]}; {missed.partner.name} {TALKS[other.role]} {other.name}",
+        f"{_what(missed)}{more}",
         severity=missed.level,
         label=f"{other.name} here" if at_partner else label,
         related=tuple(related),
         notes=tuple(notes),
-        help=_help(missed, at_partner=at_partner),
-        topic=f"{end.node} {end.role} {end.name}",
-        fix=repairs.of(missed),
+        help=_help_for_all(cause) if cause.hub is not None else _help(missed, at_partner=at_partner),
+        topic=f"{end.node} {end.role} {end.name}" if cause.hub is None else " ".join((cause.hub[0], *map("/".join, cause.hub[1]))),
+        fix=None if others else repairs.of(missed),
     )
+
+
+def _is_at_partner(missed: Missed) -> bool:
+    """Whether the remap that parts the two ends is that of the other one."""
+    return missed.loose and remap_origin(missed.end) is None and remap_origin(missed.other) is not None
+
+
+def _origin(missed: Missed) -> Origin:
+    """Where the name is made that parts the two ends."""
+    return acting_origin(missed.other, missed.partner) if _is_at_partner(missed) else acting_origin(missed.end, missed.instance)
+
+
+def _what(missed: Missed) -> str:
+    end, other = missed.end, missed.other
+    alone = f"{_ALONE[end.role][0]} {end.name}, which {missed.instance.name} {TALKS[end.role]}"
+    return f"{alone}; {missed.partner.name} {TALKS[other.role]} {other.name}"
+
+
+def _help_for_all(cause: Cause) -> str:
+    """What joins all the ends that have the ``hub`` of the cause in common."""
+    assert cause.hub is not None
+    node, (mine, theirs) = cause.hub
+    wrong, right = ("/".join(each) or "no namespace" for each in (mine, theirs))
+    doubt = "if these belong together, " if cause.first.level is Severity.INFO else ""
+    return f"{doubt}start {node} in another namespace, or remap its names: they are in {wrong} where the others have {right}"
 
 
 def _help(missed: Missed, *, at_partner: bool) -> str:

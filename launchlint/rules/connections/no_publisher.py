@@ -6,6 +6,9 @@ that publisher in turn reaches nobody, and both nodes call the topic the same or
 names are less alike, or a node that waits in vain for everything finds one single topic of its type, it is an info. Nothing is
 said while a node that is not known may be the publisher.
 
+Where a node is in another namespace than the nodes it was meant for, or lacks its remaps, so that several of its names are left alone in
+the same way, that is told once, with all of them; services and actions and what is published in vain (LL613, LL614) among them.
+
 ## Why it matters
 
 Both nodes run, neither complains, and no message arrives.
@@ -41,9 +44,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.connections.loose_ends import LooseEnds
 from launchlint.rules.connections.meant_for import tell
 from launchlint.rules.connections.misspelt import Repairs
+from launchlint.rules.connections.one_cause import causes
 from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
@@ -56,5 +59,5 @@ def check(view: GraphView) -> Iterator[Finding]:
     if view.graph.missing["publishers"].reason or has_odd_boolean(view.launch):
         return
     repairs = Repairs(view)
-    for missed in LooseEnds(view.graph).missed("topic", offers=False):
-        yield tell(RULE, missed, "both nodes run and neither complains, but no message arrives", repairs)
+    for cause in causes(view.graph, "subscriber"):
+        yield tell(RULE, cause, "both nodes run and neither complains, but no message arrives", repairs)

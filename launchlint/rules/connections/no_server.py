@@ -5,6 +5,9 @@ namespace where nobody calls it. Where the names are less alike, or the type say
 Nothing is said while a node that is not known may be the server, and nothing of a service of a type that no node of the
 launch serves: it may run elsewhere.
 
+Several names of a node that are left alone in the same way, by one namespace or by missing remaps, are told once: by LL612 or LL613 where
+there are topics among them.
+
 ## Why it matters
 
 The call fails, or the node waits for the service for ever.
@@ -40,9 +43,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.connections.loose_ends import LooseEnds
 from launchlint.rules.connections.meant_for import tell
 from launchlint.rules.connections.misspelt import Repairs
+from launchlint.rules.connections.one_cause import causes
 from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
@@ -55,7 +58,6 @@ def check(view: GraphView) -> Iterator[Finding]:
     missing = view.graph.missing
     if (missing["services"].reason and missing["actions"].reason) or has_odd_boolean(view.launch):
         return
-    ends, repairs = LooseEnds(view.graph), Repairs(view)
-    for kind in ("service", "action"):
-        for missed in ends.missed(kind, offers=False):
-            yield tell(RULE, missed, "the call fails, or waits for the server for ever", repairs)
+    repairs = Repairs(view)
+    for cause in causes(view.graph, "client"):
+        yield tell(RULE, cause, "the call fails, or waits for the server for ever", repairs)

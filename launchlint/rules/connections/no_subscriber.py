@@ -5,6 +5,9 @@ is a letter apart; or where the publishing node does nothing but publish, reache
 subscribes to differs by a namespace or a word. It is an info where only the type speaks for it. Where both ends meet nobody, the
 rule no-publisher (LL612) speaks. Nothing is said while a node that is not known may be the subscriber.
 
+Several names of a node that are left alone in the same way, by one namespace or by missing remaps, are told once: by LL612 where there are
+topics among them that the node waits for.
+
 ## Why it matters
 
 What the node works out or commands reaches nobody.
@@ -43,9 +46,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.connections.loose_ends import LooseEnds
 from launchlint.rules.connections.meant_for import tell
 from launchlint.rules.connections.misspelt import Repairs
+from launchlint.rules.connections.one_cause import causes
 from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
@@ -57,12 +60,6 @@ def check(view: GraphView) -> Iterator[Finding]:
     """Look at the topics that have publishers only."""
     if view.graph.missing["subscribers"].reason or has_odd_boolean(view.launch):
         return
-    ends, repairs = LooseEnds(view.graph), Repairs(view)
-    told: set[tuple[str, str]] | None = None
-    for missed in ends.missed("topic", offers=True):
-        if missed.loose:
-            if told is None:
-                told = {(each.other.name, each.end.name) for each in ends.missed("topic", offers=False)}
-            if (missed.end.name, missed.other.name) in told:
-                continue  # it is told at the subscriber
-        yield tell(RULE, missed, "what it publishes reaches nobody", repairs)
+    repairs = Repairs(view)
+    for cause in causes(view.graph, "publisher"):
+        yield tell(RULE, cause, "what it publishes reaches nobody", repairs)

@@ -1,0 +1,86 @@
+"""Loose ends that have one cause: a node in the wrong namespace, or one without its remaps, loses all its partners at once."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from launchlint.graph.connections import ConnectionGraph
+from launchlint.rules.connections.loose_ends import LooseEnds, Missed
+from launchlint.rules.connections.near_names import NAMESPACE, SIBLING
+
+Apart = tuple[tuple[str, ...], tuple[str, ...]]
+Hub = tuple[str, Apart]
+"""A node, and how the namespaces of its names differ from those of the names that they were meant for."""
+
+
+class Cause(NamedTuple):
+    """What has one cause: the ``first`` loose end, the surest of those of the rule that tells it, and the ``others``; ``hub`` if any."""
+
+    first: Missed
+    others: tuple[Missed, ...]
+    hub: Hub | None
+
+
+def causes(graph: ConnectionGraph, tells: str) -> Iterator[Cause]:
+    """The loose ends of ``graph`` that the rule for ``subscriber``, ``publisher`` or ``client`` tells, joined by their cause.
+
+    What it has in common with loose ends of other kinds is told once: by the rule for subscribers if it has any, else by the one for
+    publishers.
+    """
+    found = list(_missed(graph))
+    counts = Counter(hub for missed in found for hub in _hubs(missed))
+    groups: dict[object, list[Missed]] = {}
+    for missed in found:
+        likely = max(_hubs(missed), key=lambda each: (counts[each], each), default=None)
+        key: object = likely if likely is not None and counts[likely] > 1 else id(missed)
+        groups.setdefault(key, []).append(missed)
+    for key, group in groups.items():
+        teller = min((_teller(missed) for missed in group), key=_ORDER.index)
+        if teller != tells:
+            continue
+        own = [missed for missed in group if _teller(missed) == teller]
+        hub = key if isinstance(key, tuple) else None
+        first = max(own, key=lambda missed: (missed.level, hub is not None and missed.instance.name == hub[0]))
+        level = max(missed.level for missed in group)
+        others = tuple(missed for missed in group if missed is not first)
+        yield Cause(first._replace(level=level), others, hub)
+
+
+_ORDER = ("subscriber", "publisher", "client")
+
+
+def _teller(missed: Missed) -> str:
+    role = missed.end.role
+    return role if role in _ORDER else "client"
+
+
+def _missed(graph: ConnectionGraph) -> Iterator[Missed]:
+    """All loose ends that were meant for something; one of two ends that were meant for each other."""
+    ends = LooseEnds(graph)
+    told: set[tuple[str, str]] = set()
+    if not graph.missing["publishers"].reason:
+        for missed in ends.missed("topic", offers=False):
+            told.add((missed.other.name, missed.end.name))
+            yield missed
+    if not graph.missing["subscribers"].reason:
+        for missed in ends.missed("topic", offers=True):
+            if not missed.loose or (missed.end.name, missed.other.name) not in told:
+                yield missed
+    if not (graph.missing["services"].reason and graph.missing["actions"].reason):
+        for kind in ("service", "action"):
+            yield from ends.missed(kind, offers=False)
+
+
+def _hubs(missed: Missed) -> tuple[Hub, ...]:
+    """Both nodes, where nothing but the namespace tells the two names apart."""
+    if missed.how not in (NAMESPACE, SIBLING):
+        return ()
+    mine, theirs = missed.end.name.split("/")[1:-1], missed.other.name.split("/")[1:-1]
+    while mine and theirs and mine[0] == theirs[0]:
+        mine, theirs = mine[1:], theirs[1:]
+    while mine and theirs and mine[-1] == theirs[-1]:
+        mine, theirs = mine[:-1], theirs[:-1]
+    one, other = tuple(mine), tuple(theirs)
+    return ((missed.instance.name, (one, other)), (missed.partner.name, (other, one)))
