@@ -6,7 +6,8 @@ purpose. So is one with a fixed `value` that is an `$(eval …)`, which may be t
 of a file with `<rosparam file="…" subst_value="true"/>`: the YAML file may read it.
 
 It is an info where nobody who gives the arg a value is misled: what reads it is commented out, and may come back, or the arg has a fixed
-`value`. The same arg, declared with the same words in several files that were copied from each other, is told as one.
+`value`. The same arg, declared with the same words in several files that were copied from each other, is told as one. So are the args of
+one file that have no default: whoever includes it must give all of them for nothing.
 
 ## Why it matters
 
@@ -92,7 +93,7 @@ def check(view: FileView) -> Iterator[Finding]:
             label="unused",
             related=tuple((place, "declared here too") for place in others),
             notes=(_why(name, in_comments, idle=idle),),
-            cause=_words(elements),
+            cause=_words(elements) if idle or any("default" in element.attributes for element in elements) else document.source.path,
             help=f"remove it here and in the includes that pass it, or use it as $(arg {name})",
             fix=None
             if others
