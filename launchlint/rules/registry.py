@@ -93,6 +93,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL408", "deprecated-include", "includes.deprecated_include", WARNING, on=("deprecated-include",)),
     Entry("LL409", "orphan-launch-file", "includes.orphan_launch_file", INFO, view="run", default=False),
     Entry("LL410", "repeated-include", "includes.repeated_include", WARNING, view="file"),
+    Entry("LL411", "named-file-missing", "includes.named_file_missing", WARNING, view="launch"),
     Entry("LL501", "param-value-type", "params.param_value_type", ERROR, on=("param-value-type",)),
     Entry("LL502", "param-file-missing", "params.param_file_missing", ERROR, on=("param-file-missing",)),
     Entry("LL503", "param-yaml-invalid", "params.param_yaml_invalid", ERROR, on=("param-yaml-invalid",)),

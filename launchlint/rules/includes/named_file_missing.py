@@ -1,0 +1,186 @@
+"""A file that a node or a command is told to read is not there.
+
+What it does: it looks for the files that the `args` of nodes and the `command` of params name, where they lie in a package of the
+workspace. It is an error where roslaunch itself fails because of it: `command` runs a program that is not there, or lets xacro or cat
+read the file. Files that are there to be written (behind `-o` or `>`, of a recorder) are passed over; logs, bags and the like, too, unless
+a file of nearly that name is there. It is an info where a file is made: by a command of `CMakeLists.txt`, from a template that
+lies beside it, or by what `.gitignore` keeps out of the repository; and where the package has no file of that kind at all.
+
+## Why it matters
+
+roslaunch hands the name on. The node fails after the others are up, or goes on with something else: rviz shows an empty view, a map
+server ends, and whatever waits for the map waits for ever.
+
+## Example
+
+```xml
+<launch>
+  <node pkg="rviz" type="rviz" name="rviz" args="-d $(find my_robot)/rviz/robots.rviz"/>
+</launch>
+```
+
+```yaml rviz/robot.rviz
+Panels: []
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+  <exec_depend>rviz</exec_depend>
+</package>
+```
+
+## Use instead
+
+```xml
+<launch>
+  <node pkg="rviz" type="rviz" name="rviz" args="-d $(find my_robot)/rviz/robot.rviz"/>
+</launch>
+```
+
+```yaml rviz/robot.rviz
+Panels: []
+```
+
+```xml package.xml
+<package format="2">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+  <exec_depend>rviz</exec_depend>
+</package>
+```
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+import shlex
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from launchlint.finding import Finding, Severity
+from launchlint.model import Command
+from launchlint.problem import Problem
+from launchlint.rules.made_file import made
+from launchlint.rules.made_up import is_made_up
+from launchlint.rules.other_file import is_inside, root_of, shown
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
+from launchlint.source import Origin
+from launchlint.spelling import one_slip
+from launchlint.workspace.looking import exists, names, walk
+from launchlint.workspace.nearby import nearby_file
+
+RULE = Rule("LL411", "named-file-missing", Severity.WARNING)
+
+_WRITES = re.compile(r"out|sav|log|record|writ|dump|export|result|report|store|dest|calib|generat|-[oOw]\Z", re.IGNORECASE)
+_WRITTEN = frozenset(
+    ".bag .log .csv .tsv .txt .db .db3 .pcd .ply .mp4 .avi .png .jpg .jpeg .out .pid .npy .npz .pkl .dot .pdf .bt .ot".split()
+)
+"""What programs write, as often as they read it."""
+_FAIL_WITHOUT = frozenset(("xacro", "xacro.py", "cat"))
+_ENDING = re.compile(r"\.[A-Za-z]\w{0,7}")
+_MOST_DIRECTORIES = 300
+_LONGEST = 10_000
+
+
+class _Use(NamedTuple):
+    """What is handed to ``program`` as ``text``; ``command``: roslaunch runs that itself."""
+
+    origin: Origin
+    program: str
+    text: str
+    command: bool
+
+
+class _Named(NamedTuple):
+    """A file that is named: by which word of the line, whether as it is; ``doubtful``: it may be there to be written."""
+
+    path: str
+    position: int
+    plain: bool
+    doubtful: bool
+
+
+def check(view: LaunchView) -> Iterator[Finding]:
+    """Yield one finding for each file of a workspace's package that is named and not there."""
+    root = root_of(view.launch.entry)
+    for use in _uses(view):
+        for named in _files(use):
+            if is_inside(named.path, view.packages.workspaces) and not exists(named.path):
+                yield from _tell(use, named, view, root)
+
+
+def _uses(view: LaunchView) -> Iterator[_Use]:
+    for node in (*view.launch.nodes, *view.launch.tests):
+        if "args" not in node.unknown and "/" in node.arguments:
+            yield _Use(Origin(node.attributes.get("args", node.origin.place), node.origin.step), node.executable, node.arguments, False)
+    for setting in view.launch.parameter_settings:
+        if isinstance(setting.value, Command) and "/" in setting.value.line:
+            yield _Use(setting.origin, setting.value.line.split()[0], setting.value.line, True)
+
+
+def _files(use: _Use) -> Iterator[_Named]:
+    """The absolute names of files in what is handed over."""
+    words = _words(use.text)
+    saver = _WRITES.search(posixpath.basename(use.program)) is not None
+    for position, word in enumerate(words):
+        match = re.search(r"(?:^|[=:,;])(/[^=:,;]+)\Z", word)
+        before = words[position - 1] if position else ""
+        ending = posixpath.splitext(word)[1]
+        if match is None or not _ENDING.fullmatch(ending) or re.search(r"[*?\[\]{}$<>|&]", word):
+            continue
+        option = word[: match.start(1)] or (before if before.startswith(("-", ">")) else "")
+        if saver or option.startswith(">") or _WRITES.search(option) is not None:
+            continue
+        yield _Named(posixpath.normpath(match[1]), position, match.start(1) == 0, ending.lower() in _WRITTEN)
+
+
+def _words(text: str) -> list[str]:
+    try:
+        return shlex.split(text[:_LONGEST])
+    except ValueError:
+        return text[:_LONGEST].split()
+
+
+def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Finding]:
+    path, near = named.path, nearby_file(named.path)
+    directory, name = posixpath.split(path)
+    package = view.packages.package_of(path)
+    written = use.origin.place.text
+    if package is None or (named.doubtful and one_slip(name, names(directory)) is None) or "env " in written or "env(" in written:
+        return
+    if is_made_up(path, Problem("named-file", use.origin, {}), view.launch):
+        return
+    ending = posixpath.splitext(path)[1]
+    maker = made(path, view.packages, root)
+    reads = named.plain and posixpath.basename(use.program) in _FAIL_WITHOUT
+    fails = use.command and (named.position == 0 or reads)
+    severity, notes = (Severity.ERROR, ["roslaunch runs the command, and stops where it fails"]) if fails else (None, [])
+    if maker is not None:
+        severity, notes = Severity.INFO, [*notes, maker.why]
+    elif near is None and not _has_any(package.directory, ending):
+        severity, notes = Severity.INFO, [*notes, f"no {ending} file at all is in {package.name}: it may be made, or come from elsewhere"]
+    advice = f"did you mean {near}?" if near is not None else "correct the path, or add the file"
+    yield RULE.at(
+        use.origin,
+        f"the file {shown(path, root)} does not exist",
+        severity=severity,
+        label=f"named here for {posixpath.basename(use.program)}",
+        notes=tuple(notes),
+        help=advice if maker is None else maker.help,
+        topic=path,
+        cause=shown(path, root),
+    )
+
+
+def _has_any(directory: str, ending: str) -> bool:
+    return any(name.endswith(ending) for _, listed in walk(directory, _MOST_DIRECTORIES) for name in listed)
