@@ -31,7 +31,7 @@ FLOORS = (
     ("workspace",),
     ("atomic", "fingerprint", "order", "spelling", "words"),
     ("model",),
-    ("finding", "problem", "source", "errors"),
+    ("finding", "problem", "source", "errors", "verdict"),
     ("launchlint",),  # launchlint/__init__.py: the version, nothing else
 )
 FLOOR = {room: len(FLOORS) - number for number, rooms in enumerate(FLOORS) for room in rooms}

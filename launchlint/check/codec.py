@@ -15,6 +15,7 @@ from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary
 from launchlint.source import Span
 from launchlint.suppression import Name, Suppression
+from launchlint.verdict import Verdict
 
 
 def file_to_json(result: FileResult) -> list[Any]:
@@ -79,12 +80,14 @@ def entry_to_json(result: EntryResult) -> list[Any]:
             summary.undeclared_args,
         ],
         result.configurations,
+        result.outcome,
     ]
 
 
 def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResult]) -> EntryResult:
     """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
-    path, verdict, error, findings, fine, visited, names, summary, configurations = value
+    path, verdict, error, findings, fine, visited, names, summary, configurations, outcome = value
+    word, rule, reason, missing = outcome
     entry, refused, included, calls, roots, needs, undeclared = summary
     return EntryResult(
         request,
@@ -105,6 +108,7 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
             undeclared,
         ),
         configurations,
+        outcome=Verdict(word, rule, reason, tuple(missing)),
     )
 
 

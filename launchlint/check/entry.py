@@ -7,8 +7,9 @@ from copy import copy
 from functools import cached_property
 from typing import NamedTuple
 
-from launchlint.check.file import FileResult, check_file, internal_error, run_rule, tell
+from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, internal_error, run_rule, tell
 from launchlint.check.options import EntryRequest, Options
+from launchlint.check.verdict import judged, plainly
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.configurations import configurations
 from launchlint.evaluate.launch import evaluate
@@ -19,6 +20,7 @@ from launchlint.rules.registry import RULES, Entry, rule_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary, FileView, LaunchView
 from launchlint.syntax.tree import Document
+from launchlint.verdict import LOADS, Verdict
 from launchlint.workspace.looking import note, noted, state
 from launchlint.workspace.packages import Packages
 
@@ -28,6 +30,7 @@ if TYPE_CHECKING:
     from launchlint.library.lookup import Library
 
 CALL_KINDS = ("include-undeclared-arg", "include-missing-arg")
+CRASHED = Verdict("cannot be told", INTERNAL_ERROR, "launchlint itself crashed on it")
 ALONE_KINDS = frozenset({"required-arg-unset", "undeclared-arg", "used-before-declaration"})
 """Problems that say a file is made to be included: it lacks args that only its callers can give."""
 
@@ -35,6 +38,7 @@ ALONE_KINDS = frozenset({"required-arg-unset", "undeclared-arg", "used-before-de
 class EntryResult(NamedTuple):
     """What one entry file gives.
 
+    ``verdict`` says what roslaunch does with it here and now, ``ok`` or ``error``; ``outcome`` is what people are told of that.
     For the cache: ``dependencies`` are the files it was made from with the digest of their content or the reason why there is none,
     ``variables`` the environment variables it read, ``looks`` the paths at which rules looked around, with their state
     (:func:`launchlint.workspace.looking.state`).
@@ -53,6 +57,7 @@ class EntryResult(NamedTuple):
     dependencies: tuple[tuple[str, str], ...] = ()
     variables: tuple[tuple[str, str | None], ...] = ()
     looks: tuple[tuple[str, str], ...] = ()
+    outcome: Verdict = LOADS
 
 
 class EntryChecker:
@@ -139,7 +144,11 @@ class EntryChecker:
         path = self.session.shown(request.at)
         finding = internal_error("the evaluation", path, error)
         summary = EntrySummary(path, True, (), (), ())
-        return EntryResult(request, path, "error", (finding.rule, finding.message), (finding,), (), (), (), summary, 0)
+        return EntryResult(request, path, "error", (finding.rule, finding.message), (finding,), (), (), (), summary, 0, outcome=CRASHED)
+
+    def verdict(self, evaluation: Evaluation, request: EntryRequest) -> Verdict:
+        """What roslaunch makes of the entry file as it was evaluated."""
+        return judged(evaluation.launch, LaunchView(evaluation.launch, self.packages, request.declared, evaluation.documents))
 
     def model(self, request: EntryRequest) -> tuple[Evaluation, tuple[str, str] | None]:
         """What one entry file starts as given, and why roslaunch refuses it: rule ID and message of the first reason, if it does."""
@@ -151,7 +160,7 @@ class EntryChecker:
             return evaluation, None
         view = LaunchView(evaluation.launch, self.packages, request.declared)
         told = [finding.message for finding in tell(refused, view, self.options.rules)]
-        return evaluation, (rule_of(refused.kind), told[0] if told else _plainly(refused))
+        return evaluation, (rule_of(refused.kind), told[0] if told else plainly(refused))
 
     def session_for(self, request: EntryRequest) -> Session:
         """The shared session, or one of its own where other text stands in for a file."""
@@ -221,7 +230,7 @@ class EntryChecker:
         error = None
         if refused is not None:
             told = next((finding.message for finding in findings.values() if finding.location.start == refused.place.span.start
-                         and finding.location.path == refused.place.source.path), _plainly(refused))  # fmt: skip
+                         and finding.location.path == refused.place.source.path), plainly(refused))  # fmt: skip
             error = (rule_of(refused.kind), told)
         reasons = {problem.kind for problem in launch.problems if problem.refused and problem.place.source.path == path}
         roots = tuple((known.path, known.root) for known in files.values() if known.root is not None)
@@ -240,6 +249,7 @@ class EntryChecker:
             tuple(files.values()),
             summary,
             count,
+            outcome=self.verdict(first, request),
         )
 
 
@@ -248,13 +258,6 @@ def _keep_plainer(findings: dict[Key, Finding], found: Finding) -> None:
     known = findings.get(found.key)
     if known is None or (-int(found.severity), len(found.chain)) < (-int(known.severity), len(known.chain)):
         findings[found.key] = found
-
-
-def _plainly(refused: Problem) -> str:
-    """Why roslaunch refuses a file, where the rule for it keeps silent because it need not be a mistake of the file."""
-    if refused.kind == "package-not-found":
-        return f"the package {refused.facts['package']} is not on this machine"
-    return refused.kind.replace("-", " ")
 
 
 def _broken_calls(problems: tuple[Problem, ...]) -> Iterator[BrokenCall]:

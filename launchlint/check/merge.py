@@ -16,18 +16,20 @@ from launchlint.order import ordered
 from launchlint.rules.registry import RULES, find
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import RunView, SuppressionView
+from launchlint.verdict import Verdict
 from launchlint.workspace.packages import Packages
 
 NEVER_EVALUATED = "no configuration that was found evaluates this element, so that nobody is stopped by it yet"
 
 
 class Outcome(NamedTuple):
-    """All findings of a run in report order, and how much was looked at."""
+    """All findings of a run in report order, how much was looked at, and the verdict on each entry file by its path, in order."""
 
     findings: tuple[Finding, ...]
     files: int
     entries: int
     crashed: bool
+    verdicts: tuple[tuple[str, Verdict], ...] = ()
 
 
 def merge(
@@ -91,8 +93,9 @@ def merge(
     others = _adjust((finding for finding in collected if finding.rule != INTERNAL_ERROR), options, per_file)
     kept, more = _suppress(others, files.values(), options, per_file)
     crashes += more
+    verdicts = tuple(sorted({result.path: result.outcome for result in entries}.items()))
     looked_at = files.keys() | {result.path for result in results}
-    return Outcome(tuple(ordered([*kept, *crashes])), len(looked_at), len(entries), bool(crashes))
+    return Outcome(tuple(ordered([*kept, *crashes])), len(looked_at), len(entries), bool(crashes), verdicts)
 
 
 def without_parts(results: Sequence[EntryResult]) -> list[EntryResult]:

@@ -17,7 +17,7 @@ from launchlint import __version__
 from launchlint.check.options import Options
 from launchlint.workspace.packages import DEBIAN_CATKIN, Packages
 
-FORMAT = 2
+FORMAT = 3
 """Of what the cache keeps; another one makes a new cache."""
 MOST_FILES = 300_000
 """With more files than this there is no cache: to look at all of them would take longer than the check."""

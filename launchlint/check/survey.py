@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from launchlint.syntax.tree import Document
 
 Extents = Mapping[str, Span]
-"""The places of nodes, params and remaps as topologies spell them → offsets at which the element begins and ends in its file."""
+"""The places of nodes, params, remaps, groups and includes as topologies spell them → where the element begins and ends in its file."""
 
 
 class Surveyed(NamedTuple):
@@ -68,15 +68,21 @@ def survey_entries(
     return compute(requests, surveyor, Surveyor.survey, jobs, progress)
 
 
-def _extents(graph: ConnectionGraph, documents: Mapping[str, Document]) -> Iterator[tuple[str, Span]]:
+def _extents(graph: ConnectionGraph, documents: Mapping[str, Document]) -> dict[str, Span]:
+    extents: dict[str, Span] = {}
     for instance in graph.instances:
         node = instance.node
         place = node.origin.place
-        yield place_text(node.attributes.get("name", place)), _whole(place, documents)
+        extents[place_text(node.attributes.get("name", place))] = _whole(place, documents)
+        scope = node.scope
+        while scope is not None and (around := place_text(scope.origin.place)) not in extents:
+            extents[around] = _whole(scope.origin.place, documents)
+            scope = scope.parent
         for remap in node.remaps:
-            yield place_text(remap.origin.place), remap.origin.place.span
+            extents[place_text(remap.origin.place)] = remap.origin.place.span
     for setting in graph.launch.parameters.values():
-        yield place_text(setting.origin.place), setting.origin.place.span
+        extents[place_text(setting.origin.place)] = setting.origin.place.span
+    return extents
 
 
 def _whole(place: Place, documents: Mapping[str, Document]) -> Span:
@@ -86,20 +92,37 @@ def _whole(place: Place, documents: Mapping[str, Document]) -> Span:
     return place.span if element is None or element.span.start != place.span.start else element.span
 
 
-def reached(findings: Sequence[Finding], entries: Sequence[Surveyed]) -> list[list[int]]:
-    """For each entry file the numbers of those ``findings``, merged from all of them, that concern it.
+def reached(told: Sequence[Finding], findings: Sequence[Finding], entries: Sequence[Surveyed]) -> list[list[int]]:
+    """For each entry file the numbers of those findings ``told`` that concern it; every one concerns some entry, if there is any.
 
-    What was found while it was evaluated does; of what was found otherwise, what stands in a file that it reads.
+    ``findings`` are those that were merged from all entry files, of which ``told`` joins what has one cause. What was found while an entry
+    was evaluated, or in the text of a file that it reads, concerns it; of the rest, what stands in such a file, or (in a ``package.xml``,
+    say) in a directory around it.
     """
-    by_key: dict[Key, list[int]] = {}
-    by_path: dict[str, list[int]] = {}
+    by_key: dict[Key, set[int]] = {}
+    by_path: dict[str, set[int]] = {}
     for number, (result, *_) in enumerate(entries):
-        for found in result.findings:
-            by_key.setdefault(found.key, []).append(number)
-        for path in dict.fromkeys((result.path, *(file.path for file in result.files))):
-            by_path.setdefault(path, []).append(number)
+        for found in (*result.findings, *(guarded.finding for file in result.files for guarded in file.findings)):
+            by_key.setdefault(found.key, set()).add(number)
+        for path in (result.path, *(file.path for file in result.files)):
+            by_path.setdefault(path, set()).add(number)
+    by_cause: dict[object, set[int]] = {}
+    for finding in findings:
+        those = by_key.get(finding.key) or by_path.get(finding.location.path)
+        by_cause.setdefault(_cause(finding), set()).update(those or _below(finding.location.path, entries))
     concerned: list[list[int]] = [[] for _ in entries]
-    for index, finding in enumerate(findings):
-        for number in by_key.get(finding.key) or by_path.get(finding.location.path) or ():
+    for index, finding in enumerate(told):
+        for number in sorted(by_cause[_cause(finding)]):
             concerned[number].append(index)
     return concerned
+
+
+def _cause(finding: Finding) -> object:
+    return (finding.rule, finding.cause) if finding.cause else finding.key
+
+
+def _below(path: str, entries: Sequence[Surveyed]) -> set[int]:
+    """The entry files in the directory of ``path`` and below; all of them where there is none."""
+    directory = path.rpartition("/")[0]
+    below = {number for number, each in enumerate(entries) if not directory or each.result.path.startswith(f"{directory}/")}
+    return below or set(range(len(entries)))

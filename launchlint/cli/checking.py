@@ -99,6 +99,7 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
         given.exit_zero,
         __version__,
         options.root,
+        verdicts=not given.select,
     )
     if entry.entries is not None:
         return entry_lines(results, options, checker.packages, per_file, shown)

@@ -5,13 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from launchlint.check.entry import EntryChecker, EntryResult
+from launchlint.check.entry import EntryChecker
 from launchlint.check.graphs import Revision, graphs_of
 from launchlint.check.losses import with_losses_since
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.survey import Surveyed, Surveyor
 from launchlint.cli.entries import EntryOptions
-from launchlint.finding import Severity
 from launchlint.graph.topology import Topology, topology
 from launchlint.library.catalogue import Entry as KnownProgram
 from launchlint.library.catalogue import known
@@ -19,8 +18,8 @@ from launchlint.library.lookup import Library, open_libraries
 from launchlint.report.escape import shell_word
 from launchlint.report.html.links import checked_prefix
 from launchlint.report.html.material import EntryMaterial
-from launchlint.rules.registry import rule_of
 from launchlint.source import Source
+from launchlint.verdict import LOADS
 from launchlint.workspace.packages import Packages
 
 MOST_PROGRAMS = 1_000
@@ -92,18 +91,6 @@ def reader(checker: EntryChecker) -> Callable[[str], Source | None]:
         return None if content.data is None else Source(path, decode(content.data).text)
 
     return read
-
-
-def refusal(result: EntryResult) -> str:
-    """Why roslaunch refuses an entry file; empty where it does not, or where it would only do so on this machine.
-
-    A package that is not here need not be missing on the robot: that is told only where a rule says that there is no such package.
-    """
-    if result.error is None:
-        return ""
-    rule, reason = result.error
-    told = any(finding.rule == rule and finding.severity is Severity.ERROR for finding in result.findings)
-    return "" if rule == rule_of("package-not-found") and not told else reason
 
 
 def known_programs(entries: Iterable[EntryMaterial], library: Library, options: Options) -> tuple[list[KnownProgram], int]:
@@ -181,4 +168,4 @@ def base_only(entry: EntryOptions, requests: Sequence[EntryRequest], old: Revisi
             graphs = graphs_of(old.checker, request, every_configuration=True)
             found[path] = _at_home(topology(graphs), old)
             included.update(each.source.path for graph in graphs for each in graph.launch.includes if each.source is not None)
-    return [EntryMaterial(each.entry, "", None, each, {}, ()) for each in found.values() if each.entry not in included]
+    return [EntryMaterial(each.entry, LOADS, None, each, {}, ()) for each in found.values() if each.entry not in included]

@@ -18,7 +18,8 @@ from launchlint.cli.options import entry_options
 def command(entry: EntryOptions, format_: str) -> int:
     """Print what roslaunch would start for FILE: nodes with their remaps and parameters, under their resolved names.
 
-    Nothing is started and no command= is run. The exit status is 1 where roslaunch would refuse a file.
+    Nothing is started and no command= is run. The exit status is 1 where roslaunch would refuse a file, be it for
+    want of something that this machine has not.
     """
     import json
 
@@ -36,12 +37,13 @@ def command(entry: EntryOptions, format_: str) -> int:
     collected: list[object] = []
     for request in requests:
         evaluation, error = checker.model(request)
+        verdict = checker.verdict(evaluation, request)
         refused |= error is not None
         if format_ == "text":
             title = f"{visible(evaluation.launch.entry.path)}:\n" if len(requests) > 1 else ""
-            emit(title + table(evaluation.launch, error), sys.stdout)
+            emit(title + table(evaluation.launch, verdict), sys.stdout)
             continue
-        item = as_object(evaluation.launch, request.file, error)
+        item = as_object(evaluation.launch, request.file, error, verdict)
         if format_ == "jsonl":
             emit(json.dumps(item, ensure_ascii=True, default=str) + "\n", sys.stdout)
         else:

@@ -37,6 +37,7 @@ class Request(NamedTuple):
     exit_zero: bool
     version: str
     root: str
+    verdicts: bool = True
 
 
 def check_outputs(formats: Sequence[str], baseline: str | None) -> None:
@@ -75,6 +76,7 @@ def report(outcome: Outcome, request: Request, notices: tuple[str, ...] = (), st
         notices=notices,
         successful=not outcome.crashed,
         read=files_below(request.root),
+        verdicts=outcome.verdicts if request.verdicts else (),
     )
     for format_ in sorted(request.formats, key=lambda each: parse(each).file is None):
         if not (request.quiet and parse(format_).file is None):
@@ -104,7 +106,7 @@ def entry_lines(results: Sequence[EntryResult], options: Options, packages: Pack
     lines: list[str] = []
     for result in results:
         outcome = merge([result], options, packages, per_file, workspace=False, alone=True)
-        lines.append(entry_line(result.request.file, result.request.at, result.verdict, told_once(outcome.findings)))
+        lines.append(entry_line(result.request.file, result.request.at, result.verdict, told_once(outcome.findings), result.outcome))
         status = max(status, exit_status(outcome, request))
     text = "".join(lines)
     for file in [parse(format_).file if ":" in format_ else None for format_ in request.formats]:

@@ -17,9 +17,9 @@ from launchlint.check.options import EntryRequest, Options
 from launchlint.check.run import default_directory
 from launchlint.check.survey import Surveyed, Surveyor, reached, survey_entries
 from launchlint.cli.entries import EntryOptions, leave_others_out, parse_severity, tell
-from launchlint.cli.material import base_only, beside_base, known_programs, learnable, reader, refusal, roots, source_prefix, usual_title
+from launchlint.cli.material import base_only, beside_base, known_programs, learnable, reader, roots, source_prefix, usual_title
 from launchlint.errors import UsageError
-from launchlint.finding import Severity
+from launchlint.finding import Finding, Severity
 from launchlint.fingerprint import fingerprints
 from launchlint.report.html.material import EntryMaterial, Material
 from launchlint.report.text import summary
@@ -70,10 +70,11 @@ def run_report(entry: EntryOptions, given: ReportOptions) -> int:
             surveyed, befores = beside_base(surveyed, surveyor, old, given.base)
         results = [each.result for each in surveyed]
         outcome = merge(results, options, surveyor.packages, per_file, asked=entry.paths)
-        outcome = outcome._replace(findings=told_once(outcome.findings))
+        separate = outcome.findings
+        outcome = outcome._replace(findings=told_once(separate))
         kept = {id(result) for result in without_parts(results)}
         pairs = [(each, before) for each, before in zip(surveyed, befores, strict=True) if id(each.result) in kept]
-        entries = _entries(outcome, pairs)
+        entries = _entries(outcome, separate, pairs)
         if old is not None:
             entries += base_only(entry, requests, old)
         material = _material(entry, given, options, surveyor, outcome, entries, old)._replace(source_url=prefix, notices=notices)
@@ -99,12 +100,12 @@ def _survey(requests: Sequence[EntryRequest], surveyor: Surveyor, given: ReportO
             bar.clear()
 
 
-def _entries(outcome: Outcome, pairs: Sequence[tuple[Surveyed, Any]]) -> list[EntryMaterial]:
-    concerned = reached(outcome.findings, [each for each, _ in pairs])
+def _entries(outcome: Outcome, separate: Sequence[Finding], pairs: Sequence[tuple[Surveyed, Any]]) -> list[EntryMaterial]:
+    concerned = reached(outcome.findings, separate, [each for each, _ in pairs])
     return [
         EntryMaterial(
             each.result.path,
-            refusal(each.result),
+            each.result.outcome,
             each.topology,
             before,
             each.extents,
@@ -159,7 +160,7 @@ def _write(material: Material, given: ReportOptions) -> None:
 def _run(outcome: Outcome) -> Any:
     from launchlint.report.run import Run
 
-    return Run(__version__, files_checked=outcome.files, verbose=True)
+    return Run(__version__, files_checked=outcome.files, verbose=True, verdicts=outcome.verdicts)
 
 
 def _status(outcome: Outcome, threshold: Severity | None) -> int:

@@ -13,9 +13,19 @@ from launchlint.report.run import Run
 
 
 def render(findings: Sequence[Finding], run: Run) -> str:
-    """``{"version": 1, "findings": […]}``, one finding in each line; all severities, whatever ``run.verbose`` says."""
-    lines = ",\n".join(dump(item) for item in objects(findings))
-    return f'{{"version": 1, "findings": [{lines}]}}\n' if not lines else f'{{"version": 1, "findings": [\n{lines}\n]}}\n'
+    """``{"version": 1, "findings": […], "verdicts": […]}``, each in a line; all severities, whatever ``run.verbose`` says.
+
+    ``verdicts`` has ``file``, ``word`` (``loads``, ``refused`` or ``cannot be told``), ``rule``, ``reason`` and ``missing`` for each entry
+    file; it is left out where only some rules were asked for.
+    """
+    parts = ['"version": 1', f'"findings": [{_lines(objects(findings))}]']
+    if run.verdicts:
+        parts.append(f'"verdicts": [{_lines([{"file": file, **verdict.as_object()} for file, verdict in run.verdicts])}]')
+    return f"{{{', '.join(parts)}}}\n"
+
+
+def _lines(items: Sequence[Any]) -> str:
+    return "\n" + ",\n".join(map(dump, items)) + "\n" if items else ""
 
 
 def objects(findings: Sequence[Finding]) -> list[dict[str, Any]]:

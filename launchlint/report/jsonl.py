@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from launchlint.finding import Finding
 from launchlint.report.json import dump, objects
 from launchlint.report.run import Run
+from launchlint.verdict import Verdict
 
 
 def render(findings: Sequence[Finding], run: Run) -> str:
@@ -14,9 +15,10 @@ def render(findings: Sequence[Finding], run: Run) -> str:
     return "".join(f"{dump(item)}\n" for item in objects(findings))
 
 
-def entry_line(file: str, as_: str, verdict: str, findings: Sequence[Finding]) -> str:
+def entry_line(file: str, as_: str, verdict: str, findings: Sequence[Finding], outcome: Verdict) -> str:
     """The line, with its line end, for one entry of ``--entries``.
 
     ``file`` was judged as if it stood at ``as_``; ``verdict`` says whether roslaunch would load it: ``ok`` or ``error``.
+    ``outcome`` is what people are told of that: it sets apart what only this machine lacks.
     """
-    return dump({"file": file, "as": as_, "verdict": verdict, "findings": objects(findings)}) + "\n"
+    return dump({"file": file, "as": as_, "verdict": verdict, "outcome": outcome.as_object(), "findings": objects(findings)}) + "\n"

@@ -10,14 +10,19 @@ from typing import Any
 
 from launchlint.model import Binary, Command, Launch, Node, ParameterSetting, Unknown
 from launchlint.report.escape import visible
+from launchlint.verdict import LOADS, Verdict
 
 
-def as_object(launch: Launch, file: str, error: tuple[str, str] | None) -> dict[str, Any]:
-    """The model as one JSON object; ``error`` is (rule ID, message) of the first reason why roslaunch refuses the file."""
+def as_object(launch: Launch, file: str, error: tuple[str, str] | None, verdict: Verdict = LOADS) -> dict[str, Any]:
+    """The model as one JSON object; ``error`` is (rule ID, message) of the first reason why roslaunch refuses the file here.
+
+    ``verdict`` is what people are told of that: it sets apart what only this machine lacks.
+    """
     return {
         "file": file,
         "verdict": "ok" if error is None else "error",
         "error": None if error is None else {"rule": error[0], "message": error[1]},
+        "outcome": verdict.as_object(),
         "args": dict(sorted(launch.arguments.items())),
         "nodes": [_node(node) for node in launch.nodes],
         "tests": [_test(test) for test in launch.tests],
@@ -111,11 +116,13 @@ def _plain(value: Any) -> Any:
     return json.loads(re.sub(r"\b(NaN|-?Infinity)\b", r'"\1"', json.dumps(value, default=str)))
 
 
-def table(launch: Launch, error: tuple[str, str] | None) -> str:
+def table(launch: Launch, verdict: Verdict) -> str:
     """What would be started, for people: nodes with their remaps and parameters, then the other parameters."""
     lines: list[str] = []
-    if error is not None:
-        lines += [f"roslaunch refuses this file: {visible(error[1])} ({error[0]}); what can be known of it:", ""]
+    if verdict.word == "refused":
+        lines += [f"roslaunch refuses this file: {visible(verdict.reason)} ({verdict.rule}); what can be known of it:", ""]
+    elif verdict.word == "cannot be told":
+        lines += [f"whether roslaunch loads this file cannot be told here: {visible(verdict.why)}; what can be known of it:", ""]
     own: dict[str, list[ParameterSetting]] = {}
     rest: list[ParameterSetting] = []
     private = {node.full_name + "/": node.full_name for node in (*launch.nodes, *launch.tests)}

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.finding import Severity
+from launchlint.verdict import Verdict
 
 _LARGEST = 100_000_000
 """Bytes of the largest file that is read again for a report."""
@@ -49,7 +50,8 @@ class Run(NamedTuple):
     the severity from which the run fails, ``None`` for never. ``root``: absolute path of the directory that relative paths of findings
     start from. ``home``: the address of launchlint's own page, if any. ``notices``: things told about the run as a whole. ``successful``:
     false where a rule crashed. ``read``: the bytes of a file, by the path findings have, or ``None``; only SARIF asks for them (GitHub's
-    fingerprint is made from the text around the line), :func:`files_below` is the usual one.
+    fingerprint is made from the text around the line), :func:`files_below` is the usual one. ``verdicts``: what roslaunch makes of each
+    entry file; none where only some rules were asked for.
     """
 
     version: str
@@ -65,6 +67,7 @@ class Run(NamedTuple):
     notices: tuple[str, ...] = ()
     successful: bool = True
     read: Callable[[str], bytes | None] = nothing
+    verdicts: Sequence[tuple[str, Verdict]] = ()
 
 
 def files_below(root: str) -> Callable[[str], bytes | None]:

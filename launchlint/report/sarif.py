@@ -72,6 +72,7 @@ def _log(marked: Sequence[tuple[Finding, str]], keep: int, run: Run) -> str:
         column_kind="unicodeCodePoints",
         invocations=[invocation],
         original_uri_base_ids={"SRCROOT": sarif_om.ArtifactLocation(uri=_file_uri(run.root.rstrip("/") + "/"))},
+        properties=_verdicts(run),
         results=[
             _result(finding, mark, index[finding.rule], hashes.get((finding.location.path, finding.location.line)), run)
             for finding, mark in marked
@@ -118,6 +119,12 @@ def _rule(rule: RuleMetadata) -> Any:
         default_configuration=sarif_om.ReportingConfiguration(level=_LEVELS[rule.severity]),
         properties={"tags": list(rule.tags), "precision": rule.precision, "problem.severity": _PROBLEM_SEVERITIES[rule.severity]},
     )
+
+
+def _verdicts(run: Run) -> dict[str, Any] | None:
+    """What roslaunch makes of the entry files that it does not load as they stand."""
+    others = [{"file": visible(file), **verdict.as_object()} for file, verdict in run.verdicts if verdict.word != "loads"]
+    return {"verdicts": others} if others else None
 
 
 def _notification(text: str, level: str) -> Any:

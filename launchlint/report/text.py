@@ -28,7 +28,7 @@ def render(findings: Sequence[Finding], run: Run) -> str:
 
 
 def summary(findings: Sequence[Finding], run: Run) -> str:
-    """The last line: how many findings of each severity in how many launch files."""
+    """The last line: how many findings of each severity in how many launch files, and how many of these roslaunch does not load."""
     if not run.files_checked and not findings:
         return "no launch files to check"
     count = {severity: sum(finding.severity == severity for finding in findings) for severity in Severity}
@@ -39,7 +39,23 @@ def summary(findings: Sequence[Finding], run: Run) -> str:
         if run.verbose or not count[Severity.INFO]
         else f" ({_plural(count[Severity.INFO], 'info')} hidden, -v shows {'it' if count[Severity.INFO] == 1 else 'them'})"
     )
-    return f"{parts or 'no problems'} in {_plural(run.files_checked, 'launch file')}{hidden}"
+    return f"{parts or 'no problems'} in {_plural(run.files_checked, 'launch file')}{hidden}{_loading(run)}"
+
+
+def _loading(run: Run) -> str:
+    """What roslaunch makes of the entry files; the empty string where it loads them all."""
+    words = [verdict.word for _, verdict in run.verdicts]
+    refused, untold = words.count("refused"), words.count("cannot be told")
+    if not refused and not untold:
+        return ""
+    if len(words) == 1:
+        verdict = run.verdicts[0][1]
+        return f"; {visible('refused by roslaunch' if refused else verdict.sentence)}"
+    loads = len(words) - refused - untold
+    told = [f"{loads} {'loads' if loads == 1 else 'load'}"]
+    told += [f"{refused} {'is' if refused == 1 else 'are'} refused by roslaunch"] if refused else []
+    told += [f"{untold} cannot be told"] if untold else []
+    return f"; of {len(words)} entry files {', '.join(told)}"
 
 
 def statistics(findings: Sequence[Finding]) -> str:

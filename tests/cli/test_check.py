@@ -43,7 +43,7 @@ def test_full_text(repository: Path) -> None:
         "   = fix: remove the arg (--unsafe-fixes)\n"
         "   = help: remove it here and in the includes that pass it, or use it as $(arg speed)      [explain LL206]\n"
         "\n"
-        "1 error, 1 warning in 3 launch files\n"
+        "1 error, 1 warning in 3 launch files; of 3 entry files 2 load, 1 is refused by roslaunch\n"
     )
 
 
@@ -148,8 +148,9 @@ def test_severity_fail_on_and_exit_zero(repository: Path, words: list[str], stat
 
 def test_infos_are_shown_with_v_only(repository: Path) -> None:
     words = ["check", "--severity", "LL206=info", "--ignore", "LL301"]
-    assert run(repository, *words).output == "no problems in 3 launch files (1 info hidden, -v shows it)\n"
-    assert run(repository, *words, "-v").output.endswith("1 info in 3 launch files\n")
+    loading = "; of 3 entry files 2 load, 1 is refused by roslaunch\n"
+    assert run(repository, *words).output == f"no problems in 3 launch files (1 info hidden, -v shows it){loading}"
+    assert run(repository, *words, "-v").output.endswith(f"1 info in 3 launch files{loading}")
 
 
 def test_quiet_prints_nothing_and_keeps_the_status(repository: Path) -> None:

@@ -18,6 +18,7 @@ from launchlint.errors import UsageError
 from launchlint.finding import Finding, Severity
 from launchlint.report import formats
 from launchlint.report.run import Run, files_below
+from launchlint.verdict import Verdict
 
 Snapshot = Callable[[str, str], None]
 
@@ -110,11 +111,12 @@ def test_json_lines_agree_with_json(plain: list[Finding], run: Run) -> None:
 def test_entry_line(plain: list[Finding], run: Run) -> None:
     from launchlint.report.jsonl import entry_line
 
-    line = entry_line("mutants/a.launch", "nav.launch", "error", plain[:1])
+    line = entry_line("mutants/a.launch", "nav.launch", "error", plain[:1], Verdict("refused", "LL301", "two nodes"))
     assert line.endswith("}\n")
     assert "\n" not in line[:-1]
     expected = {"file": "mutants/a.launch", "as": "nav.launch", "verdict": "error"}
-    assert json.loads(line) == {**expected, "findings": json.loads(formats.render("json", plain[:1], run))["findings"]}
+    outcome = {"word": "refused", "rule": "LL301", "reason": "two nodes", "missing": []}
+    assert json.loads(line) == {**expected, "outcome": outcome, "findings": json.loads(formats.render("json", plain[:1], run))["findings"]}
 
 
 @pytest.mark.parametrize(

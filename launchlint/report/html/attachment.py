@@ -48,6 +48,34 @@ class Attachment:
         last = bisect_left(places, (span.end, -1), lo=first)
         return sorted({index for _, index in places[first:last]})
 
+    def of_containers(self, topology: Topology) -> Mapping[str, list[int]]:
+        """The findings that stand in a group or include and in no node: at the innermost element around, else at the file's include."""
+        in_nodes = {index for node in topology.nodes for index in self.inside(node.place)}
+        elements: dict[str, dict[Span, list[str]]] = {}
+        files: dict[str, list[str]] = {}
+        for container in topology.containers:
+            span = self._extents.get(container.place)
+            if span is not None:
+                path = container.place.rsplit(":", 2)[0]
+                elements.setdefault(path, {}).setdefault(span, []).append(container.id)
+            if container.kind == "include":
+                files.setdefault(container.label, []).append(container.id)
+        found: dict[str, list[int]] = {}
+        for path, places in self._by_path.items():
+            spans = sorted(elements.get(path, {}), key=lambda span: (span.start, -span.end))
+            around: list[Span] = []
+            at = 0
+            for start, index in places:
+                while at < len(spans) and spans[at].start <= start:
+                    around.append(spans[at])
+                    at += 1
+                while around and around[-1].end <= start:
+                    around.pop()
+                if index not in in_nodes:
+                    for container_id in elements[path][around[-1]] if around else files.get(path, ()):
+                        found.setdefault(container_id, []).append(index)
+        return {container_id: sorted(set(indexes)) for container_id, indexes in found.items()}
+
     def of_channels(self, topology: Topology) -> Mapping[tuple[str, str], list[int]]:
         """The findings about each channel: those that name it, and those at a remap that leads to it."""
         names: dict[str, list[tuple[str, str]]] = {}

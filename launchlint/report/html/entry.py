@@ -30,8 +30,8 @@ def entry_data(
     gone = material.topology is None and material.before is not None
     return {
         "file": places.file(material.path, base=gone),
-        "verdict": "error" if material.refused else "ok",
-        "refused": plain.text(material.refused),
+        "verdict": material.verdict.word,
+        "why": plain.text(material.verdict.why),
         "configurations": [plain.text(each) for each in state.configurations],
         "complete": material.topology is None or material.topology.complete,
         "containers": entry.containers(),
@@ -71,6 +71,7 @@ class _EntryData:
         self._attachment = Attachment([(index, findings[index]) for index in material.findings], material.extents)
         topology = material.topology or _nothing(material)
         self._of_channels = self._attachment.of_channels(topology)
+        self._of_containers = self._attachment.of_containers(topology)
 
     def containers(self) -> list[dict[str, Any]]:
         found = []
@@ -84,6 +85,7 @@ class _EntryData:
                     "namespace": self._plain.name(item.namespace),
                     "place": self._places.of(item.place, base=base),
                     "parent": self._container(item.parent, base=False),
+                    "findings": [] if base else self._of_containers.get(item.id, []),
                     **_mark(mark),
                 }
             )

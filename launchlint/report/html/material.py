@@ -10,6 +10,7 @@ from launchlint.graph.details import NO_DETAILS, Details
 from launchlint.graph.topology import Topology
 from launchlint.library.catalogue import Entry as KnownProgram
 from launchlint.source import Source, Span
+from launchlint.verdict import Verdict
 
 
 class EntryMaterial(NamedTuple):
@@ -17,17 +18,17 @@ class EntryMaterial(NamedTuple):
 
     Args:
         path: as shown to people.
-        refused: why roslaunch refuses it; empty where it does not.
+        verdict: what roslaunch makes of it.
         topology: what it connects in all its configurations; None where launchlint failed on it, or where it is no more.
         before: the same at the revision that the page compares with; None where it was not there, or nothing is compared.
-        extents: place of a node, param or remap → where its element begins and ends in the file.
+        extents: place of a node, param, remap, group or include → where its element begins and ends in the file.
         findings: indexes of the findings that concern it.
         includes: paths of the launch files it reads.
         details: of ``topology``.
     """
 
     path: str
-    refused: str
+    verdict: Verdict
     topology: Topology | None
     before: Topology | None
     extents: Mapping[str, Span]

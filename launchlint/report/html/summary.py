@@ -13,6 +13,10 @@ MOST_GROUPS = 40
 """Namespaces that the text in place of the drawing lists."""
 
 
+SAID = {"refused": "refused by roslaunch", "cannot be told": "cannot be told"}
+"""Verdict → how people read it."""
+
+
 class Count(NamedTuple):
     """A number with its word."""
 
@@ -27,17 +31,18 @@ def _count(number: int, one: str, many: str = "") -> Count:
 def verdict(data: Mapping[str, Any]) -> tuple[str, str]:
     """``error``, ``warning`` or ``ok``, and a sentence."""
     severities = [each["severity"] for each in data["findings"]]
-    refused = sum(entry["verdict"] == "error" for entry in data["entries"])
-    if refused:
-        files = f"{refused} of {len(data['entries'])} launch files" if len(data["entries"]) > 1 else "this launch file"
-        return "error", f"roslaunch refuses {files}"
-    if "error" in severities:
-        return "error", "there are errors"
-    if "warning" in severities:
-        return "warning", "roslaunch starts it; there are warnings"
-    if not data["entries"]:
+    entries = data["entries"]
+    if not entries:
         return "warning", "there is no launch file"
-    return "ok", "nothing wrong was found"
+    words = [entry["verdict"] for entry in entries]
+    refused, untold = words.count("refused"), words.count("cannot be told")
+    level = "error" if refused or "error" in severities else "warning" if untold or "warning" in severities else "ok"
+    if len(entries) == 1:
+        (entry,) = entries
+        return level, "loads" if words == ["loads"] else f"{SAID[entry['verdict']]}: {entry['why']}"
+    others = [f"{number} {SAID[word]}" for word, number in (("refused", refused), ("cannot be told", untold)) if number]
+    loads = len(entries) - refused - untold
+    return level, ", ".join([f"{loads} of {len(entries)} launch files load", *others])
 
 
 def counts(data: Mapping[str, Any]) -> list[Count]:
@@ -76,7 +81,7 @@ def empty_states(data: Mapping[str, Any]) -> Mapping[str, Any]:
     return {
         "entries": not entries,
         "nodes": bool(entries) and not any(entry["nodes"] for entry in entries),
-        "refused": [entry for entry in entries if entry["verdict"] == "error"],
+        "refused": [entry for entry in entries if entry["verdict"] != "loads"],
         "unknown": [(program, *unknown[program]) for program in sorted(unknown, key=lambda each: (-unknown[each][0], each))],
         "findings": not data["findings"],
     }

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from tests.cli.running import write
+from tests.cli.running import run, write
 from tests.report.html.pages import data_of, page
 
 DECLARATIONS = Path(__file__).resolve().parents[3] / "launchlint" / "report" / "html" / "js" / "data.d.ts"
@@ -125,6 +125,53 @@ def test_a_finding_belongs_to_the_entries_that_reach_it(repository: Path) -> Non
         "demo/launch/more.launch": [],
         "demo/launch/second.launch": [],
     }
+
+
+def test_every_finding_of_check_is_on_the_page_and_at_an_entry(repository: Path) -> None:
+    """Also what is told of a package, what one cause gives in files of different entries, and what only another entry evaluates."""
+    wrong = '<launch><group if="$(eval arg(\'x\') == 7)"><node name="a" pkg="demo"/></group></launch>'
+    write(
+        repository,
+        {
+            "demo/launch/one.launch": '<launch><arg name="old"/><node name="a" pkg="turtlesim" type="turtlesim_node"/></launch>',
+            "demo/launch/two.launch": '<launch><arg name="old"/><node name="a" pkg="turtlesim" type="turtlesim_node"/></launch>',
+            "demo/launch/part.launch": wrong.replace("<launch>", '<launch><arg name="x" default="0"/>'),
+            "demo/launch/seven.launch": '<launch>\n<include file="$(dirname)/part.launch"><arg name="x" value="7"/></include>\n</launch>',
+            "broken/package.xml": "<package>",
+        },
+    )
+    checked = json.loads(run(repository, "check", "--format", "json", "--exit-zero").output)
+    data = data_of(page())
+
+    def told(findings: Any) -> list[tuple[str, str, str]]:
+        return [(each["rule"], each["severity"], each["message"]) for each in findings]
+
+    assert told(data["findings"]) == told(checked["findings"])
+    assert {rule for rule, _, _ in told(data["findings"])} >= {"LL105", "LL206", "LL701", "LL704"}
+    assert {index for entry in data["entries"] for index in entry["findings"]} == set(range(len(data["findings"])))
+    of_file = {data["files"][each["file"]]: [data["findings"][index]["rule"] for index in each["findings"]] for each in data["entries"]}
+    assert "LL105" in of_file["demo/launch/part.launch"], "check of that file alone shows it, too"
+    assert "LL701" in of_file["demo/launch/one.launch"]
+    assert "LL701" in of_file["demo/launch/two.launch"]
+
+
+def test_what_is_found_between_nodes_stands_at_the_group_or_include_around_it(repository: Path) -> None:
+    part = '<launch>\n<arg name="unread" default="1"/>\n<node name="a" pkg="demo" type="talk.py"/>\n</launch>\n'
+    write(
+        repository,
+        {
+            "demo/launch/part.launch": part,
+            "demo/launch/whole.launch": '<launch>\n<group ns="x">\n<node name="b" pkg="demo" type="talk.py" oops=""/>\n'
+            '<include file="$(find demo)/launch/part.launch" oops=""/>\nwords\n</group>\n<wrong/>\n</launch>\n',
+        },
+    )
+    data = data_of(page("--select", "LL103,LL104,LL107,LL206", "demo/launch/whole.launch"))
+    (entry,) = data["entries"]
+    rules = [f"{each['rule']}:{each['place'][1]}" for each in data["findings"]]
+    at = {(each["kind"], each["label"]): [rules[index] for index in each["findings"]] for each in entry["containers"]}
+    assert at == {("group", "/x"): ["LL107:5"], ("include", "demo/launch/part.launch"): ["LL206:2", "LL104:4"]}
+    assert {each["name"]: [rules[index] for index in each["findings"]] for each in entry["nodes"]} == {"/x/a": [], "/x/b": ["LL104:3"]}
+    assert len(entry["findings"]) == len(rules) == 5
 
 
 def test_what_nobody_includes_comes_first_and_the_larger_before_the_smaller(repository: Path) -> None:

@@ -131,7 +131,7 @@ def test_a_package_that_is_not_on_this_machine_is_no_refusal(repository: Path) -
         encoding="utf-8",
     )
     (entry,) = data_of(page(str(file.relative_to(repository))))["entries"]
-    assert (entry["verdict"], entry["refused"], entry["complete"]) == ("ok", "", False)
+    assert (entry["verdict"], entry["why"], entry["complete"]) == ("cannot be told", "it needs the package turtlebot3_bringup", False)
 
 
 def test_a_page_about_fifty_nodes_is_small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

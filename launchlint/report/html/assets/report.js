@@ -222,7 +222,7 @@
     for (const each of root.groups) yield* walk(each);
   }
   function group2(kind, id, label2, namespace = "", container = -1) {
-    return { id, kind, label: label2, title: label2, namespace, container, groups: [], nodes: [], count: 0, parent: "" };
+    return { id, kind, label: label2, title: label2, namespace, container, own: [], groups: [], nodes: [], count: 0, parent: "" };
   }
   function byNamespace(entry) {
     const root = group2("root", "g:namespace:/", "/", "/");
@@ -257,6 +257,7 @@
       const label2 = container.kind === "include" ? lastPart(container.label) : container.label || "group";
       const own = group2(container.kind, `g:file:${index}`, label2, container.namespace, index);
       own.title = container.label || "group";
+      own.own = container.findings;
       all.push(around3.depth < DEEPEST ? { group: own, depth: around3.depth + 1 } : around3);
       if (around3.depth < DEEPEST) around3.group.groups.push(own);
     });
@@ -286,11 +287,12 @@
   };
   function finish(own, entry) {
     own.groups.forEach((each) => finish(each, entry));
+    for (const each of own.groups) if (each.count === 0 && own.kind !== "root") own.own = [...own.own, ...each.own];
     own.groups = own.groups.filter((each) => each.count > 0);
     const inner = own.groups[0];
     if (own.kind !== "root" && inner && own.groups.length === 1 && !own.nodes.length) {
       const joint = own.kind === "namespace" ? "/" : " › ";
-      Object.assign(own, inner, { label: `${own.label}${joint}${inner.label}`, title: inner.title });
+      Object.assign(own, inner, { label: `${own.label}${joint}${inner.label}`, title: inner.title, own: [...own.own, ...inner.own] });
     }
     own.nodes.sort((a, b) => {
       var _a, _b;
@@ -333,7 +335,7 @@
     }
   }
   function byFile(own, entry) {
-    var _a, _b, _c, _d;
+    var _a, _b, _c, _d, _e;
     if (own.kind === "range" || own.container >= 0) return;
     const files = /* @__PURE__ */ new Map();
     for (const node of own.nodes) {
@@ -350,7 +352,7 @@
     for (const [file, nodes] of large) {
       const path = ((_d = entry.containers[file]) == null ? void 0 : _d.label) ?? "";
       const inner = group2("include", `${own.id}#f${file}`, lastPart(path), own.namespace, file);
-      Object.assign(inner, { title: path, nodes });
+      Object.assign(inner, { title: path, nodes, own: ((_e = entry.containers[file]) == null ? void 0 : _e.findings) ?? [] });
       finish(inner, entry);
       own.groups.push(inner);
     }
@@ -413,14 +415,14 @@
     if (node.isTest) classes.push("test");
     if (node.mark) classes.push(node.mark);
     if (view.stubs.has(`n:${index}`)) classes.push("stub");
-    const said = [node.name, node.program];
-    if (node.knowledge === "unknown") said.push(`unknown: ${node.reason || "nothing is known of what it connects to"}`);
-    if (node.conditions.length) said.push(`only where ${node.conditions.join(" and ")}`);
-    if (guest) said.push(`in the process of ${node.host}`);
-    if (machine2) said.push(`on the machine ${machineName(machine2, address)}`);
+    const said2 = [node.name, node.program];
+    if (node.knowledge === "unknown") said2.push(`unknown: ${node.reason || "nothing is known of what it connects to"}`);
+    if (node.conditions.length) said2.push(`only where ${node.conditions.join(" and ")}`);
+    if (guest) said2.push(`in the process of ${node.host}`);
+    if (machine2) said2.push(`on the machine ${machineName(machine2, address)}`);
     const loose = loosePorts(view, `n:${index}`, view.loose.get(index) ?? [], group3);
     const badge3 = badgeOf(view, node.findings) ?? badgeOf(view, node.related, true);
-    return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said.join("\n"), badge: badge3, loose, level: null, wires: [] }, measure);
+    return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said2.join("\n"), badge: badge3, loose, level: null, wires: [] }, measure);
   }
   function foldedBox(view, group3, measure) {
     var _a;
@@ -446,7 +448,7 @@ ${counted(about.nodes, "node")}${about.unknown ? `, ${about.unknown} unknown` : 
     const lines = [{ kind: "title", text: cut(group3.label, LONGEST.open) }];
     const title2 = `${group3.title}
 ${counted(about.nodes, "node")}`;
-    return { id: group3.id, kind: "open", classes, lines, title: title2, badge: null, width: 0, height: 0, loose: [], level, wires: [] };
+    return { id: group3.id, kind: "open", classes, lines, title: title2, badge: badgeOf(view, group3.own), width: 0, height: 0, loose: [], level, wires: [] };
   }
   function pillBox(view, wires, group3, measure) {
     const [first] = wires;
@@ -473,6 +475,7 @@ ${counted(about.nodes, "node")}`;
     const findings = [];
     const marks = /* @__PURE__ */ new Set();
     for (const each of walk(group3)) {
+      findings.push(...each.own);
       for (const index of each.nodes) {
         const node = view.entry.nodes[index];
         if (!node || !view.shown[index]) continue;
@@ -755,6 +758,7 @@ ${counted(about.nodes, "node")}`;
     head2.append(fold(box2.id, 8, 6, false), text(((_a = box2.lines[0]) == null ? void 0 : _a.text) ?? "", { class: "title", x: FOLD + 9, y: 19 }));
     const tag = [(_b = box2.lines[1]) == null ? void 0 : _b.text, tagOf(box2)].filter(Boolean).join(" · ");
     if (tag && width > 220) head2.append(text(tag, { class: "tag", x: width - 10, y: 18, "text-anchor": "end" }));
+    if (box2.badge) drawn.append(badge(box2.badge, width - 9, 0));
     return drawn;
   }
   function tagOf(box2) {
@@ -2464,25 +2468,25 @@ ${counted(about.nodes, "node")}`;
   }
   function stateOf(model, hash) {
     var _a;
-    const said = pairsOf(hash);
+    const said2 = pairsOf(hash);
     const state = initialState();
-    const wanted = wantedOf(said);
-    state.entry = entryOf(model, said, wanted) ?? state.entry;
+    const wanted = wantedOf(said2);
+    state.entry = entryOf(model, said2, wanted) ?? state.entry;
     const entry = model.entry(state.entry);
-    const configuration = said.get("configuration");
+    const configuration = said2.get("configuration");
     if (configuration !== void 0) state.configuration = entry.entry.configurations.indexOf(configuration);
-    const grouping = said.get("group") ?? "";
+    const grouping = said2.get("group") ?? "";
     if (GROUPINGS.includes(grouping)) state.grouping = /** @type {PageState["grouping"]} */
     grouping;
     const outside = (path) => `g:${state.grouping}:${path}`;
-    const focus = said.get("focus");
+    const focus = said2.get("focus");
     if (focus) state.focus = outside(focus);
-    const open = said.get("open");
+    const open = said2.get("open");
     if (open !== void 0) state.expanded = new Set(parts2(open).map(outside));
-    state.hidden = new Set(parts2(said.get("hide") ?? "").flatMap((each) => unstable(entry, each)));
-    const layers = (_a = said.get("layers")) == null ? void 0 : _a.split(",");
+    state.hidden = new Set(parts2(said2.get("hide") ?? "").flatMap((each) => unstable(entry, each)));
+    const layers = (_a = said2.get("layers")) == null ? void 0 : _a.split(",");
     if (layers) for (const layer2 of LAYERS) state.layers[layer2] = layers.includes(layer2);
-    for (const flag2 of FLAGS) if (said.has(flag2)) state[flag2] = said.get(flag2) === "yes";
+    for (const flag2 of FLAGS) if (said2.has(flag2)) state[flag2] = said2.get(flag2) === "yes";
     state.selection = wanted && found(model, entry, state.grouping, wanted);
     return state;
   }
@@ -2508,8 +2512,8 @@ ${counted(about.nodes, "node")}`;
   function indexed(kind, prefix, index) {
     return index === void 0 ? null : { kind, id: `${prefix}${index}` };
   }
-  function entryOf(model, said, wanted) {
-    const file = said.get("entry");
+  function entryOf(model, said2, wanted) {
+    const file = said2.get("entry");
     const { entries } = model.data;
     if (file !== void 0) return positive(entries.findIndex((each) => model.data.files[each.file] === file));
     if (!wanted) return void 0;
@@ -2523,21 +2527,21 @@ ${counted(about.nodes, "node")}`;
     return positive(entries.findIndex(has));
   }
   var positive = (index) => index < 0 ? void 0 : index;
-  function wantedOf(said) {
+  function wantedOf(said2) {
     for (const kind of ["finding", "node", ...CHANNELS, "param", "container", "edge"]) {
-      const name = said.get(kind);
+      const name = said2.get(kind);
       if (name) return [kind, name];
     }
     return null;
   }
   function pairsOf(hash) {
-    const said = /* @__PURE__ */ new Map();
+    const said2 = /* @__PURE__ */ new Map();
     for (const pair of hash.replace(/^#/, "").split("&")) {
       const [key = "", ...rest] = pair.split("=");
       const value = rest.join("=");
-      if (rest.length > 0 && !said.has(key)) said.set(key, key === "open" || key === "hide" ? value : unescape(value));
+      if (rest.length > 0 && !said2.has(key)) said2.set(key, key === "open" || key === "hide" ? value : unescape(value));
     }
-    return said;
+    return said2;
   }
   function numbered(named, name, index) {
     var _a;
@@ -2747,6 +2751,27 @@ ${counted(about.nodes, "node")}`;
     }
     return found2;
   }
+  function findingsWithin(entry, group3) {
+    const found2 = new Set(nodesWithin(group3).flatMap((node) => {
+      var _a;
+      return ((_a = entry.nodes[node]) == null ? void 0 : _a.findings) ?? [];
+    }));
+    const waiting = [group3];
+    for (let each = waiting.pop(); each; each = waiting.pop()) {
+      for (const finding of each.own) found2.add(finding);
+      waiting.push(...each.groups);
+    }
+    return [...found2].sort((one2, other) => one2 - other);
+  }
+  function containersWith(entry, grouping, finding) {
+    const found2 = [];
+    const waiting = [containersOf(entry, grouping)];
+    for (let each = waiting.pop(); each; each = waiting.pop()) {
+      if (each.own.includes(finding)) found2.push(each);
+      waiting.push(...each.groups);
+    }
+    return found2;
+  }
   function around2(entry, grouping, node) {
     const path = [];
     const search = (group3) => {
@@ -2775,6 +2800,9 @@ ${counted(about.nodes, "node")}`;
   var nounOf = (role) => words(role)[2];
   function number(count3, one2, many2 = `${one2}s`) {
     return `${count3.toLocaleString("en")} ${count3 === 1 ? one2 : many2}`;
+  }
+  function said(verdict) {
+    return verdict === "refused" ? "refused by roslaunch" : verdict;
   }
   function configurationName(args) {
     return args || "default args";
@@ -3165,7 +3193,7 @@ ${end.mark}`;
       const count3 = each.findings.length;
       const told2 = [
         each.configurations[0],
-        each.verdict === "error" && "refused",
+        each.verdict !== "loads" && each.verdict,
         each.mark,
         count3 > 0 && `${count3} ${count3 === 1 ? "finding" : "findings"}`
       ];
@@ -3662,10 +3690,7 @@ ${end.mark}`;
     const group3 = containerOf(model.entry, grouping, id);
     if (!group3) return [];
     const nodes = nodesWithin(group3);
-    const findings = [...new Set(nodes.flatMap((each) => {
-      var _a2;
-      return ((_a2 = model.entry.nodes[each]) == null ? void 0 : _a2.findings) ?? [];
-    }))];
+    const findings = findingsWithin(model.entry, group3);
     const place2 = ((_a = model.entry.containers[group3.container]) == null ? void 0 : _a.place) ?? null;
     const { incoming, outgoing } = boundary(model, new Set(nodes), configuration);
     const inner = group3.groups.map((each) => [reference(page, { kind: "container", id: each.id }, fullName(each)), ` ${number(each.count, "node")}`]);
@@ -3780,7 +3805,8 @@ ${end.mark}`;
           var _a;
           return reference(page, { kind: "param", id: `p:${each}` }, ((_a = model.entry.params[each]) == null ? void 0 : _a.name) ?? "");
         }
-      )
+      ),
+      ...containersWith(model.entry, page.store.get().grouping, index).map((each) => reference(page, { kind: "container", id: each.id }, fullName(each)))
     ];
     return items.length > 0 && block("In the drawing", list(items));
   }
@@ -3967,7 +3993,8 @@ ${end.mark}`;
     return [
       element2("p", { class: "kind" }, "Launch file"),
       element2("h2", { tabindex: -1 }, page.model.data.files[entry.file] ?? ""),
-      entry.verdict === "error" && element2("p", { class: "refused" }, badge2("refused", "error"), ` roslaunch does not load it: ${entry.refused}`),
+      entry.verdict === "refused" && element2("p", { class: "refused" }, badge2("refused", "error"), ` roslaunch does not load it: ${entry.why}`),
+      entry.verdict === "cannot be told" && element2("p", {}, badge2("cannot be told", "warning"), ` whether roslaunch loads it: ${entry.why}`),
       !entry.complete && element2("p", { class: "note" }, "An include could not be followed, so there may be more nodes than are shown."),
       ...page.model.data.notices.map((each) => element2("p", { class: "note" }, each)),
       ...changesBlocks(page, model),
@@ -4473,10 +4500,7 @@ ${end.mark}`;
     ["error", "warning", "info"]
   );
   function groupItem(model, entry, group3, level) {
-    const findings = nodesWithin(group3).flatMap((node) => {
-      var _a;
-      return ((_a = entry.nodes[node]) == null ? void 0 : _a.findings) ?? [];
-    });
+    const findings = findingsWithin(entry, group3);
     const count3 = element2("span", { class: "count" }, ` ${group3.count}`, told(group3.count === 1 ? " node" : " nodes"));
     return item(model, {
       id: group3.id,
@@ -4709,9 +4733,9 @@ ${end.mark}`;
         return (_a = page.model.data.findings[each]) == null ? void 0 : _a.severity;
       });
       const has = (severity) => severities.filter((each) => each === severity).length;
-      const words2 = entry.verdict === "error" ? "roslaunch refuses it" : has("error") > 0 ? "loads, with errors" : has("warning") > 0 ? "loads, with warnings" : "loads";
+      const words2 = entry.verdict === "loads" ? loads(has("error"), has("warning")) : `${said(entry.verdict)}: ${entry.why}`;
       const { base } = page.model.data;
-      verdict.className = entry.verdict === "error" || has("error") > 0 ? "error" : has("warning") > 0 ? "warning" : "ok";
+      verdict.className = entry.verdict === "refused" || has("error") > 0 ? "error" : entry.verdict !== "loads" || has("warning") > 0 ? "warning" : "ok";
       verdict.textContent = base === null ? words2 : `${words2}; compared with ${base}`;
       const nodes = entry.nodes.filter((each) => isIn(each, state.configuration) && each.mark !== "removed");
       const topics = entry.channels.filter((each) => each.kind === "topic" && !each.plumbing && each.mark !== "removed");
@@ -4724,6 +4748,9 @@ ${end.mark}`;
         count2(topics.length, "topic")
       );
     });
+  }
+  function loads(errors, warnings) {
+    return errors > 0 ? "loads, with errors" : warnings > 0 ? "loads, with warnings" : "loads";
   }
   function count2(number2, one2, name = "", many2 = one2 === "info" ? one2 : `${one2}s`) {
     return number2 > 0 && element2("li", { class: name || null }, element2("b", {}, number2.toLocaleString("en")), ` ${number2 === 1 ? one2 : many2}`);

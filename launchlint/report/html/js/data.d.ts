@@ -39,10 +39,10 @@ export type Mark = "added" | "removed" | "changed";
 /** One entry file, all its configurations joined. */
 export interface Entry {
   file: number;
-  /** "ok" or "error": whether roslaunch loads it. */
-  verdict: "ok" | "error";
-  /** Why it is refused; empty where it is not. */
-  refused: string;
+  /** What roslaunch makes of it, started as it stands. */
+  verdict: "loads" | "refused" | "cannot be told";
+  /** Why it is refused, or what is missing so that it cannot be told; empty where it loads. */
+  why: string;
   /** Args of each configuration as on the command line; the first is the default one (often ""). */
   configurations: string[];
   /** Whether every include could be followed. */
@@ -67,6 +67,8 @@ export interface Container {
   place: Place | null;
   /** Index of the container around it; -1: none. It may come after this one. */
   parent: number;
+  /** Indexes into ReportData.findings that stand in it, and in none of its nodes and no container within. */
+  findings: number[];
   mark?: Mark;
 }
 

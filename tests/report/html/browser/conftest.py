@@ -33,7 +33,10 @@ def browser() -> Iterator[Browser]:
 
 @pytest.fixture(scope="session")
 def reports(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
-    """A function: the page of the robot, of ``hostile`` names, of what ``changed``, of an ``empty`` file, or of an ``unknown`` robot."""
+    """A function: the page of the robot, of ``hostile`` names, of what ``changed``, of an ``empty`` file, of an ``unknown`` robot.
+
+    Or of findings ``between`` nodes.
+    """
     made: dict[str, Path] = {}
     directory = tmp_path_factory.mktemp("reports")
 
@@ -92,6 +95,16 @@ def _empty(directory: Path) -> Path:
     return _written(directory, "empty.launch")
 
 
+def _between(directory: Path) -> Path:
+    """Findings that stand in no node: at an include, in the file that it includes, and beside everything."""
+    directory.mkdir()
+    node = '<node pkg="demo" type="talk" name="{}"/>'
+    (directory / "part.launch").write_text(f'<launch><arg name="unread" default="1"/>{node.format("a")}</launch>')
+    include = '<include file="$(dirname)/part.launch" oops=""/>'
+    (directory / "main.launch").write_text(f'<launch><param name="p" value="$(env SITE)"/>{include}{node.format("b")}<wrong/></launch>')
+    return _written(directory, "main.launch")
+
+
 def _unknown(directory: Path) -> Path:
     shutil.copytree(HERE / "robot", directory)
     return _written(directory, "robot.launch", "--title", "unknown")
@@ -103,6 +116,7 @@ MAKERS: dict[str, Callable[[Path], Path]] = {
     "hostile": _hostile,
     "empty": _empty,
     "unknown": _unknown,
+    "between": _between,
 }
 
 

@@ -84,5 +84,5 @@ def test_without_javascript_everything_is_in_tables(open_report):
         "/image",
         "/image_raw",
     ]
-    assert page.locator("#verdict").inner_text() == "roslaunch refuses 1 of 2 launch files"
+    assert page.locator("#verdict").inner_text() == "1 of 2 launch files load, 1 refused by roslaunch"
     assert page.locator("#controls").inner_text() == ""

@@ -152,7 +152,7 @@ def test_a_configuration_leaves_out_what_it_does_not_start(open_report):
 def test_another_launch_file_is_shown_whole(open_report):
     page = open_report()
     page.get_by_label("Launch file", exact=True).first.select_option(label="tools.launch (refused, 1 finding)")
-    assert page.locator("#verdict").inner_text() == "roslaunch refuses it"
+    assert page.locator("#verdict").inner_text() == "refused by roslaunch: two nodes are named /camera"
     assert lines(page.locator("#panel"))[:3] == [
         "Launch file",
         "tools.launch",

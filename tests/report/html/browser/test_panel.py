@@ -56,3 +56,13 @@ def test_files_that_start_nothing_and_nodes_that_nobody_knows_are_explained(open
     assert open_report("empty").locator(".stage-empty").inner_text() == (
         "This launch file starts no nodes, so there is nothing to draw. Its params and findings are in the tables below."
     )
+
+
+def test_what_stands_in_no_node_has_its_place_and_the_verdict_says_what_is_missing(open_report):
+    page = open_report("between", "#group=file&open=0&container=0")
+    assert page.locator("#verdict").inner_text() == "cannot be told: it needs the environment variable SITE"
+    box = page.locator('#drawing > svg .box.open[data-id="g:file:0"]')
+    assert box.locator(":scope > .badge > title").text_content() == "2 findings"
+    assert lines(page.locator("#panel h2").first) == ["part.launch"]
+    told = " ".join(lines(page.locator("#panel .findings")))
+    assert [rule for rule in ("LL103", "LL104", "LL206") if rule in told] == ["LL104", "LL206"]

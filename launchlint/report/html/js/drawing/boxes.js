@@ -119,7 +119,7 @@ export function openBox(view, level) {
   /** @type {Line[]} */
   const lines = [{ kind: "title", text: cut(group.label, LONGEST.open) }];
   const title = `${group.title}\n${counted(about.nodes, "node")}`;
-  return { id: group.id, kind: "open", classes, lines, title, badge: null, width: 0, height: 0, loose: [], level, wires: [] };
+  return { id: group.id, kind: "open", classes, lines, title, badge: badgeOf(view, group.own), width: 0, height: 0, loose: [], level, wires: [] };
 }
 
 /**
@@ -160,6 +160,7 @@ function contents(view, group) {
   /** @type {Set<string>} */
   const marks = new Set();
   for (const each of walk(group)) {
+    findings.push(...each.own);
     for (const index of each.nodes) {
       const node = view.entry.nodes[index];
       if (!node || !view.shown[index]) continue;

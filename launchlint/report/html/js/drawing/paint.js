@@ -90,6 +90,7 @@ function openElement({ x, y, width, height, box }) {
   head.append(fold(box.id, 8, 6, false), text(box.lines[0]?.text ?? "", { class: "title", x: FOLD + 9, y: 19 }));
   const tag = [box.lines[1]?.text, tagOf(box)].filter(Boolean).join(" · ");
   if (tag && width > 220) head.append(text(tag, { class: "tag", x: width - 10, y: 18, "text-anchor": "end" }));
+  if (box.badge) drawn.append(badge(box.badge, width - 9, 0));
   return drawn;
 }
 

@@ -56,7 +56,7 @@ export function* walk(root) {
  * @returns {Group}
  */
 function group(kind, id, label, namespace = "", container = -1) {
-  return { id, kind, label, title: label, namespace, container, groups: [], nodes: [], count: 0, parent: "" };
+  return { id, kind, label, title: label, namespace, container, own: [], groups: [], nodes: [], count: 0, parent: "" };
 }
 
 /** @param {Entry} entry */
@@ -98,6 +98,7 @@ function byElement(entry) {
     const label = container.kind === "include" ? lastPart(container.label) : container.label || "group";
     const own = group(container.kind, `g:file:${index}`, label, container.namespace, index);
     own.title = container.label || "group";
+    own.own = container.findings;
     all.push(around.depth < DEEPEST ? { group: own, depth: around.depth + 1 } : around);
     if (around.depth < DEEPEST) around.group.groups.push(own);
   });
@@ -142,11 +143,13 @@ const MAKERS = {
  */
 function finish(own, entry) {
   own.groups.forEach((each) => finish(each, entry));
+  // What stands in one without nodes is told at the one around it; at the outermost the list of all findings does.
+  for (const each of own.groups) if (each.count === 0 && own.kind !== "root") own.own = [...own.own, ...each.own];
   own.groups = own.groups.filter((each) => each.count > 0);
   const inner = own.groups[0];
   if (own.kind !== "root" && inner && own.groups.length === 1 && !own.nodes.length) {
     const joint = own.kind === "namespace" ? "/" : " › ";
-    Object.assign(own, inner, { label: `${own.label}${joint}${inner.label}`, title: inner.title });
+    Object.assign(own, inner, { label: `${own.label}${joint}${inner.label}`, title: inner.title, own: [...own.own, ...inner.own] });
   }
   own.nodes.sort((a, b) => compareNames(entry.nodes[a]?.name ?? "", entry.nodes[b]?.name ?? "") || a - b);
   if (own.kind === "namespace" || own.kind === "root" || own.kind === "package" || own.kind === "machine") own.groups.sort((a, b) => compareNames(a.label, b.label));
@@ -205,7 +208,7 @@ function byFile(own, entry) {
   for (const [file, nodes] of large) {
     const path = entry.containers[file]?.label ?? "";
     const inner = group("include", `${own.id}#f${file}`, lastPart(path), own.namespace, file);
-    Object.assign(inner, { title: path, nodes });
+    Object.assign(inner, { title: path, nodes, own: entry.containers[file]?.findings ?? [] });
     finish(inner, entry);
     own.groups.push(inner);
   }

@@ -57,6 +57,8 @@ export interface Group {
   namespace: string;
   /** Index into Entry.containers; -1: it is none of them. */
   container: number;
+  /** Indexes into ReportData.findings that stand in it, and in none of its nodes and no container within. */
+  own: number[];
   /** Containers directly in it, in order. */
   groups: Group[];
   /** Indexes of the nodes directly in it, in order of their names. */

@@ -53,6 +53,39 @@ export function nodesWithin(group) {
 }
 
 /**
+ * The findings in a container and below it, each once: those of its nodes, and those that stand between them.
+ *
+ * @param {Entry} entry
+ * @param {Group} group
+ */
+export function findingsWithin(entry, group) {
+  const found = new Set(nodesWithin(group).flatMap((node) => entry.nodes[node]?.findings ?? []));
+  const waiting = [group];
+  for (let each = waiting.pop(); each; each = waiting.pop()) {
+    for (const finding of each.own) found.add(finding);
+    waiting.push(...each.groups);
+  }
+  return [...found].sort((one, other) => one - other);
+}
+
+/**
+ * The containers in which a finding stands that is in none of their nodes.
+ *
+ * @param {Entry} entry
+ * @param {Grouping} grouping
+ * @param {number} finding
+ */
+export function containersWith(entry, grouping, finding) {
+  const found = [];
+  const waiting = [containersOf(entry, grouping)];
+  for (let each = waiting.pop(); each; each = waiting.pop()) {
+    if (each.own.includes(finding)) found.push(each);
+    waiting.push(...each.groups);
+  }
+  return found;
+}
+
+/**
  * The containers around a node, outermost first, without the outermost one of all.
  *
  * @param {Entry} entry

@@ -1,7 +1,7 @@
 /** The panel of a namespace, group, include, package or machine: what is in it, and what goes in and out. */
 
 import { button, element } from "./elements.js";
-import { containerOf, fullName, nodesWithin } from "./containers.js";
+import { containerOf, findingsWithin, fullName, nodesWithin } from "./containers.js";
 import { isIn } from "./model.js";
 import { block, findingsBlock, focusButton, heading, hideButton, list, sourceBlock } from "./panel_blocks.js";
 import { channelReference, nodeReference, reference } from "./reference.js";
@@ -26,7 +26,7 @@ export function containerPanel(page, model, id) {
   const group = containerOf(model.entry, grouping, id);
   if (!group) return [];
   const nodes = nodesWithin(group);
-  const findings = [...new Set(nodes.flatMap((each) => model.entry.nodes[each]?.findings ?? []))];
+  const findings = findingsWithin(model.entry, group);
   const place = model.entry.containers[group.container]?.place ?? null;
   const { incoming, outgoing } = boundary(model, new Set(nodes), configuration);
   const inner = group.groups.map((each) => [reference(page, { kind: "container", id: each.id }, fullName(each)), ` ${number(each.count, "node")}`]);

@@ -1,5 +1,6 @@
 /** The panel of a finding: what, where, why, and what to do. */
 
+import { containersWith, fullName } from "./containers.js";
 import { element } from "./elements.js";
 import { badge, block, heading, list } from "./panel_blocks.js";
 import { nodeReference, channelReference, reference } from "./reference.js";
@@ -52,6 +53,7 @@ function aboutBlock(page, index) {
     ...(model.paramsWithFinding.get(index) ?? []).map((each) =>
       reference(page, { kind: "param", id: `p:${each}` }, model.entry.params[each]?.name ?? ""),
     ),
+    ...containersWith(model.entry, page.store.get().grouping, index).map((each) => reference(page, { kind: "container", id: each.id }, fullName(each))),
   ];
   return items.length > 0 && block("In the drawing", list(items));
 }

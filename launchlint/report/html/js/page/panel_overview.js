@@ -22,7 +22,9 @@ export function overviewPanel(page, model) {
   return [
     element("p", { class: "kind" }, "Launch file"),
     element("h2", { tabindex: -1 }, page.model.data.files[entry.file] ?? ""),
-    entry.verdict === "error" && element("p", { class: "refused" }, badge("refused", "error"), ` roslaunch does not load it: ${entry.refused}`),
+    entry.verdict === "refused" && element("p", { class: "refused" }, badge("refused", "error"), ` roslaunch does not load it: ${entry.why}`),
+    entry.verdict === "cannot be told" &&
+      element("p", {}, badge("cannot be told", "warning"), ` whether roslaunch loads it: ${entry.why}`),
     !entry.complete && element("p", { class: "note" }, "An include could not be followed, so there may be more nodes than are shown."),
     ...page.model.data.notices.map((each) => element("p", { class: "note" }, each)),
     ...changesBlocks(page, model),

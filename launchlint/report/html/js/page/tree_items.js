@@ -1,7 +1,7 @@
 /** The items of the tree: containers and nodes with their counts, finding badges and hide buttons. */
 
 import { element } from "./elements.js";
-import { fullName, nodesWithin } from "./containers.js";
+import { findingsWithin, fullName } from "./containers.js";
 import { lastPart } from "./wording.js";
 
 /** @typedef {import("./model.js").Model} Model */
@@ -29,7 +29,7 @@ const SEVERITIES = /** @type {const} */ (["error", "warning", "info"]);
  * @returns {Item}
  */
 export function groupItem(model, entry, group, level) {
-  const findings = nodesWithin(group).flatMap((node) => entry.nodes[node]?.findings ?? []);
+  const findings = findingsWithin(entry, group);
   const count = element("span", { class: "count" }, ` ${group.count}`, told(group.count === 1 ? " node" : " nodes"));
   return item(model, {
     id: group.id,

@@ -2,6 +2,7 @@
 
 import { element, fill, part } from "./elements.js";
 import { isIn } from "./model.js";
+import { said } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
 
@@ -16,16 +17,9 @@ export function createVerdict(page) {
     const { entry } = page.model.entry(state.entry);
     const severities = entry.findings.map((each) => page.model.data.findings[each]?.severity);
     const has = (/** @type {string} */ severity) => severities.filter((each) => each === severity).length;
-    const words =
-      entry.verdict === "error"
-        ? "roslaunch refuses it"
-        : has("error") > 0
-          ? "loads, with errors"
-          : has("warning") > 0
-            ? "loads, with warnings"
-            : "loads";
+    const words = entry.verdict === "loads" ? loads(has("error"), has("warning")) : `${said(entry.verdict)}: ${entry.why}`;
     const { base } = page.model.data;
-    verdict.className = entry.verdict === "error" || has("error") > 0 ? "error" : has("warning") > 0 ? "warning" : "ok";
+    verdict.className = entry.verdict === "refused" || has("error") > 0 ? "error" : entry.verdict !== "loads" || has("warning") > 0 ? "warning" : "ok";
     verdict.textContent = base === null ? words : `${words}; compared with ${base}`;
     const nodes = entry.nodes.filter((each) => isIn(each, state.configuration) && each.mark !== "removed");
     const topics = entry.channels.filter((each) => each.kind === "topic" && !each.plumbing && each.mark !== "removed");
@@ -38,6 +32,11 @@ export function createVerdict(page) {
       count(topics.length, "topic"),
     );
   });
+}
+
+/** @param {number} errors @param {number} warnings */
+function loads(errors, warnings) {
+  return errors > 0 ? "loads, with errors" : warnings > 0 ? "loads, with warnings" : "loads";
 }
 
 /** @param {number} number @param {string} one @param {string} [name] @param {string} [many] */

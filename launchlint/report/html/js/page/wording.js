@@ -36,6 +36,11 @@ export function number(count, one, many = `${one}s`) {
   return `${count.toLocaleString("en")} ${count === 1 ? one : many}`;
 }
 
+/** A verdict as people read it. @param {Entry["verdict"]} verdict */
+export function said(verdict) {
+  return verdict === "refused" ? "refused by roslaunch" : verdict;
+}
+
 /**
  * A configuration as people call it.
  *

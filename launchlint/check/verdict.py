@@ -1,0 +1,70 @@
+"""The verdict on one entry file, from its model: whether roslaunch loads it, refuses it, or whether that cannot be told from here.
+
+A problem for which roslaunch stops is a refusal where the rule that speaks of it says *error*: everybody who starts the file meets it.
+Where the rule says less, or nothing, roslaunch stops for want of something that this check has not and somebody else may have.
+"""
+
+from __future__ import annotations
+
+from launchlint.check.file import tell
+from launchlint.finding import Severity
+from launchlint.model import Launch
+from launchlint.problem import Problem
+from launchlint.rules.registry import RULES, rule_of
+from launchlint.verdict import LOADS, Verdict
+
+ALL_RULES = frozenset(rule.id for rule in RULES)
+"""A verdict does not depend on the rules that somebody wants to hear of."""
+
+MISSING = {
+    "package-not-found": ("the package", "package"),
+    "required-arg-unset": ("the arg", "name"),
+    "undeclared-arg": ("the arg", "name"),
+    "include-missing-arg": ("the arg", "name"),
+    "env-unset": ("the environment variable", "variable"),
+    "unknown-machine": ("the machine", "name"),
+    "include-not-found": ("the file", "file"),
+    "param-file-missing": ("the file", "file"),
+}
+"""Problem kind → what is missing, and the fact that names it."""
+
+
+def judged(launch: Launch, view: object) -> Verdict:
+    """What roslaunch makes of a launch as it stands; ``view`` is the one that rules look at."""
+    if launch.refused is None:
+        return LOADS
+    missing: dict[str, None] = {}
+    reason = ""
+    for problem in launch.problems:
+        if not problem.refused:
+            continue
+        what = _missing(problem)
+        if what in missing:
+            continue
+        told = list(tell(problem, view, ALL_RULES))
+        sure = next((finding for finding in told if finding.severity is Severity.ERROR), None)
+        if sure is not None:
+            return Verdict("refused", sure.rule, sure.message)
+        if what:
+            missing[what] = None
+        else:
+            reason = reason or (told[0].message if told else plainly(problem))
+    return Verdict("cannot be told", rule_of(launch.refused.kind), reason, tuple(missing))
+
+
+def plainly(problem: Problem) -> str:
+    """Why roslaunch refuses a file, where the rule for it keeps silent because it need not be a mistake of the file."""
+    if problem.kind == "package-not-found":
+        return f"the package {problem.facts['package']} is not on this machine"
+    return problem.kind.replace("-", " ")
+
+
+def _missing(problem: Problem) -> str:
+    """What would have to be there so that roslaunch does not stop at a problem; empty where that has no name."""
+    if problem.kind not in MISSING:
+        return ""
+    what, fact = MISSING[problem.kind]
+    name = str(problem.facts.get(fact) or "")
+    if what == "the file":
+        name = name.rsplit("/", 1)[-1]
+    return f"{what} {name}" if name else ""
