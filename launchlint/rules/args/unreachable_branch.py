@@ -8,6 +8,9 @@ and no environment variable can change it.
 What stands in it is not started in any configuration, and nobody notices when it breaks. Often the arg was meant to have a
 `default` in place of a `value`.
 
+A literal `if="false"` (or `if="0"`, `unless="true"`, `unless="1"`) is a switch: somebody put the element away and means to
+have it back. That is told as information only.
+
 ## Example
 
 ```xml
@@ -52,15 +55,17 @@ def _finding(branch: Branch) -> Finding:
     tag = branch.element.text.removeprefix("<").split(None, 1)[0].rstrip("/>")
     shown = " ".join(branch.text.split())[:60]
     if "$(" not in branch.text:
-        advice = "remove the element, or put an arg with a default into the condition"
-        note = f'{branch.attribute}="{shown}" is fixed'
-    else:
-        advice = "write default instead of value where the arg is declared, or remove the element"
-        note = "all args that it depends on have a fixed value in this file"
+        return RULE.at(
+            branch.origin,
+            f'this <{tag}> is switched off by {branch.attribute}="{shown}"',
+            severity=Severity.INFO,
+            label="never taken",
+            help="put an arg with a default into the condition to switch it on without an edit, or remove the element",
+        )
     return RULE.at(
         branch.origin,
         f"this <{tag}> is never evaluated: nothing can change {branch.attribute}={shown!r}",
         label="never taken",
-        notes=(note,),
-        help=advice,
+        notes=("all args that it depends on have a fixed value in this file",),
+        help="write default instead of value where the arg is declared, or remove the element",
     )
