@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from launchlint.evaluate.block import Block
+    from launchlint.evaluate.ros1.arg_uses import ArgUses
     from launchlint.syntax.tree import Document
 
 LARGEST_FILE = 64 * 1024 * 1024
@@ -63,6 +64,7 @@ class Session:
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
         self.loaded: dict[str, Any] = {}
+        self.uses: dict[Document, ArgUses] = {}
         self.sources: dict[str, Source] = {}
         self.touched: set[str] = set()
         self.variables: set[str] = set()

@@ -44,7 +44,7 @@ FOUND: dict[str, tuple[Case, list[dict[str, str]]]] = {
     "an arg with value=": (case('<arg name="sim" value="false"/>[[n if="$(arg sim)"]]'), [{}]),
     "if": (case(SIM + '[[n if="$(arg sim)"]]'), [{}, {"sim": "true"}]),
     "unless": (case(SIM + '[[n unless="$(arg sim)"]]'), [{}, {"sim": "true"}]),
-    "a default that is 1": (case('<arg name="sim" default="1"/>[[n if="$(arg sim)"]]'), [{}, {"sim": "false"}]),
+    "a default that is 1": (case('<arg name="sim" default="1"/>[[n if="$(arg sim)"]]'), [{}, {"sim": "0"}]),
     "both sides with two tags": (case(SIM + '[[n if="$(arg sim)"]][[m unless="$(arg sim)"]]'), [{}, {"sim": "true"}]),
     "one arg in twenty conditions": (case(SIM + "".join(f'[[n{number} if="$(arg sim)"]]' for number in range(20))), [{}, {"sim": "true"}]),
     "two args": (case(SIM + GUI + '[[n if="$(arg sim)"]][[m if="$(arg gui)"]]'), [{}, {"sim": "true"}, {"gui": "true"}]),
@@ -126,6 +126,69 @@ FOUND: dict[str, tuple[Case, list[dict[str, str]]]] = {
     "a text is not given a boolean": (
         case('<arg name="file" default="map.yaml"/><group unless="$(eval file == \'\')">[[n]]</group>'),
         [{}],
+    ),
+    "a required arg is given what it is compared with, and no boolean": (
+        case('<arg name="mode"/>[[n if="$(eval mode == \'fast\')"]]'),
+        [{}, {"mode": "fast"}],
+    ),
+    "a required arg that is part of a path": (
+        case('<arg name="map"/><group if="$(eval bool(map) and True)"><rosparam file="$(dirname)/$(arg map).yaml"/></group>'),
+        [{}],
+    ),
+    "a boolean that is part of a name too": (
+        case(SIM + '[[n if="$(arg sim)"]]<node pkg="p" type="t" name="driver_$(arg sim)"/>'),
+        [{}, {"sim": "true"}],
+    ),
+    "what is true or false by default, but part of a name and no condition": (
+        case(SIM + '[[n unless="$(eval not sim)"]]<node pkg="p" type="t" name="driver_$(arg sim)"/>'),
+        [{}],
+    ),
+    "a word that says none": (
+        case('<arg name="config" default="false"/><rosparam file="$(arg config)" unless="$(eval config == \'false\')"/>'),
+        [{}],
+    ),
+    "an arg that is only text in a branch": (
+        case('<arg name="map"/><group if="$(eval not map)">[[n]]</group><remap from="a" to="$(arg map)" if="false"/>'),
+        [{}],
+    ),
+    "a required arg that an expression asks for its truth": (
+        case('<arg name="gui"/><group if="$(eval not gui)">[[n]]</group><param name="gui" value="$(arg gui)"/>'),
+        [{}, {"gui": "true"}, {"gui": "false"}],
+    ),
+    "an arg that is passed on and text there": (
+        case(
+            '<arg name="robot"/><group unless="$(eval not robot)">[[n]]</group>'
+            '<include file="$(dirname)/i.launch"><arg name="type" value="$(arg robot)"/></include>',
+            files={"i.launch": '<arg name="type"/><rosparam file="$(dirname)/$(arg type).yaml"/>'},
+        ),
+        [{}],
+    ),
+    "an arg that is passed on and has a text as default there": (
+        case(
+            '<arg name="robot"/><group unless="$(eval not robot)">[[n]]</group>'
+            '<include file="$(dirname)/i.launch"><arg name="type" value="$(arg robot)"/></include>',
+            files={"i.launch": '<arg name="type" default="arm"/>'},
+        ),
+        [{}],
+    ),
+    "an arg that is text in a file that only the other branch includes": (
+        case(
+            SIM + '<include if="$(eval not not sim)" file="$(dirname)/i.launch"><arg name="r" value="$(arg sim)"/></include>',
+            files={"i.launch": '<arg name="r"/><rosparam file="$(dirname)/$(arg r).yaml"/>'},
+        ),
+        [{}],
+    ),
+    "what an arg of the same name is compared with in another file is not meant": (
+        case(
+            '<arg name="kind" default="a"/><param name="k" value="$(arg kind)" unless="$(eval kind == \'b\')"/>'
+            '<include file="$(dirname)/i.launch"/>',
+            files={"i.launch": '<arg name="kind" default="p"/>[[n if="$(eval kind == \'q\')"]]'},
+        ),
+        [{}, {"kind": "b"}],
+    ),
+    "a number that is an identity": (
+        case('<arg name="id" default="1"/>[[n$(arg id) if="$(eval id == 2)"]]'),
+        [{}, {"id": "2"}],
     ),
 }
 

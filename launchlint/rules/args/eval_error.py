@@ -36,7 +36,6 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
-from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import closest
@@ -59,8 +58,6 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         )
         return
     expression: str = problem.facts["expression"]
-    if "TypeError" in reason and has_odd_boolean(view.launch):
-        return
     yield RULE.at(
         problem.origin,
         f"$(eval …) fails: {reason}",

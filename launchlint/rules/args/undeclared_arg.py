@@ -52,7 +52,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Name the arg that was meant, or say who has to give it; facts: ``name``, ``known`` (args in scope)."""
     name, known = problem.facts["name"], problem.facts["known"]
     declare = f'declare it above: <arg name="{name}" default="…"/>'
-    meant = _slip(name, known)
+    meant = surely(name, known)
     near = meant or closest(name, known)
     entered = _entered_without(problem, view)
     if meant is not None or entered or view.declared_entry:
@@ -74,16 +74,6 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         topic=name,
         fix=None if near is None or severity is Severity.INFO else _fix(problem, view, name, near),
     )
-
-
-def _slip(name: str, known: tuple[str, ...]) -> str | None:
-    """The declared arg that ``name`` is a slip for; another number stands for another thing."""
-    meant = surely(name, known)
-    return None if meant is None or _digits(meant) != _digits(name) else meant
-
-
-def _digits(name: str) -> str:
-    return "".join(filter(str.isdigit, name))
 
 
 def _entered_without(problem: Problem, view: LaunchView) -> bool:

@@ -46,7 +46,6 @@ from launchlint.finding import Finding, Severity
 from launchlint.rules.connections.meant_for import tell
 from launchlint.rules.connections.misspelt import Repairs
 from launchlint.rules.connections.one_cause import causes
-from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
@@ -56,7 +55,7 @@ RULE = Rule("LL614", "no-server", Severity.WARNING, fixable="unsafe")
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at the services and actions that have clients only."""
     missing = view.graph.missing
-    if (missing["services"].reason and missing["actions"].reason) or has_odd_boolean(view.launch):
+    if missing["services"].reason and missing["actions"].reason:
         return
     repairs = Repairs(view)
     for cause in causes(view.graph, "client"):

@@ -49,7 +49,6 @@ from launchlint.finding import Finding, Severity
 from launchlint.rules.connections.meant_for import tell
 from launchlint.rules.connections.misspelt import Repairs
 from launchlint.rules.connections.one_cause import causes
-from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
@@ -58,7 +57,7 @@ RULE = Rule("LL613", "no-subscriber", Severity.INFO, fixable="unsafe")
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at the topics that have publishers only."""
-    if view.graph.missing["subscribers"].reason or has_odd_boolean(view.launch):
+    if view.graph.missing["subscribers"].reason:
         return
     repairs = Repairs(view)
     for cause in causes(view.graph, "publisher"):

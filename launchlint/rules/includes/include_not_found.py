@@ -54,7 +54,6 @@ from launchlint.problem import Problem
 from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.installed import installed_from
 from launchlint.rules.made_file import made
-from launchlint.rules.made_up import is_made_up
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import has_placeholder
@@ -76,7 +75,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     source = problem.place.source
     root = root_of(source)
     environment = problem.facts["environment"]
-    if has_placeholder(file) or is_made_up(file, problem, view.launch):
+    if has_placeholder(file):
         return
     if problem.kind == "include-not-loadable":
         if has_placeholder(source.text):

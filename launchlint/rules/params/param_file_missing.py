@@ -44,7 +44,6 @@ from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.installed import installed_from
 from launchlint.rules.made_file import made
-from launchlint.rules.made_up import is_made_up
 from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -58,7 +57,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Say why it cannot be read and which file is near; facts: see evaluate.ros1.missing_file, and ``environment``."""
     facts = problem.facts
     path, missing = facts["shown"], facts["missing"]
-    if path in SENTINELS or is_made_up(path, problem, view.launch):
+    if path in SENTINELS:
         return
     notes = [f"roslaunch stops, since it finds no file {path}" if missing else "roslaunch refuses the launch file"]
     if facts["relative"]:

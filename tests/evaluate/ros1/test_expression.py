@@ -19,6 +19,9 @@ from launchlint.evaluate.ros1.expression import (
     arguments_read,
     compared_literals,
     evaluate,
+    made_into_text,
+    truth_tested,
+    whole_arg,
 )
 from tests.evaluate.ros1.expressions import ARGUMENTS, ENVIRONMENT, NOT_COMPUTED, TABLE, UNKNOWN
 
@@ -184,6 +187,40 @@ def test_arguments_read(text: str, names: set[str]) -> None:
 )
 def test_compared_literals(text: str, expected: dict[str, tuple[str, ...]]) -> None:
     assert compared_literals(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("mode == 'fast' or mode in ['slow', 'off']", {"mode": ("fast", "slow", "off")}),
+        ("'e' in model", {}),
+        ("model.startswith('ur')", {}),
+        ("count > 2", {"count": ("2",)}),
+        ("{'a': 1}[kind]", {"kind": ("a",)}),
+    ],
+)
+def test_what_an_arg_may_be_equal_to(text: str, expected: dict[str, tuple[str, ...]]) -> None:
+    assert compared_literals(text, exact=True) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "as_text", "as_truth", "alone"),
+    [
+        ("sim", set(), set(), "sim"),
+        ("arg('sim')", set(), set(), "sim"),
+        ("not sim", set(), {"sim"}, None),
+        ("sim and arg('gui')", set(), {"sim", "gui"}, None),
+        ("'a_' + robot", {"robot"}, set(), None),
+        ("find('p') + '/' + arg('robot')", {"robot"}, set(), None),
+        ("robot.upper()", {"robot"}, set(), None),
+        ("'a' if sim else robot + 'b'", {"robot"}, {"sim"}, None),
+        ("1 + (2 if sim else 3)", set(), {"sim"}, None),
+        ("'%s' % (not sim)", set(), {"sim"}, None),
+        ("robot ==", set(), set(), None),
+    ],
+)
+def test_what_an_expression_does_with_args(text: str, as_text: set[str], as_truth: set[str], alone: str | None) -> None:
+    assert (made_into_text(text), truth_tested(text), whole_arg(text)) == (as_text, as_truth, alone)
 
 
 # The same through the real roslaunch. The expressions are ours, and a list of names keeps out whatever could touch the machine.

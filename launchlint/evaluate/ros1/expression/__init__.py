@@ -20,7 +20,10 @@ __all__ = (
     "arguments_read",
     "compared_literals",
     "evaluate",
+    "made_into_text",
     "never_equal",
+    "truth_tested",
+    "whole_arg",
 )
 
 
@@ -117,15 +120,16 @@ def arguments_read(text: str) -> frozenset[str]:
     return names_read(text)
 
 
-def compared_literals(text: str) -> dict[str, tuple[str, ...]]:
+def compared_literals(text: str, *, exact: bool = False) -> dict[str, tuple[str, ...]]:
     """Per arg the values that ``text`` tells apart, spelled as a user would pass them, in order of appearance.
 
     They come from ``==``, ``!=``, ``in``, ``startswith``, the keys of a dict that the arg is looked up in, and the like; a number in
-    ``<`` or ``>`` gives itself and its two neighbours; an arg used as a condition gives ``true`` and ``false``.
+    ``<`` or ``>`` gives itself and its two neighbours; an arg used as a condition gives ``true`` and ``false``. With ``exact`` only what
+    an arg may be equal to as a whole: no beginnings, no other parts, no neighbours.
     """
     from launchlint.evaluate.ros1.expression.reading import literals_compared
 
-    return literals_compared(text)
+    return literals_compared(text, exact=exact)
 
 
 def never_equal(text: str) -> tuple[tuple[int, int, str, str], ...]:
@@ -137,3 +141,24 @@ def never_equal(text: str) -> tuple[tuple[int, int, str, str], ...]:
     from launchlint.evaluate.ros1.expression.reading import comparisons_never_equal
 
     return tuple(comparisons_never_equal(text))
+
+
+def made_into_text(text: str) -> frozenset[str]:
+    """The args that ``text`` computes with or makes part of a longer text, so that none of them can be meant as a boolean."""
+    from launchlint.evaluate.ros1.expression.reading import names_as_text
+
+    return names_as_text(text)
+
+
+def truth_tested(text: str) -> frozenset[str]:
+    """The args that ``text`` asks whether they are true."""
+    from launchlint.evaluate.ros1.expression.reading import names_as_truth
+
+    return names_as_truth(text)
+
+
+def whole_arg(text: str) -> str | None:
+    """The arg that ``text`` consists of, if it is nothing else."""
+    from launchlint.evaluate.ros1.expression.reading import only_name
+
+    return only_name(text)

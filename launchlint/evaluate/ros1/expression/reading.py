@@ -46,15 +46,63 @@ def _names(tree: ast.AST, nested: int) -> Iterator[str]:
                 yield from _names(inner, nested - 1)
 
 
-def literals_compared(text: str) -> dict[str, tuple[str, ...]]:
+def literals_compared(text: str, *, exact: bool = False) -> dict[str, tuple[str, ...]]:
     """See :func:`launchlint.evaluate.ros1.expression.compared_literals`."""
     try:
         tree = compiled(text).tree
     except (ExpressionError, UnknownValue):
         return {}
     found: dict[str, dict[str, None]] = {}
-    _collect(tree, found, _MOST_NESTED)
+    _collect(tree, found, _MOST_NESTED, exact=exact)
     return {name: tuple(values) for name, values in found.items() if values}
+
+
+def names_as_text(text: str) -> frozenset[str]:
+    """See :func:`launchlint.evaluate.ros1.expression.made_into_text`."""
+    try:
+        waiting: list[tuple[ast.AST, bool]] = [(compiled(text).tree, False)]
+    except (ExpressionError, UnknownValue):
+        return frozenset()
+    found = set()
+    while waiting:
+        node, computed = waiting.pop()
+        name = _arg_call(node) if isinstance(node, ast.Call) else node.id if isinstance(node, ast.Name) else None
+        if name is not None and computed and name not in RESERVED:
+            found.add(name)
+        method = isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)
+        if method or isinstance(node, (ast.BinOp, ast.JoinedStr, ast.Subscript)):
+            computed = True
+        elif isinstance(node, (ast.BoolOp, ast.Compare)) or (isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not)):
+            computed = False
+        test = node.test if isinstance(node, ast.IfExp) else None
+        waiting.extend((child, computed and child is not test) for child in ast.iter_child_nodes(node))
+    return frozenset(found)
+
+
+def names_as_truth(text: str) -> frozenset[str]:
+    """See :func:`launchlint.evaluate.ros1.expression.truth_tested`."""
+    try:
+        tree = compiled(text).tree
+    except (ExpressionError, UnknownValue):
+        return frozenset()
+    tested: list[ast.AST] = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.BoolOp):
+            tested += node.values
+        elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+            tested.append(node.operand)
+        elif isinstance(node, ast.IfExp):
+            tested.append(node.test)
+    return frozenset(name for name in map(_arg_name, tested) if name is not None)
+
+
+def only_name(text: str) -> str | None:
+    """See :func:`launchlint.evaluate.ros1.expression.whole_arg`."""
+    try:
+        body = compiled(text).tree.body
+    except (ExpressionError, UnknownValue):
+        return None
+    return _arg_name(body) if isinstance(body, ast.Name) or (isinstance(body, ast.Call) and _arg_call(body) is not None) else None
 
 
 def comparisons_never_equal(text: str) -> Iterator[tuple[int, int, str, str]]:
@@ -75,13 +123,13 @@ def comparisons_never_equal(text: str) -> Iterator[tuple[int, int, str, str]]:
                 yield (*whole.span(node), name, other.value)
 
 
-def _collect(tree: ast.Expression, found: dict[str, dict[str, None]], nested: int) -> None:
+def _collect(tree: ast.Expression, found: dict[str, dict[str, None]], nested: int, *, exact: bool) -> None:
     _condition(tree.body, found)
     for node in _in_order(tree):
         if isinstance(node, ast.Compare):
             left = node.left
             for operation, right in zip(node.ops, node.comparators, strict=True):
-                _comparison(left, operation, right, found)
+                _comparison(left, operation, right, found, exact=exact)
                 left = right
         elif isinstance(node, ast.BoolOp):
             for value in node.values:
@@ -96,11 +144,11 @@ def _collect(tree: ast.Expression, found: dict[str, dict[str, None]], nested: in
             if isinstance(node.func, ast.Attribute) and node.args:
                 if node.func.attr == "get":
                     _note(_arg_name(node.args[0]), _keys(node.func.value), found)
-                elif node.func.attr in _LITERAL_METHODS:
+                elif node.func.attr in _LITERAL_METHODS and not exact:
                     _note(_arg_name(node.func.value), _spelled(node.args[0]), found)
             inner = _nested(node, nested)
             if inner is not None:
-                _collect(inner, found, nested - 1)
+                _collect(inner, found, nested - 1, exact=exact)
 
 
 def _in_order(node: ast.AST) -> Iterator[ast.AST]:
@@ -116,13 +164,13 @@ def _condition(node: ast.expr, found: dict[str, dict[str, None]]) -> None:
     _note(_arg_name(node), ["true", "false"], found)
 
 
-def _comparison(left: ast.expr, operation: ast.cmpop, right: ast.expr, found: dict[str, dict[str, None]]) -> None:
+def _comparison(left: ast.expr, operation: ast.cmpop, right: ast.expr, found: dict[str, dict[str, None]], *, exact: bool) -> None:
     for side, other in ((left, right), (right, left)):
         name = _arg_name(side)
-        if name is None:
+        if name is None or (exact and side is right and isinstance(operation, (ast.In, ast.NotIn))):
             continue
         values = _keys(other) or _spelled(other)
-        if isinstance(operation, _ORDER):
+        if isinstance(operation, _ORDER) and not exact:
             values = [spelled for value in values for spelled in _neighbours(value)]
         _note(name, values, found)
 

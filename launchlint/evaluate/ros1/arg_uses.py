@@ -1,0 +1,168 @@
+"""What a launch file does with its args: which must be booleans, which are text, and where their values go on to.
+
+Read from what is written, whatever the conditions around it say: an arg that is part of a path in one branch is no boolean in the others.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.syntax.tree import Document, Element
+
+BOOLEANS = ("true", "false", "1", "0")
+"""What ``if`` and ``unless`` take (roslaunch.loader.convert_value of type bool)."""
+
+_ARG = re.compile(r"\$\(arg +([^ $()]+) *\)")
+_WHOLE = re.compile(r"\s*\$\(arg +([^ $()]+) *\)\s*")
+_CONDITIONS = ("if", "unless")
+_FLAGS = frozenset({"required", "respawn", "clear_params", "pass_all_args", "subst_value"})
+_WORDS = frozenset({"args", "command", "launch-prefix"})
+_FILES = frozenset({"file", "textfile", "binfile"})
+_BEFORE, _AFTER = frozenset(" \t\n=:,[{('\""), frozenset(" \t\n,]})'\"")
+
+
+class ArgUses(NamedTuple):
+    """What one file does with its args, each by the name it has there.
+
+    ``booleans`` are what a condition or flag consists of. ``parts`` are computed with, or are a name or part of a name or longer text;
+    ``paths`` are part of a path; ``texts`` are compared with other words, or have such a default. ``truths`` are asked in an ``$(eval …)``
+    whether they are true. ``literals`` are what an arg is compared with, ``exact`` those of them that it may be equal to as a whole.
+    ``handed_on`` says which args of the file take the value of an arg as it is; ``passed`` says the same of the args of included files, by
+    the offset of the ``<include>``.
+    """
+
+    booleans: frozenset[str]
+    parts: frozenset[str]
+    paths: frozenset[str]
+    texts: frozenset[str]
+    truths: frozenset[str]
+    literals: Mapping[str, tuple[str, ...]]
+    exact: Mapping[str, tuple[str, ...]]
+    handed_on: Mapping[str, tuple[str, ...]]
+    passed: Mapping[int, tuple[tuple[str, str], ...]]
+
+
+def is_boolean(text: str) -> bool:
+    """Whether ``if`` takes ``text``."""
+    return text.strip().lower() in BOOLEANS
+
+
+def arg_uses(document: Document) -> ArgUses:
+    """Read ``document``; takes time in proportion to its length."""
+    reading = _Reading()
+    for element in document.elements:
+        reading.read(element)
+    return ArgUses(
+        frozenset(reading.booleans),
+        frozenset(reading.parts),
+        frozenset(reading.paths),
+        frozenset(reading.texts),
+        frozenset(reading.truths),
+        {name: tuple(values) for name, values in reading.literals.items()},
+        {name: tuple(values) for name, values in reading.exact.items()},
+        {name: tuple(names) for name, names in reading.handed_on.items()},
+        {start: tuple(pairs) for start, pairs in reading.passed.items()},
+    )
+
+
+class _Reading:
+    """What has been read so far."""
+
+    def __init__(self) -> None:
+        self.booleans: set[str] = set()
+        self.parts: set[str] = set()
+        self.paths: set[str] = set()
+        self.texts: set[str] = set()
+        self.truths: set[str] = set()
+        self.literals: dict[str, dict[str, None]] = {}
+        self.exact: dict[str, dict[str, None]] = {}
+        self.handed_on: dict[str, dict[str, None]] = {}
+        self.passed: dict[int, list[tuple[str, str]]] = {}
+
+    def read(self, element: Element) -> None:
+        """Take in one element."""
+        for name, attribute in element.attributes.items():
+            if "$(" in attribute.value:
+                self._value(element, name, attribute.value)
+        if element.tag == "arg":
+            self._declaration(element)
+        elif element.tag == "rosparam" and "$(arg " in element.text:
+            self.parts.update(_parts(element.text))
+
+    def _value(self, element: Element, name: str, text: str) -> None:
+        if text.startswith("$(eval ") and text.endswith(")"):
+            self._expression(element, name, text[7:-1])
+            return
+        whole = _WHOLE.fullmatch(text)
+        if name in _CONDITIONS or name in _FLAGS:
+            if whole is not None:
+                self.booleans.add(whole[1])
+        elif element.tag.lower() == "arg" and name in ("value", "default"):
+            if whole is not None:
+                self._goes_on(element, whole[1])
+            else:
+                self.parts.update(_ARG.findall(text))
+        elif name == "value" and whole is not None:
+            kind = (element.get("type") or "").strip().lower()
+            if kind in ("bool", "boolean"):
+                self.booleans.add(whole[1])
+            elif kind in ("int", "double"):
+                self.texts.add(whole[1])
+        elif name == "value" or name in _WORDS:
+            self.parts.update(_parts(text))
+        elif name in _FILES:
+            self.paths.update(_ARG.findall(text))
+        elif name != "doc":
+            self.parts.update(_ARG.findall(text))
+
+    def _expression(self, element: Element, attribute: str, expression: str) -> None:
+        from launchlint.evaluate.ros1.expression import compared_literals, made_into_text, truth_tested, whole_arg
+
+        alone = whole_arg(expression)
+        if alone is None:
+            for name, values in compared_literals(expression).items():
+                self.literals.setdefault(name, {}).update(dict.fromkeys(value for value in values if value.strip()))
+                if not all(map(is_boolean, values)):
+                    self.texts.add(name)
+            for name, values in compared_literals(expression, exact=True).items():
+                self.exact.setdefault(name, {}).update(dict.fromkeys(value for value in values if value.strip()))
+            self.parts |= made_into_text(expression)
+            self.truths |= truth_tested(expression)
+        elif attribute in _CONDITIONS or attribute in _FLAGS:
+            self.booleans.add(alone)
+        elif element.tag.lower() == "arg" and attribute in ("value", "default"):
+            self._goes_on(element, alone)
+        elif attribute in _FILES:
+            self.paths.add(alone)
+        elif attribute not in ("value", "doc"):
+            self.parts.add(alone)
+
+    def _goes_on(self, element: Element, name: str) -> None:
+        """The value of the arg ``name`` becomes that of the arg that ``element`` declares or passes."""
+        target, parent = element.get("name"), element.parent
+        if not target or parent is None:
+            return
+        if parent.tag == "include":
+            self.passed.setdefault(parent.start_span.start, []).append((name, target))
+        elif target != name:
+            self.handed_on.setdefault(name, {})[target] = None
+
+    def _declaration(self, element: Element) -> None:
+        name = element.get("name")
+        if not name or element.parent is None or element.parent.tag == "include":
+            return
+        for written in (element.get("value"), element.get("default")):
+            if written is not None and "$(" not in written and not is_boolean(written):
+                self.texts.add(name)
+
+
+def _parts(text: str) -> Iterator[str]:
+    """The args in ``text`` that are only part of a word."""
+    for match in _ARG.finditer(text):
+        start, end = match.span()
+        if (start and text[start - 1] not in _BEFORE) or (end < len(text) and text[end] not in _AFTER):
+            yield match[1]
