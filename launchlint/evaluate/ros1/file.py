@@ -17,6 +17,7 @@ from launchlint.evaluate.ros1.substitution import (
     absolute_directory,
     collect,
     left_over,
+    never_boolean,
     resolve,
 )
 from launchlint.evaluate.session import Session
@@ -156,7 +157,7 @@ class FileEvaluation:
     def value(self, attribute: Attribute, context: Context, text: str | None = None) -> Value:
         """The resolved value of ``attribute`` (or of ``text``, a stripped form of it)."""
         raw = attribute.value if text is None else text
-        if "(" not in raw and "{" not in raw and "[" not in raw:
+        if "$" not in raw and "(" not in raw:
             return raw
         offset = 0 if text is None else max(attribute.value.find(text), 0)
 
@@ -164,8 +165,7 @@ class FileEvaluation:
             return attribute.span_of(start + offset, end + offset)
 
         value = resolve(self, raw, where, context)
-        if isinstance(value, str):
-            self.notice_left_over(raw, where)
+        self.notice_left_over(raw, where)
         return value
 
     def notice_left_over(self, text: str, where: Callable[[int, int], Span]) -> None:
@@ -387,6 +387,9 @@ class FileEvaluation:
             except ValueError as error:
                 facts: dict[str, Any] = {"attribute": name, "value": value, "text": attribute.value, "reason": str(error)}
                 self.problem("condition-not-boolean", span, refused=True, **facts)
+        elif never_boolean(attribute.value):
+            facts = {"attribute": name, "value": attribute.value, "text": attribute.value, "reason": value.reason}
+            self.problem("condition-not-boolean", span, refused=True, **facts)
         taken = (True if truth is None else truth) is (name == "if")
         origin = Origin(self.place(span))
         outcome = None if truth is None else taken

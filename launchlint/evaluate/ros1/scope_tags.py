@@ -52,10 +52,14 @@ def remap(file: FileEvaluation, element: Element, context: Context) -> Remap | N
     names: list[str] = []
     values: list[Value] = [file.required(element, attribute, context) for attribute in ("from", "to")]
     for attribute, value in zip(("from", "to"), values, strict=True):
-        if isinstance(value, Unknown):
+        written = element.attributes.get(attribute)
+        if written is not None and "//" in written.value and not written.value.startswith("$(eval "):
+            start = written.value.index("//")
+            end = start + len(written.value[start:]) - len(written.value[start:].lstrip("/"))
+            file.problem("doubled-slash", written.span_of(start, end), attribute=attribute, value=written.value)
+        if written is None or isinstance(value, Unknown):
             continue
         name = canonical(value)
-        written = element.attributes[attribute]
         span = written.value_or_name_span
         if not name:
             file.problem("invalid-remap-name", span, refused=True, attribute=attribute, value=value, reason="empty")

@@ -26,6 +26,8 @@ OUTSIDE = "$"
 COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
 ANONYMOUS_FOLD = str.maketrans(".-:", "___")
 
+_LONGEST_BOOLEAN = len("false")
+
 Where = Callable[[int, int], Span]
 
 
@@ -288,7 +290,9 @@ def _evaluate(evaluation: FileEvaluation, text: str, where: Where, context: Cont
 _LOOKS_LIKE = (
     r"\$\s+\((?:find|env|optenv|dirname|anon|arg|eval)\b(?:\s+[\w./\-]+)*\s*\)?"
     r"|\$\{(?:find|env|optenv|anon|arg) [\w./\- ]*\}?"
-    r"|\$\((?:find|env|optenv|dirname|anon|arg|eval)\b(?:\s+[\w\-]+)?"
+    r"|\$\((?:find|env|optenv|dirname|anon|arg|eval)\b(?:\s+[\w\-]+)?[}\]]?"
+    r"|\$(?:find|env|optenv|anon|arg) +[\w\-]+(?: +[^()$ ]+)*\)"
+    r"|\$(?:find|env|optenv|anon|arg)\( *[\w\-]+ *\)"
     r"|(?<![\w$)])\((?:find|optenv|anon|arg) [\w\-]+\)"
     r"|\$\[(?:find|arg|env) [\w./\- ]*\]?"
 )
@@ -298,6 +302,25 @@ def left_over(text: str) -> tuple[int, int] | None:
     """Start and end of what looks like a substitution in a text that has been resolved, but is none."""
     match = re.search(_LOOKS_LIKE, text)
     return None if match is None else match.span()
+
+
+def never_boolean(text: str) -> bool:
+    """Whether no values of the substitutions in ``text`` can make a boolean of it, because of what is written beside them."""
+    if text.startswith("$(eval "):
+        return False
+    try:
+        found = collect(text)
+    except BadSubstitution:
+        return False
+    beside, end = "", 0
+    for _, start, after in found:
+        beside += text[end:start] + "\0"
+        end = after
+    beside = (beside + text[end:]).strip().lower()
+    if len(beside.replace("\0", "")) > _LONGEST_BOOLEAN:
+        return True
+    pattern = ".*".join(map(re.escape, re.split("\0+", beside)))
+    return all(re.fullmatch(pattern, word) is None for word in ("true", "false", "1", "0"))
 
 
 def absolute_directory(file: str) -> str:

@@ -56,12 +56,18 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     text = facts.get("text", value)
     made = f" (from {text[:60]})" if text != value else ""
     shown = "is empty" if not value.strip() else f"comes to {value[:60]!r}{made}" if made else f"is {value[:60]!r}"
+    note = f"roslaunch stops with: Value error: {value.lower().strip()[:60]} is not a 'bool' type".replace(":  is", ": is")
+    if "$(" in value:  # nobody knows what it stands for, but what is written beside it is enough
+        shown, note = (
+            f"is {value[:60]!r}",
+            "whatever the substitution stands for, the text beside it stays, and roslaunch stops with: Value error",
+        )
     yield RULE.at(
         problem.origin,
         f"{name} {shown}, which is no boolean",
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         label="must be true, false, 1 or 0",
-        notes=(f"roslaunch stops with: Value error: {value.lower().strip()[:60]} is not a 'bool' type".replace(":  is", ": is"),),
+        notes=(note,),
         help=_advice(name, value, text),
         fix=_fix(problem, view, value),
     )

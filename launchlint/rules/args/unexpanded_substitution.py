@@ -1,8 +1,8 @@
 """Something looks like a substitution and is none.
 
-`$(arg x` without its closing parenthesis, `${arg x}`, `$ (arg x)` and `(arg x)` are plain text for roslaunch, and so
-is every `$(…)` in a `<rosparam>` without `subst_value="true"`. A parenthesis too many behind a substitution stays in
-the value as well.
+`$(arg x` without its closing parenthesis, `$arg x)`, `$arg(x)`, `${arg x}`, `$ (arg x)` and `(arg x)` are plain text for
+roslaunch, and so is every `$(…)` in a `<rosparam>` without `subst_value="true"`. A parenthesis too many behind a substitution
+stays in the value as well.
 
 ## Why it matters
 
@@ -30,8 +30,8 @@ roslaunch loads the file and says nothing. The node gets the text as it stands, 
 
 ## Fix
 
-`--unsafe-fixes` writes `$(arg a)` for `$(arg a`, `${arg a}`, `$[arg a]` and `$ (arg a)`, likewise with `find`, `env` and `anon`, and
-removes a parenthesis too many. The value is another one then.
+`--unsafe-fixes` writes `$(arg a)` for `$(arg a`, `$(arg a}`, `$arg a)`, `$arg(a)`, `${arg a}`, `$[arg a]` and `$ (arg a)`, likewise
+with `find`, `env` and `anon`, and removes a parenthesis too many. The value is another one then.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ from launchlint.problem import Problem
 from launchlint.rules.edits import fix, replace, spot
 from launchlint.rules.rule import Rule
 
-_NEARLY = re.compile(r"\$\s*[({\[]\s*(arg|find|env|anon)\s+([\w.-]+)\s*[)}\]]?")
+_NEARLY = re.compile(r"\$\s*(?:[({\[]\s*)?(arg|find|env|anon)(?:\s+|\(\s*)([\w.-]+)\s*[)}\]]?")
 
 RULE = Rule("LL215", "unexpanded-substitution", Severity.WARNING, fixable="unsafe")
 
@@ -78,7 +78,7 @@ def _fix(problem: Problem, view: object) -> Fix | None:
 
 
 def _advice(text: str) -> str:
-    words = text.strip("$ ({[)}]").split()
+    words = text.strip("$ ({[)}]").replace("(", " ").split()
     meant = f"$({' '.join(words)})"
     if text.startswith("$(") and ")" not in text:
         return "close it with )" if len(words) < 2 else f"close it with ): {meant}"

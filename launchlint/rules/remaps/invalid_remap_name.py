@@ -1,6 +1,7 @@
 """A remap has an empty name, or one that is no ROS name.
 
-A name begins with a letter, `/` or `~` and goes on with letters, digits, `_` and `/`.
+A name begins with a letter, `/` or `~` and goes on with letters, digits, `_` and `/`. A `//` in it is information only:
+roslaunch reads it as one `/`, but a part of the name may have been forgotten there.
 
 ## Why it matters
 
@@ -28,7 +29,8 @@ roslaunch refuses the file.
 
 ## Fix
 
-`--unsafe-fixes` writes the name that the help proposes. roslaunch loads the file then.
+`--fix` writes one `/` for two, which changes nothing. `--unsafe-fixes` writes the name that the help proposes; roslaunch loads
+the file then.
 """
 
 from __future__ import annotations
@@ -38,15 +40,25 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
-from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
+from launchlint.rules.edits import LOADS, fix, is_literal, replace, set_value, spot
 from launchlint.rules.rule import Rule
 
-RULE = Rule("LL607", "invalid-remap-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
+RULE = Rule("LL607", "invalid-remap-name", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Name the character at fault; facts: ``attribute``, ``value``, ``reason`` (``empty`` or ``illegal``)."""
+    """Name the character at fault; facts: ``attribute``, ``value``, ``reason`` (``empty`` or ``illegal``; none for two slashes)."""
     attribute, value = problem.facts["attribute"], problem.facts["value"]
+    if problem.kind == "doubled-slash":
+        yield RULE.at(
+            problem.origin,
+            f"{value[:60]!r} has two slashes in a row: roslaunch reads them as one",
+            severity=Severity.INFO,
+            label="one /",
+            help="remove one, or write the namespace that was to stand between them",
+            fix=fix("write one /", replace(spot(view, problem.place), problem.place, "/"), safe=True, changes=""),
+        )
+        return
     if problem.facts["reason"] == "empty":
         yield RULE.at(
             problem.origin,
