@@ -186,6 +186,14 @@ FOUND: dict[str, tuple[Case, list[dict[str, str]]]] = {
         ),
         [{}, {"kind": "b"}],
     ),
+    "a boolean that is part of a path in the args of a node": (
+        case(SIM + '[[n if="$(arg sim)"]]<node pkg="p" type="t" name="m" args="-f $(dirname)/maps/map_$(arg sim).yaml"/>'),
+        [{}],
+    ),
+    "a boolean that the args of a node hold as it is": (
+        case(SIM + '[[n if="$(arg sim)"]]<node pkg="p" type="t" name="m" args="--sim $(arg sim) sim:=$(arg sim)"/>'),
+        [{}, {"sim": "true"}],
+    ),
     "a number that is an identity": (
         case('<arg name="id" default="1"/>[[n$(arg id) if="$(eval id == 2)"]]'),
         [{}, {"id": "2"}],

@@ -18,6 +18,8 @@ BOOLEANS = ("true", "false", "1", "0")
 
 _ARG = re.compile(r"\$\(arg +([^ $()]+) *\)")
 _WHOLE = re.compile(r"\s*\$\(arg +([^ $()]+) *\)\s*")
+_PLACE = re.compile(r"(?:\$\([^()]*\)|[^\s=])+")
+"""A word of a command line, without ``name=`` or ``name:=`` before it."""
 _CONDITIONS = ("if", "unless")
 _FLAGS = frozenset({"required", "respawn", "clear_params", "pass_all_args", "subst_value"})
 _WORDS = frozenset({"args", "command", "launch-prefix"})
@@ -113,7 +115,8 @@ class _Reading:
             elif kind in ("int", "double"):
                 self.texts.add(whole[1])
         elif name == "value" or name in _WORDS:
-            self.parts.update(_parts(text))
+            for word in _PLACE.findall(text):
+                (self.paths if "/" in word else self.parts).update(_parts(word))
         elif name in _FILES:
             self.paths.update(_ARG.findall(text))
         elif name != "doc":

@@ -68,9 +68,7 @@ from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.model import Command
-from launchlint.problem import Problem
 from launchlint.rules.made_file import made
-from launchlint.rules.made_up import is_made_up
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -157,8 +155,6 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
     package = view.packages.package_of(path)
     written = use.origin.place.text
     if package is None or (named.doubtful and one_slip(name, names(directory)) is None) or "env " in written or "env(" in written:
-        return
-    if is_made_up(path, Problem("named-file", use.origin, {}), view.launch):
         return
     ending = posixpath.splitext(path)[1]
     maker = made(path, view.packages, root)
