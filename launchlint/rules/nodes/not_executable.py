@@ -1,7 +1,8 @@
 """A node's script cannot be run: it lacks the executable bit or the `#!` line.
 
 What it does: where the package of a node lies in the workspace or is installed, it looks at the script that `type` names.
-Programs that CMake builds or that `catkin_install_python` wraps are passed over.
+Programs that CMake builds or that `catkin_install_python` wraps are passed over; where another command of `CMakeLists.txt` names the
+script, as with `execute_process(COMMAND chmod +x …)`, it is an info.
 
 ## Why it matters
 
@@ -93,11 +94,14 @@ def check(view: LaunchView) -> Iterator[Finding]:
         notes = ["roslaunch loads the file and fails when it starts this node"]
         if flaw.lacks_bit:
             notes.append("roslaunch looks only at files with the executable bit")
+        made = None if package is None else contents(view.packages).made(package).by(flaw.path)
+        if made is not None:
+            notes.append(f"the build may mend it: {made}")
         assumed = any(condition.assumed for condition in node.conditions)
         yield RULE.at(
             Origin(node.attributes.get("type", node.origin.place), node.origin.step),
             f"{node.executable} cannot be run: {wrong}",
-            severity=Severity.WARNING if assumed else None,
+            severity=Severity.INFO if made is not None else Severity.WARNING if assumed else None,
             label="this file",
             related=((line_of(flaw.path, root), "its first line"),),
             notes=tuple(notes),
