@@ -3,7 +3,7 @@
 It is an error where a declared name is one slip away, where an `<include>` enters the file and does not pass the arg (nothing
 can then give it), and where the configuration says how the file is started (`entries`) and leaves the arg out. Else it is
 information: roslaunch takes an arg from the command line whether it is declared or not, and some files are started just so.
-A bare word in `$(eval …)` is a warning: it may be a text without its quotes.
+In an `$(eval …)` it is a warning: the name may be a text without its quotes.
 
 ## Why it matters
 
@@ -37,7 +37,6 @@ that may be on the day of the demonstration. And nobody who reads `roslaunch --r
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
@@ -46,9 +45,6 @@ from launchlint.rules.edits import LOADS, fix, replace, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import closest, surely
-
-_TAKEN_FROM_OUTSIDE = re.compile(r"\$\(arg [^()]*\)|arg\(\s*(['\"])[^'\"]*\1\s*\)")
-"""How an arg is read that the command line is to give. A bare word in an expression is as likely a text without its quotes."""
 
 RULE = Rule("LL201", "undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -65,11 +61,14 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         message = f"the arg {name} is not declared"
         note = f"roslaunch stops here, since {name} has no value"
         help_ = f"did you mean {near}?" if near is not None else declare
-    elif not _TAKEN_FROM_OUTSIDE.fullmatch(problem.place.text):
-        bare = problem.place.text.isidentifier()
+    elif not problem.place.text.startswith("$(arg "):
         severity, message = Severity.WARNING, f"the arg {name} is not declared"
         note = f"roslaunch stops here, since {name} has no value"
-        help_ = f"put quotes around {name} if it is a text; else {declare}" if bare else "put quotes around the name: arg('…')"
+        written = problem.place.text
+        if written.isidentifier():
+            help_ = f"put quotes around {name} if it is a text; else {declare}"
+        else:
+            help_ = declare if "'" in written or '"' in written else "put quotes around the name: arg('…')"
     else:
         severity = Severity.INFO
         message = f"the arg {name} is not declared: only the command line can give it, with {name}:=…"
