@@ -2,12 +2,12 @@
 
 What it does: it looks at the resolved `ns` of groups, includes, nodes and tests. A private name (`~…`) is an error, because
 roslaunch stops with a traceback. Other characters than letters, digits, `_` and `/` are warnings: roslaunch takes them and C++ nodes do
-not. They are an info where no node is started in the namespace, or only Python nodes are (executables that end in `.py`), which run. A
-digit at the start of a namespace is allowed everywhere.
+not. They are an info where no node is started in the namespace, or only Python nodes are (executables that end in `.py`), which run. So is
+a digit at the start a warning: nodes run there, but a name such as `1st/scan` that one of them is given is refused.
 
 ## Why it matters
 
-C++ nodes end at start with an invalid-name exception. Python nodes end up under names that other nodes and tools refuse.
+C++ nodes end with an invalid-name exception. Python nodes end up under names that other nodes and tools refuse.
 
 ## Example
 
@@ -61,10 +61,15 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         )  # fmt: skip
         return
     good = re.sub(r"[^\w/]", "_", namespace.strip(), flags=re.ASCII)
-    if good == namespace:
-        return
+    bare = good.lstrip("/")
+    digit = good == namespace and bare[:1].isdigit()
+    good = f"n_{good}" if good[:1].isdigit() else good
     sufferers = _started_in(problem, view)
-    if sufferers:
+    if digit and namespace.startswith("/"):
+        return  # a global name may go on with a digit
+    if digit:
+        note = f"nodes start in it, but C++ nodes end with an invalid-name exception when they are given a name such as {namespace}/scan"
+    elif sufferers:
         note = "roslaunch takes it, but C++ nodes in it end at start with an invalid-name exception"
     elif sufferers is None:
         note = "roslaunch takes it, and no node is started in it; a C++ node that asks for a name in it ends with an invalid-name exception"
@@ -74,7 +79,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         )
     yield RULE.at(
         problem.origin, f"the namespace {namespace!r} is not a valid ROS name",
-        severity=Severity.WARNING if sufferers else Severity.INFO, label="invalid",
+        severity=Severity.WARNING if sufferers or (digit and sufferers is not None) else Severity.INFO, label="invalid",
         notes=(note,),
         help=f"use letters, digits, _ and /, a letter first: {good}",
         fix=_fix(problem, view, good, f"the namespace is {good}"),

@@ -3,8 +3,8 @@
 A name begins with a letter (or `/` or `~`) and goes on with letters, digits, `_` and `/`. Hyphens, blanks, dots and
 letters outside ASCII are not allowed. roslaunch sets the parameter all the same, and rospy asks for any name; roscpp checks it first.
 
-So it is a warning where the node that the parameter is for is a C++ node, or where there is no name at all; silence where it is a Python
-node; and an info where the library does not say which of the two will read it.
+Where the node that the parameter is for is a C++ node, it cannot read it; where it is a Python node nothing is said. Where the library does
+not say which of the two will read it, letters and digits outside ASCII, which rospy takes for part of a name, are an info.
 
 ## Why it matters
 
@@ -37,6 +37,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 
+from launchlint.evaluate.names import is_legal
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
 from launchlint.model import ParameterSetting
@@ -68,7 +69,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
         if bare and "rospy" in readers:
             yield RULE.fine(problem.origin)
         else:
-            yield _finding(problem, name, bare, sure=not bare or not readers.isdisjoint(CPP))
+            yield _finding(problem, name, bare, sure=not readers.isdisjoint(CPP))
 
 
 class _Settings:
@@ -121,12 +122,12 @@ def _finding(problem: Problem, name: str, bare: str, *, sure: bool) -> Finding:
     return RULE.at(
         problem.origin,
         message,
-        severity=None if sure else Severity.INFO,
+        severity=Severity.INFO if bare and not sure and is_legal(bare) else None,
         label="no ROS name",
         related=problem.related,
         notes=(NAMELESS if not bare else UNREADABLE if sure else PERHAPS,),
-        help=help_ if sure else f"{help_}, unless only Python nodes read it",
-        cause="" if sure else name,
+        help=help_ if sure or not bare else f"{help_}, unless only Python nodes read it",
+        cause="" if sure or not bare else name,
     )
 
 
