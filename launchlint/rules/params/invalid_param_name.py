@@ -3,8 +3,9 @@
 A name begins with a letter (or `/` or `~`) and goes on with letters, digits, `_` and `/`. Hyphens, blanks, dots and
 letters outside ASCII are not allowed. roslaunch sets the parameter all the same, and rospy asks for any name; roscpp checks it first.
 
-Where the node that the parameter is for is a C++ node, it cannot read it; where it is a Python node nothing is said. Where the library does
-not say which of the two will read it, letters and digits outside ASCII, which rospy takes for part of a name, are an info.
+Where the node that the parameter is for is a C++ node, it cannot read it; where it is a Python node that may read it nothing is said.
+Where the library does not say which of the two will read it, letters and digits outside ASCII, which rospy takes for part of a name, are
+an info.
 
 ## Why it matters
 
@@ -102,12 +103,18 @@ class _Clients:
     def of(self, setting: ParameterSetting) -> Iterator[str]:
         """Those of the node that it is private to, else of the nodes that are known to read it."""
         readings = self._graph.readers.get(setting.name, ())
-        names = [reading.node for reading in readings] if setting.node is None else [setting.node]
-        yield from (_client(self._instances[name]) for name in names if name in self._instances)
+        names = {reading.node for reading in readings}
+        for name in names if setting.node is None else (setting.node,):
+            instance = self._instances.get(name)
+            if instance is not None:
+                yield _client(instance, reads=name in names, name=setting.name)
 
 
-def _client(instance: Instance) -> str:
-    return "rospy" if not instance.client and instance.node.executable.endswith(".py") else instance.client
+def _client(instance: Instance, *, reads: bool, name: str) -> str:
+    """The client library of a node; of a Python node only where the node reads the param, or may: nobody puts a blank into a name."""
+    client = "rospy" if not instance.client and instance.node.executable.endswith(".py") else instance.client
+    may = instance.may_have_more("params") and not any(map(str.isspace, name))
+    return client if client != "rospy" or reads or may else ""
 
 
 def _finding(problem: Problem, name: str, bare: str, *, sure: bool) -> Finding:
