@@ -74,15 +74,26 @@ class Rule(NamedTuple):
         fix: Fix | None = None,
         topic: str = "",
         cause: str = "",
+        shared_cause: str = "",
     ) -> Finding:
         """Make the finding of this rule at ``where``. ``message`` and ``help`` are single lines without a full stop.
 
-        ``topic`` tells apart several findings of this rule at one place. Findings of this rule with the same ``cause`` are told as one.
+        ``topic`` tells apart several findings of this rule at one place. Findings of this rule with the same ``cause`` are told as one,
+        and so are findings of several rules with the same ``shared_cause``.
         """
         origin = where if isinstance(where, Origin) else Origin(where)
         source, span = origin.place
         finding = self.at_location(
-            Location.of(origin.place), message, severity=severity, label=label, notes=notes, help=help, fix=fix, topic=topic, cause=cause
+            Location.of(origin.place),
+            message,
+            severity=severity,
+            label=label,
+            notes=notes,
+            help=help,
+            fix=fix,
+            topic=topic,
+            cause=cause,
+            shared_cause=shared_cause,
         )
         return finding._replace(
             related=tuple(Related(Location.of(place), shortened(text)) for place, text in related),
@@ -102,6 +113,7 @@ class Rule(NamedTuple):
         fix: Fix | None = None,
         topic: str = "",
         cause: str = "",
+        shared_cause: str = "",
         element: str = "",
     ) -> Finding:
         """As :meth:`at`, where the place is no longer at hand; ``element`` is what the fingerprint is made from."""
@@ -117,7 +129,7 @@ class Rule(NamedTuple):
             element=element,
             fix=_bounded(fix),
             topic=topic,
-            cause=cause,
+            cause=shared_cause or (cause and f"{self.id} {cause}"),
         )
 
     def fine(self, where: Origin | Place) -> Fine:

@@ -12,7 +12,7 @@ def _finding(line: int, *, cause: str = "", severity: Severity = Severity.WARNIN
 
 
 def test_findings_without_a_cause_stay_single() -> None:
-    findings = (_finding(1), _finding(2), _finding(3, cause="x"), _finding(4, cause="y"), _finding(5, cause="x", rule="LL703"))
+    findings = (_finding(1), _finding(2), _finding(3, cause="x"), _finding(4, cause="y"), _finding(5))
     assert told_once(findings) == findings
 
 
@@ -23,6 +23,12 @@ def test_the_worst_then_the_first_speaks_for_all() -> None:
         (9, Severity.WARNING, "message 9"),
     ]
     assert [(each.location.line, each.label) for each in told[0].related] == [(1, "label 1"), (3, "label 3")]
+
+
+def test_the_finding_that_shows_most_speaks_for_those_of_other_rules() -> None:
+    calls = [_finding(line, cause="x") for line in (1, 2)]
+    target = _finding(9, cause="x", rule="LL703")._replace(related=tuple(Related(each.location, "breaks here") for each in calls))
+    assert told_once([*calls, target]) == (target,)
 
 
 def test_a_place_that_is_named_already_is_not_named_again() -> None:

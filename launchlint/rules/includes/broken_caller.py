@@ -5,8 +5,8 @@ so at that file, with its callers: the file has most likely changed.
 
 ## Why it matters
 
-Each of the callers is told of its own mistake (LL403, LL404). Seen from the file that changed, it is one mistake, and mended in
-one place.
+A single caller is told of its own mistake (LL403, LL404). Seen from the file that changed, what breaks several of them is one mistake,
+mended in one place: so it is told there, once, and no more at each of them.
 
 ## Example
 
@@ -68,6 +68,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Location, Related, Severity
+from launchlint.rules.includes.broken_call import broken_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
 
@@ -106,4 +107,5 @@ def check(view: RunView) -> Iterator[Finding]:
             help=f"give {name} a default here, or pass it there" if missing else f"declare {name} here, or stop passing it there",
             element=f"{target} {name}",
             topic=f"{name} {'missing' if missing else 'undeclared'}",
+            cause=broken_call(target, name),
         )

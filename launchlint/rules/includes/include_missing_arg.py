@@ -55,6 +55,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, append_child, fix, spot
+from launchlint.rules.includes.broken_call import broken_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
@@ -81,6 +82,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         notes=tuple(notes),
         help=f"is {near}, which is passed, meant to be {name}? Else {help}" if near is not None else help,
         topic=name,
+        shared_cause=broken_call(file, name),
         fix=_fix(problem, view, name) if near is None and not given else None,
     )
 

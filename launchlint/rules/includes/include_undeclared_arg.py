@@ -58,6 +58,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, passed_under
+from launchlint.rules.includes.broken_call import broken_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place, Span
@@ -79,6 +80,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         problem.origin,
         f"{file} does not declare the arg {name}",
         label="passed here",
+        shared_cause=broken_call(file, name),
         related=() if conditional is None else ((conditional, "declared in a group or under a false condition: that does not count"),),
         notes=tuple(notes),
         help="declare it at the top level of the included file, without a condition"

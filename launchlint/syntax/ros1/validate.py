@@ -8,6 +8,7 @@ arg it is: whether roslaunch gets there is the evaluator's to say.)
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from launchlint.problem import Problem
 from launchlint.source import Span
@@ -151,7 +152,7 @@ class _Validator:
                 if name in foreign:
                     ros2 = True
                     problems.append(wrong_dialect(document, element, attribute.name_span, "attribute", name, foreign[name]))
-                elif not (rule.tag == "launch" and name.startswith("xmlns")):
+                elif not (rule.tag == "launch" and _is_foreign(name, attributes)):
                     problems.append(unknown_attribute(document, element, rule, name))
                 continue
             self._attribute(element, rule, known, attribute)
@@ -253,6 +254,12 @@ class _Validator:
             self._problems.append(missing_attribute(self._document, element, "file", refused=False))
         elif command == "load" and "file" not in element.attributes and not element.text.strip():
             self._problems.append(ineffective_attribute(self._document, element, "empty-rosparam", ""))
+
+
+def _is_foreign(name: str, attributes: Mapping[str, Attribute]) -> bool:
+    """Whether an attribute of ``<launch>`` belongs to another vocabulary, such as ``xsi:noNamespaceSchemaLocation``, or declares one."""
+    prefix, colon, _ = name.partition(":")
+    return prefix == "xmlns" or (bool(colon) and f"xmlns:{prefix}" in attributes)
 
 
 def _literally_off(element: Element) -> bool:

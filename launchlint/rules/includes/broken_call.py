@@ -1,0 +1,8 @@
+"""What three rules tell of from three sides: an include and the file it includes do not agree about an arg."""
+
+from __future__ import annotations
+
+
+def broken_call(target: str, name: str) -> str:
+    """The cause that LL403, LL404 and LL407 share: the arg ``name`` of the launch file ``target``, and not who gets it wrong."""
+    return f"call {target} {name}"
