@@ -241,6 +241,8 @@ class _Placing:
     def origin(self, origin: Origin) -> Origin:
         if self.step is None:
             return origin
+        if origin.step is None:
+            return Origin(origin.place, self.step)
         step = self.step
         for place in origin.chain:
             step = IncludeStep(place, step)

@@ -13,6 +13,7 @@ from launchlint.evaluate.ros1.scope import ActiveSetting, Context, Missing
 from launchlint.evaluate.ros1.substitution import (
     ANONYMOUS_FOLD,
     OUTSIDE,
+    SHORT,
     BadSubstitution,
     absolute_directory,
     collect,
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 
 LARGEST_EVALUATION = 400_000
 """Elements looked at in one configuration; more than any real launch file, few enough to end in seconds."""
-CHARACTERS_PER_ELEMENT = 100
+CHARACTERS_PER_ELEMENT = SHORT
 INHERITED_PER_ELEMENT = 8
 """How much text, and how many args and settings passed on to a scope, count as one more element."""
 DEEPEST_INCLUDE = 300
@@ -131,7 +132,9 @@ class FileEvaluation:
 
     def look_at(self, element: Element) -> None:
         """Count one element against the bound of the whole evaluation. Raises Exhausted."""
-        self.spend(1, element.name_span)
+        self.progress.looked_at += 1
+        if self.progress.looked_at > LARGEST_EVALUATION:
+            self.spend(0, element.name_span)
 
     def spend(self, elements: int, span: Span) -> None:
         """Count work at ``span`` that is worth that many elements. Raises Exhausted, at the bound of the whole evaluation."""
@@ -170,24 +173,10 @@ class FileEvaluation:
 
     def notice_left_over(self, text: str, where: Callable[[int, int], Span]) -> None:
         """Record what looks like a substitution and is none, and so reaches the robot as it stands."""
-        if text.startswith("$(eval "):
-            return
-        try:
-            found = collect(text)
-        except BadSubstitution:
-            return
-        rest = text
-        for _, start, end in found:
-            rest = rest[:start] + " " * (end - start) + rest[end:]
-        at = left_over(rest)
+        at = None if text.startswith("$(eval ") else left_over(text)
         if at is not None:
-            self.problem("unexpanded-substitution", where(*at), text=text[at[0] : at[1]], extra=False)
-            return
-        if rest.count(")") > rest.count("("):
-            for _, _, end in found:
-                if text[end : end + 1] == ")":
-                    self.problem("unexpanded-substitution", where(end, end + 1), text=")", extra=True)
-                    return
+            start, end, extra = at
+            self.problem("unexpanded-substitution", where(start, end), text=text[start:end], extra=extra)
 
     def optional(self, element: Element, name: str, context: Context) -> Value | None:
         """The resolved value of an attribute that may be absent."""
@@ -278,6 +267,14 @@ class FileEvaluation:
             self.missing_argument(name, span, context)
             context.arguments[name] = Missing(f"$(arg {name})", f"the arg {name} has no value")
         return context.arguments[name]
+
+    def known_argument(self, name: str, context: Context) -> str | None:
+        """Value of an arg that has one, noted as read; ``None`` for all others, of which :meth:`argument` has something to say."""
+        value = context.arguments.get(name)
+        if not isinstance(value, str):
+            return None
+        self.reads.add(name)
+        return value
 
     def missing_argument(self, name: str, span: Span, context: Context) -> None:
         """Record the read of an arg that has no value, as what it is: not given, not declared, declared later, or out of scope."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable
+from functools import lru_cache
 
 from launchlint.evaluate.block import Value
 from launchlint.evaluate.ros1.scope import Context
@@ -29,6 +30,11 @@ ANONYMOUS_FOLD = str.maketrans(".-:", "___")
 _LONGEST_BOOLEAN = len("false")
 
 Where = Callable[[int, int], Span]
+
+SHORT = 100
+"""Texts of fewer characters cost nothing in :meth:`~launchlint.evaluate.ros1.file.FileEvaluation.spend_characters`."""
+LONGEST_KEPT = 2_000
+"""Characters of a text whose parts are remembered: the same attributes are resolved in every configuration, long texts are few."""
 
 
 class BadSubstitution(Exception):
@@ -53,14 +59,18 @@ class _NotKnown(Exception):
         self.reason = reason
 
 
-def collect(text: str) -> list[tuple[str, int, int]]:
+def collect(text: str) -> tuple[tuple[str, int, int], ...]:
     """The inner texts of ``$(…)`` in ``text`` with start and end of the whole (substitution_args._collect_args).
 
     A ``$(`` that is never closed is no substitution. Raises BadSubstitution for ``$`` or ``(`` inside one.
     """
     if "$(" not in text:
-        return []
-    plain = [(match[1], *match.span()) for match in _PLAIN.finditer(text)]
+        return ()
+    return _kept(text) if len(text) <= LONGEST_KEPT else _collect(text)
+
+
+def _collect(text: str) -> tuple[tuple[str, int, int], ...]:
+    plain = tuple((match[1], *match.span()) for match in _PLAIN.finditer(text))
     if text.count("$") == text.count("(") == len(plain):
         return plain
     found: list[tuple[str, int, int]] = []
@@ -84,7 +94,10 @@ def collect(text: str) -> list[tuple[str, int, int]]:
             state = outside
         elif state == opened:
             state, first = inside, index
-    return found
+    return tuple(found)
+
+
+_kept = lru_cache(maxsize=2048)(_collect)
 
 
 def resolve(evaluation: FileEvaluation, text: str, where: Where, context: Context) -> Value:
@@ -140,6 +153,12 @@ def _replace(evaluation: FileEvaluation, text: str, where: Where, context: Conte
             raise BadSubstitution(f"{command} is not a substitution command", start, end)
         if (command == "find") is not finds:
             continue
+        if command == "arg" and len(arguments) == 1 and len(resolved) < SHORT:
+            # Most of what a launch file holds; a span is made where something is to be said of it only.
+            known = evaluation.known_argument(arguments[0], context)
+            if known is not None and len(known) < SHORT:
+                resolved = resolved.replace(f"$({inner})", known)
+                continue
         span = where(start, end)
         evaluation.spend_characters(len(resolved), span)  # each one goes over the whole text
         try:
@@ -298,10 +317,30 @@ _LOOKS_LIKE = (
 )
 
 
-def left_over(text: str) -> tuple[int, int] | None:
-    """Start and end of what looks like a substitution in a text that has been resolved, but is none."""
-    match = re.search(_LOOKS_LIKE, text)
-    return None if match is None else match.span()
+def left_over(text: str) -> tuple[int, int, bool] | None:
+    """Start and end of what looks like a substitution in ``text`` and is none, so that it stays in the value; True: a ``)`` too many."""
+    return _kept_left_over(text) if len(text) <= LONGEST_KEPT else _left_over(text)
+
+
+def _left_over(text: str) -> tuple[int, int, bool] | None:
+    try:
+        found = collect(text)
+    except BadSubstitution:
+        return None
+    rest = text
+    for _, start, end in found:
+        rest = rest[:start] + " " * (end - start) + rest[end:]
+    match = re.search(_LOOKS_LIKE, rest)
+    if match is not None:
+        return (*match.span(), False)
+    if rest.count(")") > rest.count("("):
+        for _, _, end in found:
+            if text[end : end + 1] == ")":
+                return end, end + 1, True
+    return None
+
+
+_kept_left_over = lru_cache(maxsize=2048)(_left_over)
 
 
 def never_boolean(text: str) -> bool:

@@ -7,6 +7,7 @@ anything gets large. Nothing else of the machine can be reached from it.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Protocol
 
 from launchlint.evaluate.ros1.values import UnknownValue
@@ -120,7 +121,7 @@ def arguments_read(text: str) -> frozenset[str]:
     return names_read(text)
 
 
-def compared_literals(text: str, *, exact: bool = False) -> dict[str, tuple[str, ...]]:
+def compared_literals(text: str, *, exact: bool = False) -> Mapping[str, tuple[str, ...]]:
     """Per arg the values that ``text`` tells apart, spelled as a user would pass them, in order of appearance.
 
     They come from ``==``, ``!=``, ``in``, ``startswith``, the keys of a dict that the arg is looked up in, and the like; a number in
@@ -140,7 +141,7 @@ def never_equal(text: str) -> tuple[tuple[int, int, str, str], ...]:
     """
     from launchlint.evaluate.ros1.expression.reading import comparisons_never_equal
 
-    return tuple(comparisons_never_equal(text))
+    return comparisons_never_equal(text)
 
 
 def made_into_text(text: str) -> frozenset[str]:

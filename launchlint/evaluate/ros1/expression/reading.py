@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
+from types import MappingProxyType
 
 from launchlint.evaluate.ros1.expression import ExpressionError, UnknownValue
 from launchlint.evaluate.ros1.expression.compiled import compiled
@@ -20,8 +22,11 @@ _TRANSPARENT_FUNCTIONS = frozenset({"bool", "float", "int", "str"})
 _LITERAL_METHODS = frozenset({"count", "endswith", "find", "index", "startswith"})
 _ORDER = (ast.Lt, ast.LtE, ast.Gt, ast.GtE)
 _WHOLE = 1e15  # up to here a float still tells neighbouring whole numbers apart
+#: Every configuration of every entry file that reaches a file asks the same of its expressions.
+_MOST_KEPT = 512
 
 
+@lru_cache(maxsize=_MOST_KEPT)
 def names_read(text: str) -> frozenset[str]:
     """See :func:`launchlint.evaluate.ros1.expression.arguments_read`."""
     try:
@@ -46,7 +51,8 @@ def _names(tree: ast.AST, nested: int) -> Iterator[str]:
                 yield from _names(inner, nested - 1)
 
 
-def literals_compared(text: str, *, exact: bool = False) -> dict[str, tuple[str, ...]]:
+@lru_cache(maxsize=_MOST_KEPT)
+def literals_compared(text: str, *, exact: bool = False) -> Mapping[str, tuple[str, ...]]:
     """See :func:`launchlint.evaluate.ros1.expression.compared_literals`."""
     try:
         tree = compiled(text).tree
@@ -54,9 +60,10 @@ def literals_compared(text: str, *, exact: bool = False) -> dict[str, tuple[str,
         return {}
     found: dict[str, dict[str, None]] = {}
     _collect(tree, found, _MOST_NESTED, exact=exact)
-    return {name: tuple(values) for name, values in found.items() if values}
+    return MappingProxyType({name: tuple(values) for name, values in found.items() if values})
 
 
+@lru_cache(maxsize=_MOST_KEPT)
 def names_as_text(text: str) -> frozenset[str]:
     """See :func:`launchlint.evaluate.ros1.expression.made_into_text`."""
     try:
@@ -79,6 +86,7 @@ def names_as_text(text: str) -> frozenset[str]:
     return frozenset(found)
 
 
+@lru_cache(maxsize=_MOST_KEPT)
 def names_as_truth(text: str) -> frozenset[str]:
     """See :func:`launchlint.evaluate.ros1.expression.truth_tested`."""
     try:
@@ -96,6 +104,7 @@ def names_as_truth(text: str) -> frozenset[str]:
     return frozenset(name for name in map(_arg_name, tested) if name is not None)
 
 
+@lru_cache(maxsize=_MOST_KEPT)
 def only_name(text: str) -> str | None:
     """See :func:`launchlint.evaluate.ros1.expression.whole_arg`."""
     try:
@@ -105,8 +114,13 @@ def only_name(text: str) -> str | None:
     return _arg_name(body) if isinstance(body, ast.Name) or (isinstance(body, ast.Call) and _arg_call(body) is not None) else None
 
 
-def comparisons_never_equal(text: str) -> Iterator[tuple[int, int, str, str]]:
+@lru_cache(maxsize=_MOST_KEPT)
+def comparisons_never_equal(text: str) -> tuple[tuple[int, int, str, str], ...]:
     """See :func:`launchlint.evaluate.ros1.expression.never_equal`."""
+    return tuple(_never_equal(text))
+
+
+def _never_equal(text: str) -> Iterator[tuple[int, int, str, str]]:
     try:
         whole = compiled(text)
     except (ExpressionError, UnknownValue):
