@@ -7,6 +7,7 @@ from copy import copy
 from functools import cached_property
 from typing import NamedTuple
 
+from launchlint.check.empty_defaults import told_at_declarations
 from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, internal_error, run_rule, tell
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.verdict import judged, plainly
@@ -110,9 +111,9 @@ class EntryChecker:
         files: dict[str, FileResult] = {}
         included: dict[str, None] = {}
         first: Evaluation | None = None
+        pinned = frozenset(name for name, _ in request.arguments)
         count = 0
         for evaluation in configurations(session, request.at, request.arguments):
-            first = first or evaluation
             count += 1
             for path, document in evaluation.documents.items():
                 if path not in files:
@@ -122,6 +123,8 @@ class EntryChecker:
             for include in evaluation.launch.includes:
                 if include.source is not None:
                     included[include.source.path] = None
+            evaluation = told_at_declarations(session, request.at, evaluation, pinned)
+            first = first or evaluation
             for found in self._launch_findings(evaluation, request):
                 if isinstance(found, Fine):
                     fine[found] = None
@@ -148,6 +151,8 @@ class EntryChecker:
 
     def verdict(self, evaluation: Evaluation, request: EntryRequest) -> Verdict:
         """What roslaunch makes of the entry file as it was evaluated."""
+        pinned = frozenset(name for name, _ in request.arguments)
+        evaluation = told_at_declarations(self.session_for(request), request.at, evaluation, pinned)
         return judged(evaluation.launch, LaunchView(evaluation.launch, self.packages, request.declared, evaluation.documents))
 
     def model(self, request: EntryRequest) -> tuple[Evaluation, tuple[str, str] | None]:
@@ -155,10 +160,11 @@ class EntryChecker:
         session = self.session_for(request)
         session.begin_entry()
         evaluation = evaluate(session, request.at, request.arguments)
-        refused = evaluation.launch.refused
+        launch = told_at_declarations(session, request.at, evaluation, frozenset(name for name, _ in request.arguments)).launch
+        refused = launch.refused
         if refused is None:
             return evaluation, None
-        view = LaunchView(evaluation.launch, self.packages, request.declared)
+        view = LaunchView(launch, self.packages, request.declared)
         told = [finding.message for finding in tell(refused, view, self.options.rules)]
         return evaluation, (rule_of(refused.kind), told[0] if told else plainly(refused))
 

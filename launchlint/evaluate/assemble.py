@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, MoreParameters, NodeEffect, PrivateParameter
-from launchlint.evaluate.names import canonical
+from launchlint.evaluate.names import UNKNOWN_NAMESPACE, canonical
 from launchlint.model import (
     Argument,
     Branch,
@@ -58,6 +58,7 @@ class _Inherited(NamedTuple):
     private: tuple[PrivateParameter, ...]
     steer: Mapping[str, frozenset[str]]
     given: frozenset[str]
+    guessed: bool
 
 
 class _Assembly:
@@ -79,7 +80,7 @@ class _Assembly:
         self.branches: list[Branch] = []
         self.files: list[str] = []
         self.complete = True
-        self.names: dict[str, Node] = {}
+        self.names: dict[tuple[str, int], tuple[Node, bool]] = {}
         self.documents: dict[str, Document] = {}
         self.visited: dict[str, set[int]] = {}
         self.count = 0
@@ -157,11 +158,16 @@ class _Assembly:
             return
         self.nodes.append(node)
         if node.name and not node.unknown & {"name", "ns"}:
-            self._check_name(node)
+            self._check_name(node, guessed=inherited.guessed)
 
-    def _check_name(self, node: Node) -> None:
-        """Two nodes of one name: roslaunch stops (roslaunch.config.ROSLaunchConfig.add_node); /rosout is roscore's own."""
-        first = self.names.setdefault(node.full_name, node)
+    def _check_name(self, node: Node, *, guessed: bool) -> None:
+        """Two nodes of one name: roslaunch stops (roslaunch.config.ROSLaunchConfig.add_node); /rosout is roscore's own.
+
+        One of ``guessed`` nodes may have got its name from a mistake that is told elsewhere.
+        """
+        first, first_guessed = self.names.setdefault((node.full_name, _unknown_scope(node)), (node, guessed))
+        if guessed or first_guessed:
+            return
         assumed = any(condition.assumed for condition in (*node.conditions, *first.conditions))
         place = node.attributes.get("name", node.origin.place)
         if first is not node:
@@ -199,6 +205,7 @@ class _Assembly:
             _merge(inherited.private, tuple(place.private(parameter) for parameter in call.private)),
             passed,
             frozenset(include.arguments),
+            inherited.guessed or call.guessed,
         )
         self.walk(call.block, call.include.file, inner)
 
@@ -286,7 +293,7 @@ def assemble(
     """
     assembly = _Assembly()
     steer = {name: frozenset() if name in pinned else frozenset((name,)) for name in block.open_arguments}
-    assembly.walk(block, file, _Inherited(None, None, (), False, (), (), (), steer, frozenset(arguments)))
+    assembly.walk(block, file, _Inherited(None, None, (), False, (), (), (), steer, frozenset(arguments), False))
     assembly.check_machines()
     parameters: dict[str, ParameterSetting] = {}
     for setting in assembly.settings:
@@ -320,6 +327,17 @@ def not_loadable(source: Source, document: Document | None, given: tuple[tuple[s
     """The empty launch of an entry file that cannot even be read as a launch file."""
     launch = Launch(source, dict(given), given, problem, (problem,), (), (), {}, (), (), {}, (), (), (), (), (), (), False)
     return Evaluation(launch, {} if document is None else {source.path: document}, {})
+
+
+def _unknown_scope(node: Node) -> int:
+    """Which group or include an unknown part of the namespace comes from: in two of them it need not be the same. 0 where all is known."""
+    scope = node.scope
+    if scope is None or UNKNOWN_NAMESPACE not in node.namespace:
+        return 0
+    unknown = node.namespace.count(UNKNOWN_NAMESPACE)
+    while scope.parent is not None and scope.parent.namespace.count(UNKNOWN_NAMESPACE) == unknown:
+        scope = scope.parent
+    return id(scope)
 
 
 def _merge(outer: tuple[PrivateParameter, ...], inner: tuple[PrivateParameter, ...]) -> tuple[PrivateParameter, ...]:

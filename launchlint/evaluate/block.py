@@ -56,7 +56,10 @@ class NodeEffect(NamedTuple):
 
 
 class Call(NamedTuple):
-    """An ``<include>`` that was followed: what the included file inherits is what stands here."""
+    """An ``<include>`` that was followed: what the included file inherits is what stands here.
+
+    ``guessed``: an arg that it passes was lost, so that the file is evaluated with another value than was meant.
+    """
 
     include: Include
     block: Block
@@ -66,6 +69,7 @@ class Call(NamedTuple):
     argument_reads: dict[str, frozenset[str]]
     scope: Scope
     conditions: tuple[Condition, ...]
+    guessed: bool
 
 
 class Clear(NamedTuple):

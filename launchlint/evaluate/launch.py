@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from copy import copy
 
 from launchlint.evaluate.assemble import Evaluation, assemble, not_loadable
 from launchlint.evaluate.block import Value
 from launchlint.evaluate.names import as_namespace
 from launchlint.evaluate.ros1.entering import Entering
-from launchlint.evaluate.ros1.file import Exhausted, Progress
+from launchlint.evaluate.ros1.file import NO_DEFAULTS, Declaration, Exhausted, Progress
 from launchlint.evaluate.ros1.launch_tags import enter
 from launchlint.evaluate.session import Read, Session
 from launchlint.finding import whole_file
@@ -38,11 +39,36 @@ def command_line(pairs: Iterable[tuple[str, str]]) -> dict[str, str]:
     return arguments
 
 
-def evaluate(session: Session, file: str, given: tuple[tuple[str, str], ...] = (), pinned: frozenset[str] = frozenset()) -> Evaluation:
+def evaluate(
+    session: Session,
+    file: str,
+    given: tuple[tuple[str, str], ...] = (),
+    pinned: frozenset[str] = frozenset(),
+    defaults: Mapping[Declaration, Value] = NO_DEFAULTS,
+) -> Evaluation:
     """What ``roslaunch FILE name:=value …`` would start. Never raises for anything the file holds.
 
-    ``pinned`` names args that people fixed, which therefore do not count as steering any condition.
+    ``pinned`` names args that people fixed, which therefore do not count as steering any condition. ``defaults`` are taken in place of
+    empty defaults, by where the arg is declared.
     """
+    if defaults:
+        return _with_defaults(session, file, given, pinned, defaults)
+    return _evaluate(session, file, given, pinned, Progress())
+
+
+def _with_defaults(
+    session: Session, file: str, given: tuple[tuple[str, str], ...], pinned: frozenset[str], defaults: Mapping[Declaration, Value]
+) -> Evaluation:
+    """Blocks worked out with the defaults as written are of no use here, nor are these elsewhere; what is looked at counts all the same."""
+    own = copy(session)
+    own.blocks = {}
+    evaluation = _evaluate(own, file, given, pinned, Progress(defaults))
+    session.touched |= own.touched
+    session.variables |= own.variables
+    return evaluation
+
+
+def _evaluate(session: Session, file: str, given: tuple[tuple[str, str], ...], pinned: frozenset[str], progress: Progress) -> Evaluation:
     if sys.getrecursionlimit() < DEEPEST_STACK:
         sys.setrecursionlimit(DEEPEST_STACK)
     document = session.document(file)
@@ -62,7 +88,7 @@ def evaluate(session: Session, file: str, given: tuple[tuple[str, str], ...] = (
     values: dict[str, Value] = dict(arguments)
     entering = Entering(file, namespace, values, pass_all=False, private_above=False, default_machine=None, is_entry=True)
     try:
-        block = enter(session, document, entering, file, Progress())
+        block = enter(session, document, entering, file, progress)
     except Exhausted as exhausted:
         return not_loadable(document.source, document, given, exhausted.args[0])
     return assemble(block, file, arguments, given, pinned)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.graph.command_line import CommandLine, command_line
 from launchlint.graph.connections import CATEGORY, OFFERS, Channel, ConnectionGraph, Doubt, Endpoint, Instance, Missing, Reading
 from launchlint.graph.frames import Frame, frames
@@ -71,6 +72,8 @@ def _missing(launch: Launch, instances: tuple[Instance, ...], category: str) -> 
             break
         if instance.is_unknown:
             reason = f"it is not known what {instance.name} does: {instance.reason}"
+        elif UNKNOWN_NAMESPACE in instance.node.namespace:
+            reason = f"the namespace of {instance.node.name} is not known"
         elif category in instance.open:
             reason = f"{instance.name} may have more {category}: {instance.open[category]}"
         doubts.extend((doubt, instance.name) for doubt in instance.doubts if doubt.category == category)
@@ -90,7 +93,7 @@ def _process(node: Node, library: Library) -> _Process:
 
 def _instance(process: _Process, managers: dict[str, _Process], parameters: Parameters, library: Library) -> Instance:
     node, name = process.node, process.name
-    certain = not any(condition.assumed for condition in node.conditions)
+    certain = UNKNOWN_NAMESPACE not in node.namespace and not any(condition.assumed for condition in node.conditions)
     unknown = _unknown_start(node)
     parts: list[Interface] = []
     looked_up: dict[str, str] = {}

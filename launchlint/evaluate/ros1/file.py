@@ -6,7 +6,8 @@ they share.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
 
 from launchlint.evaluate.block import Block, Effect, LocalBranch, Value
 from launchlint.evaluate.ros1.scope import ActiveSetting, Context, Missing
@@ -31,7 +32,7 @@ from launchlint.syntax.tree import Attribute, Document, Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any, TypeVar
+    from typing import Any, TypeAlias, TypeVar
 
     T = TypeVar("T")
 
@@ -44,6 +45,11 @@ DEEPEST_INCLUDE = 300
 """Includes inside includes: roslaunch itself overflows Python's stack a little above this (three frames an include, limit 1000)."""
 
 
+Declaration: TypeAlias = "tuple[str, int]"
+"""Where an arg is declared: the path of the file as shown, and the offset of the name."""
+NO_DEFAULTS: Mapping[Declaration, Value] = MappingProxyType({})
+
+
 class Exhausted(Exception):
     """The evaluation of this entry file is given up, since it would not end in reasonable time; holds the problem that says so."""
 
@@ -52,12 +58,13 @@ class Progress:
     """What all files of one evaluation share: the anonymous names so far, the include stack, and how much has been looked at.
 
     ``angles``: a ``<rosparam>`` has been loaded, and with it roslaunch's knowledge of ``deg(…)`` and ``rad(…)``, also for ``<param
-    type="yaml">``.
+    type="yaml">``. ``defaults`` holds what to take in place of some empty defaults, by the place of the declaration.
     """
 
-    __slots__ = ("angles", "anonymous", "looked_at", "stack")
+    __slots__ = ("angles", "anonymous", "defaults", "looked_at", "stack")
 
-    def __init__(self) -> None:
+    def __init__(self, defaults: Mapping[Declaration, Value] = NO_DEFAULTS) -> None:
+        self.defaults = defaults
         self.angles = False
         self.anonymous = 0
         self.looked_at = 0
@@ -364,7 +371,7 @@ class FileEvaluation:
     def holds(self, element: Element, context: Context) -> bool:
         """Whether ``element`` is evaluated (roslaunch.xmlloader.ifunless_test); its condition comes into force.
 
-        Both ``if`` and ``unless``: a problem, and the element is evaluated. A condition of unknown value is taken to be true.
+        Both ``if`` and ``unless``: a problem. That, and a condition of unknown value, is taken to be true.
         """
         attributes = element.attributes
         if "if" not in attributes and "unless" not in attributes:
@@ -372,6 +379,8 @@ class FileEvaluation:
         if "if" in attributes and "unless" in attributes:
             self.record(if_and_unless(self.document, element))
             self.block.visited.add(element.index)
+            self.conditions = (*self.conditions, Condition("if", self.place(attributes["if"].shown_span), True))
+            self.assumed = True
             return True
         name = "if" if "if" in attributes else "unless"
         attribute = attributes[name]

@@ -67,10 +67,10 @@ def include(file: FileEvaluation, element: Element, context: Context, default_ma
     file.block.entered |= block.entered
     file.block.node_count += block.node_count
     context.reach(block.node_count)
-    _check_arguments(file, element, document, block, explicit, pass_all=pass_all)
+    lost = _check_arguments(file, element, document, block, explicit, pass_all=pass_all)
     call = Call(
         entry._replace(file=name, source=document.source), block, tuple(context.remaps_in_force()), tuple(environment),
-        tuple(context.private), reads, scope, file.conditions,
+        tuple(context.private), reads, scope, file.conditions, lost,
     )  # fmt: skip
     file.effect(call)
     for parameter in block.leaked:
@@ -174,9 +174,13 @@ def _cycle(file: FileEvaluation, element: Element, name: str, entering: tuple[An
 
 def _check_arguments(
     file: FileEvaluation, element: Element, document: Document, block: Block, explicit: dict[str, Place], *, pass_all: bool
-) -> None:
-    """Args passed but not declared, declared with ``value=``, or required but not passed (roslaunch.loader.post_process_include_args)."""
+) -> bool:
+    """Args passed but not declared, declared with ``value=``, or required but not passed (roslaunch.loader.post_process_include_args).
+
+    Returns whether a value that is passed is lost.
+    """
     path = document.source.path
+    lost = bool(block.refused_overrides)
     for name, place in explicit.items():
         if name in block.refused_overrides:
             fixed = ((block.refused_overrides[name], "its value is fixed here"),)
@@ -188,6 +192,7 @@ def _check_arguments(
                 "known": tuple(sorted(block.open_arguments)),
                 "target": document.source.file,
             }
+            lost = True
             file.problem("include-undeclared-arg" if not pass_all else "pass-all-hides-typo", place.span, refused=not pass_all, **facts)
     for name, declaration in block.refused_overrides.items():
         if name not in explicit:  # passed by pass_all_args, and fixed in a group there: only at file level the fixed value wins
@@ -199,3 +204,4 @@ def _check_arguments(
         related = ((declaration, "declared here without a default"), (read, "read here"))
         span = element.attributes["file"].value_span
         file.record(Problem("include-missing-arg", Origin(file.place(span)), facts, True, related))
+    return lost

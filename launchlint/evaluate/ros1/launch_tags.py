@@ -145,6 +145,8 @@ def arg(file: FileEvaluation, element: Element, context: Context) -> None:
         file.record(arg_value_and_default(file.document, element))
         default = None
     in_group = element.parent is not file.document.launch
+    if default == "" and file.progress.defaults:
+        default = file.progress.defaults.get((place.source.path, place.span.start), default)
     file.effect(Argument(name, value, default, Origin(place), False, in_group))
     file.block.assumed_declarations |= file.assumed
     earlier = context.declared.get(name)

@@ -15,7 +15,7 @@ from launchlint.words import split_words
 
 def scope_namespace(file: FileEvaluation, element: Element, context: Context) -> tuple[str, bool | None]:
     """The namespace that ``ns`` opens, and whether ``ns`` is there, None where its value is unknown
-    (roslaunch.xmlloader._ns_clear_params_attr).
+    (roslaunch.xmlloader._ns_clear_params_attr). Which one is meant by a value that roslaunch refuses, nobody knows either.
     """
     attribute = element.attributes.get("ns")
     if attribute is None:
@@ -26,13 +26,13 @@ def scope_namespace(file: FileEvaluation, element: Element, context: Context) ->
     if not value:
         problem = conflicting_attributes(file.document, element, "empty-ns", ("ns",))
         file.record(problem._replace(facts={**problem.facts, "environment": file.from_environment(reads)}))
-        return context.namespace, False
+        return join(context.namespace, UNKNOWN_NAMESPACE) + "/", None
     file.spend_characters(len(context.namespace) + len(value), attribute.value_span)
     try:
         namespace = child_namespace(context.namespace, value)
     except ValueError:
         file.problem("invalid-namespace", attribute.value_span, refused=True, namespace=value, private=True)
-        return context.namespace, True
+        return join(context.namespace, UNKNOWN_NAMESPACE) + "/", True
     if not (is_legal(value) and is_portable(value)) and "//" not in value:
         file.problem("invalid-namespace", attribute.value_span, namespace=value, private=False)
     return namespace, True

@@ -4,6 +4,9 @@ An `<arg>` without `default` and `value` is required. In a file that others incl
 that people start it means typing `name:=value` each time. This is told as information only, unless the configuration
 says how the file is started (`entries`) and leaves the arg out: then it is an error.
 
+An arg with `default=""` stands for the same where roslaunch refuses the file with the empty value (a namespace, a
+name, a condition made from it): that is told here, once, and not at each of the places that break.
+
 ## Why it matters
 
 Without the arg roslaunch refuses the file.
@@ -40,8 +43,10 @@ RULE = Rule("LL202", "required-arg-unset", Severity.INFO, roslaunch="refuses")
 
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
-    """Point at the declaration; facts: ``name``. An error where the configuration file names this entry and gives no value."""
-    name = problem.facts["name"]
+    """Point at the declaration; facts: ``name``, ``empty`` (there is a default, with nothing in it). An error where the configuration file
+    names this entry and gives no value.
+    """
+    name, empty = problem.facts["name"], problem.facts.get("empty", False)
     path = view.launch.entry.path
     if view.declared_entry:
         severity, message = Severity.ERROR, f"the configuration starts {path} without the arg {name}, which it requires"
@@ -49,13 +54,17 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     else:
         severity, message = Severity.INFO, f"{path} can only be started with {name}:=…"
         advice = f'add default="…" if there is a usual value; check it with --arg {name}:=VALUE'
+    stops = f"without it roslaunch stops with: requires the '{name}' arg to be set"
+    if empty:
+        stops = "with the empty default roslaunch refuses the file"
+        advice = f"leave the default out, so that roslaunch says what is missing, or give it a value; check it with --arg {name}:=VALUE"
     yield RULE.at(
         problem.origin,
         message,
         severity=severity,
-        label="no default",
+        label="an empty default" if empty else "no default",
         related=problem.related,
-        notes=(f"without it roslaunch stops with: requires the '{name}' arg to be set",),
+        notes=(stops,),
         help=advice,
         topic=name,
     )

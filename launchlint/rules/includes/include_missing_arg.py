@@ -1,7 +1,9 @@
 """An `<include>` does not pass an arg that the included file needs.
 
-What it does: it looks for args that the included file declares without a default, reads in this configuration, and does not get.
-With `pass_all_args` all the way it is an info: the arg may be given on the command line.
+What it does: it looks for args that the included file declares without a default, reads in this configuration, and does
+not get. An arg with `default=""` counts as one without a default where roslaunch refuses the included file with the empty
+value: that is told once, at the include, and not at each place that breaks. With `pass_all_args` all the way it is an
+info: the arg may be given on the command line.
 
 ## Why it matters
 
@@ -67,9 +69,12 @@ RULE = Rule("LL404", "include-missing-arg", Severity.ERROR, roslaunch="refuses",
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``include-missing-arg`` (roslaunch.xmlloader._include_tag)."""
     name, file, passed = problem.facts["name"], problem.facts["file"], problem.facts["passed"]
+    empty = problem.facts.get("empty", False)
     near = closest(name, passed)
     help = f'add <arg name="{name}" value="…"/> inside the include, or give it a default in {file}'
     notes = [f"roslaunch stops with: included file [{file}] requires the '{name}' arg to be set"]
+    if empty:
+        notes = [f"roslaunch refuses {file} with the empty default of {name}"]
     given = problem.facts["pass_all"] and not view.declared_entry and _all_pass_on(problem.origin, view)
     if given:
         notes.append(f"pass_all_args passes it on where it is given on the command line: {name}:=…")

@@ -48,6 +48,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Node
 from launchlint.problem import Problem
@@ -61,7 +62,7 @@ RULE = Rule("LL301", "duplicate-node-name", Severity.ERROR, roslaunch="refuses",
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``duplicate-node`` (roslaunch.config.ROSLaunchConfig.add_node)."""
-    name = problem.facts["name"]
+    name = problem.facts["name"].replace(UNKNOWN_NAMESPACE, "…")
     stops = f"roslaunch stops with: roslaunch file contains multiple nodes named [{name}]"
     if problem.facts["core"]:
         if problem.place.source.path.rpartition("/")[2] == "roscore.xml":
