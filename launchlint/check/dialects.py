@@ -1,7 +1,7 @@
 """Leaving out what only looks like a launch file of ROS 1.
 
 That are the launch files of ROS 2 (both dialects use the same file names, and this one would find them wrong from top to bottom), and files
-of other programs that hold a ``<launch>`` somewhere inside (a ``<concert>`` says with it what to launch).
+of other programs with the same ending (Eclipse has ``.launch`` files, too), even where they hold a ``<launch>`` somewhere.
 """
 
 from __future__ import annotations

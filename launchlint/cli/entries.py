@@ -185,8 +185,9 @@ def leave_others_out(entry: EntryOptions, requests: list[EntryRequest], session:
         notices.append(f"left out {files}: only ROS 1 is checked; name a file to check it all the same")
     if other:
         path, root = other[0]
-        files = f"{len(other)} files such as {path}" if len(other) > 1 else path
-        notices.append(f"left out {files}: its root is <{root}>, so that it is no launch file; name a file to check it all the same")
+        many = f"{len(other)} files such as {path}: their roots are others than <launch>, so that they are no launch files"
+        one = f"{path}: its root is <{root}>, so that it is no launch file"
+        notices.append(f"left out {many if len(other) > 1 else one}; name a file to check it all the same")
     return kept, tuple(notices)
 
 

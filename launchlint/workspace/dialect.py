@@ -17,6 +17,7 @@ _PACKAGE_WEIGHT = 2
 
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _ROOT = re.compile(r"<launch(?=[\s/>])")
+_PARTS = ("group", "node", "include", "arg", "param", "rosparam", "remap", "env", "machine", "test", "master")
 _START = re.compile(r"<([^\W\d][\w:.-]*)")
 # What stands before the root element: declaration, processing instructions, a document type (with or without an internal part).
 _PROLOG = re.compile(r"\ufeff?(?:\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^\[>]*(?:\[[^\]]*\]\s*)?>)*", re.DOTALL)
@@ -66,13 +67,11 @@ def has_launch_root(data: bytes) -> bool:
 
 
 def other_root(data: bytes) -> str | None:
-    """Name of the root element where it is another one than ``<launch>`` and a ``<launch>`` stands somewhere inside it.
+    """Name of the root element where the file is of another program: an Eclipse ``<launchConfiguration>``, a ``<concert>`` with a
+    ``<launch>`` in it (which roslaunch would take, see roslaunch.xmlloader.XmlLoader._parse_launch).
 
-    roslaunch would take that ``<launch>`` (roslaunch.xmlloader.XmlLoader._parse_launch), but the file is of another program. A root that is
-    nearly ``launch`` is a slip, and no other root.
+    A root that is nearly ``launch`` is a slip, and one that is another tag of roslaunch has lost its ``<launch>``: None for these.
     """
-    if b"<launch" not in data and not data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return None
     text = decoded(data)
     prolog = _PROLOG.match(text)
     start = _START.match(text, prolog.end() if prolog else 0)
@@ -80,7 +79,10 @@ def other_root(data: bytes) -> str | None:
         return None
     from launchlint.spelling import closest
 
-    return start[1] if closest(start[1], ("launch",)) is None and _ROOT.search(_COMMENT.sub("", text)) is not None else None
+    if closest(start[1], ("launch",)) is not None:
+        return None
+    is_part = start[1] in _PARTS and _ROOT.search(_COMMENT.sub("", text)) is None
+    return None if is_part else start[1]
 
 
 def dialect(data: bytes, package: str | None = None) -> str | None:

@@ -111,12 +111,15 @@ def test_public_files(corpus: Path) -> None:
         ("<launch><launch/></launch>", None),
         ("<Launch><launch/></Launch>", None),
         ("<lanch><launch/></lanch>", None),
-        ("<concert><!-- <launch/> --></concert>", None),
-        ("<robot/>", None),
+        ("<concert><!-- <launch/> --></concert>", "concert"),
+        ("<robot/>", "robot"),
+        ('<launchConfiguration type="a"/>', "launchConfiguration"),
+        ("<node/>", None),
+        ("<group><launch/></group>", "group"),
         ("no XML <launch/>", None),
         ("", None),
     ],
 )
-def test_another_root_around_a_launch(text: str, root: str | None) -> None:
+def test_root_of_another_program(text: str, root: str | None) -> None:
     assert other_root(text.encode()) == root
     assert other_root(text.encode("utf-16")) == root

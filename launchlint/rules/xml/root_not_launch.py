@@ -3,8 +3,8 @@
 roslaunch looks for the `<launch>` element anywhere in the file and works on that. It refuses a file without one, a
 file whose root is misspelt (`<Launch>`), and a file in which a second `<launch>` stands inside the first.
 
-A file of another program (a `<concert>`, say) that holds a `<launch>` somewhere is no launch file: it is left out where a directory is
-searched. Where it is named, or included, an info says what it is.
+A file of another program (an Eclipse `<launchConfiguration>`, a `<concert>` with a `<launch>` inside) is no launch file:
+it is left out where a directory is searched. Where it is named, or included, it is told what it is.
 
 ## Why it matters
 
