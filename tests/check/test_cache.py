@@ -140,7 +140,7 @@ def link_package(directory: Path) -> None:
 @pytest.mark.parametrize(
     ("change", "appears", "disappears"),
     [
-        ([change_included], "LL404", None),
+        ([change_included], "LL407", None),
         ([change_yaml], "LL503", None),
         ([remove_yaml], "LL502", None),
         ([add_package], None, "the package armm is not known"),
