@@ -113,6 +113,12 @@ class InstalledFiles(NamedTuple):
         """Whether some ``install()`` command takes the file at ``path`` (absolute)."""
         return any(_takes(install, path) for install in self.installs)
 
+    def leaves_out(self, path: str) -> bool:
+        """Whether some ``install(DIRECTORY …)`` would take the file at ``path`` (absolute), were it not for its EXCLUDE."""
+        return any(
+            install.without and _takes(install._replace(without=()), path) and not _takes(install, path) for install in self.installs
+        )
+
     @property
     def directories(self) -> tuple[str, ...]:
         """The directories that are installed, absolute, sorted."""

@@ -1,7 +1,9 @@
 """A launch file is not among the files that its package installs.
 
 What it does: where `CMakeLists.txt` can be read to the end and installs something, it looks whether some `install(DIRECTORY …)`
-or `install(FILES …)` takes the launch file. Tests and examples are passed over, and packages that install nothing at all.
+or `install(FILES …)` takes the launch file. Tests and examples are passed over, packages that install nothing at all, and what
+an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on purpose. It is an info where
+the package installs nothing but headers. All files of one directory that are missing for one reason are told of at once.
 
 ## Why it matters
 
@@ -92,15 +94,19 @@ def check(view: FileView) -> Iterator[Finding]:
     if document.launch is None or _NOT_MEANT.search(inside) or not is_file(cmake):
         return
     installed = contents(packages).installs(package)
-    if not installed.installs or not installed.exhaustive or installed.covers(file):
+    if not installed.installs or not installed.exhaustive or installed.covers(file) or installed.leaves_out(file):
         return
     name = shown(cmake, root_of(document.source))
     directory = inside.partition("/")[0] if "/" in inside else ""
     share = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
+    headers = all((each.destination or "").partition("/")[0] == "include" for each in installed.installs)
+    severity = Severity.INFO if headers else RULE.severity
     yield RULE.at(
         document.place(document.launch.name_span),
         f"{name} does not install this file",
+        severity=severity,
         label="missing from an installed package",
-        notes=("it installs other files, so that the package is meant to be installed",),
+        notes=(f"it installs {'headers' if headers else 'other files'}, so that the package is meant to be installed",),
         help=f"add install(DIRECTORY {directory} {share})" if directory else f"add install(FILES {inside} {share})",
+        cause=f"{severity.word} {name} {directory}",
     )

@@ -4,8 +4,8 @@ The `<master>` tag (roslaunch starts a master by itself), the `ros-root`, `ros-p
 `ros-hostname` attributes and the `<env>` children of a `<machine>`, the `ns` attribute of `<rosparam>` (it is called
 `param` now), and the program `xacro.py`, which ROS Noetic does not have. So are programs and params of which the library knows that a
 distribution removed them (`robot_state_publisher/state_publisher`, `use_gui` of joint_state_publisher), where the package is not in the
-workspace. A param that is set to what was its default is an info: it changed nothing when it was still read. Each such program or param
-is told of once, with all places.
+workspace. A param that is set to what was its default is an info: it changed nothing when it was still read. Each such program or param,
+`<master>` and `ns` are told of once, with all places.
 
 ## Why it matters
 
@@ -75,6 +75,10 @@ WORDS = {
     ),
     "machine env": ("<machine> takes no <env>", STOPS.format("<env> tag is"), SCRIPT),
 }
+
+
+ONE_HABIT = ("xacro.py", "<master>", "rosparam ns")
+"""What is told once over all files: it is copied from one to the next, and mended everywhere alike."""
 
 
 def check(view: GraphView) -> Iterator[Finding]:
@@ -169,7 +173,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         notes=(note,),
         help=advice,
         fix=_fix(construct, problem, view),
-        cause=construct if construct == "xacro.py" else "",
+        cause=construct if construct in ONE_HABIT and not problem.refused else "",
     )
 
 
