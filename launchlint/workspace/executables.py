@@ -166,11 +166,12 @@ def made_files(package: Package) -> Made:
 class ExecutableIndex:
     """:func:`executables`, :func:`launch_install_directories` and :func:`made_files` for the packages of one run, each looked at once."""
 
-    __slots__ = ("_executables", "_installs", "_made", "_packages")
+    __slots__ = ("_executables", "_having", "_installs", "_made", "_packages")
 
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
         self._executables: dict[str, Executables] = {}
+        self._having: dict[str, list[str]] | None = None
         self._installs: dict[str, InstalledFiles] = {}
         self._made: dict[str, Made] = {}
 
@@ -179,6 +180,18 @@ class ExecutableIndex:
         if package.directory not in self._executables:
             self._executables[package.directory] = executables(package, self._packages.prefixes)
         return self._executables[package.directory]
+
+    def having(self, name: str) -> list[str]:
+        """The packages of the workspaces, by name and sorted, that have a program called just ``name``; all are looked at."""
+        if self._having is None:
+            found: dict[str, set[str]] = {}
+            for place in self._packages.places[: len(self._packages.workspaces)]:
+                for copies in place.by_name.values():
+                    for package in copies:
+                        for each in self.executables(package).by_name:
+                            found.setdefault(each, set()).add(package.name)
+            self._having = {each: sorted(names) for each, names in found.items()}
+        return self._having.get(name, [])
 
     def installs(self, package: Package) -> InstalledFiles:
         """What ``package`` installs."""

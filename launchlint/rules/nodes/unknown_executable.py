@@ -5,6 +5,8 @@ What it does: where the package lies in the workspace or is installed, it looks 
 slip away from a program of it; otherwise a warning. Where the package is not here, the library is asked: a name that is one slip away
 from a program that it knows is an error where the library lists all programs of the package, else a warning. Nothing is said where
 the list of programs may have gaps, as with packages below `/usr`, whose programs Debian distributes over several packages of its own.
+Each program is told of once, with all places that start it. Where another package of the workspace has a program of just that name,
+the help names it; where the command that would build the program is commented out in `CMakeLists.txt`, a note says so.
 
 ## Why it matters
 
@@ -74,16 +76,19 @@ from collections.abc import Iterator, Sequence
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Node
 from launchlint.rules.edits import fix, is_literal, set_value, spot
+from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
 from launchlint.spelling import closest, one_slip, surely
+from launchlint.workspace.cmake_comments import CMAKE_FILE, commented_out
 from launchlint.workspace.packages import SYSTEM_SHARE
 
 RULE = Rule("LL304", "unknown-executable", Severity.ERROR, roslaunch="reports", fixable="unsafe")
 
 _MOST_NAMED = 6
+_MOST_PACKAGES = 3
 
 
 def check(view: GraphView) -> Iterator[Finding]:
@@ -108,16 +113,34 @@ def check(view: GraphView) -> Iterator[Finding]:
         certain = exhaustive and (known.installed or slip is not None) and not assumed
         near = slip or closest(name, known.names)
         some = _some(known.names)
-        has = f"it has: {some}" if some else "it has no executables at all"
+        notes = [f"it has: {some}" if some else "it has no executables at all"]
+        line = commented_out(package.directory, package.name, name)
+        if line is not None:
+            cmake = shown(f"{package.directory}/{CMAKE_FILE}", root_of(node.origin.place.source))
+            notes.append(f"the command that would build it is commented out in {cmake}, line {line}")
+        severity = Severity.ERROR if certain else Severity.WARNING
         yield RULE.at(
             Origin(node.attributes.get("type", node.origin.place), node.origin.step),
             f"the package {node.package} has no executable {name}",
-            severity=Severity.ERROR if certain else Severity.WARNING,
+            severity=severity,
             label="not found",
-            notes=(has, "roslaunch loads the file and fails when it starts this node"),
-            help=f"did you mean {near}?" if near else f"correct the type, or add {name} to the CMakeLists.txt or scripts of {node.package}",
+            notes=(*notes, "roslaunch loads the file and fails when it starts this node"),
+            help=_help(node, slip, near, contents(view.packages).having(name)),
+            cause=f"{severity.word} {node.package}/{name}",
             fix=None if slip is None else _fix(node, view, slip),
         )
+
+
+def _help(node: Node, slip: str | None, near: str | None, others: Sequence[str]) -> str:
+    """A slip first; then the packages ``others`` that have just this program; then whatever is similar."""
+    if slip is None and 0 < len(others) <= _MOST_PACKAGES:
+        *most, last = others
+        return (
+            f'{", ".join(most) + " and " if most else ""}{last} {"has" if not most else "have"} {node.executable}: is pkg="{last}" meant?'
+        )
+    if near:
+        return f"did you mean {near}?"
+    return f"correct the type, or add {node.executable} to the CMakeLists.txt or scripts of {node.package}"
 
 
 def _by_library(node: Node, view: GraphView) -> Iterator[Finding]:
@@ -131,15 +154,17 @@ def _by_library(node: Node, view: GraphView) -> Iterator[Finding]:
     if near is None or not _same_digits(name, near) or library.removed(node.package, "executables", near):
         return
     assumed = any(condition.assumed for condition in node.conditions)
+    severity = Severity.ERROR if complete and not assumed else Severity.WARNING
     yield RULE.at(
         Origin(node.attributes.get("type", node.origin.place), node.origin.step),
         f"the package {node.package} has no executable {name}"
         if complete
         else f"the package {node.package} has {near}, and {name} is not known",
-        severity=Severity.ERROR if complete and not assumed else Severity.WARNING,
+        severity=severity,
         label="not found" if complete else "not known",
         notes=(f"the library knows of it: {_some(known)}", "roslaunch loads the file and fails when it starts a node that is not there"),
         help=f"did you mean {near}?",
+        cause=f"{severity.word} {node.package}/{name}",
         fix=_fix(node, view, near),
     )
 
