@@ -16,6 +16,7 @@ from typing import Any
 from launchlint import __version__
 from launchlint.check.options import Options
 from launchlint.workspace.packages import DEBIAN_CATKIN, Packages
+from launchlint.workspace.source_lists import is_source_list
 
 FORMAT = 3
 """Of what the cache keeps; another one makes a new cache."""
@@ -136,7 +137,7 @@ def _entries(entries: Iterable[os.DirEntry[str]], waiting: list[str], seen: set[
 
 
 def _counts(name: str) -> bool:
-    return name in CONTENT_NAMES or (name.endswith(CONTENT_ENDS) and not name.endswith(ENTRY_ENDS))
+    return name in CONTENT_NAMES or (name.endswith(CONTENT_ENDS) and not name.endswith(ENTRY_ENDS)) or is_source_list(name)
 
 
 def _is_new(status: os.stat_result, seen: set[tuple[int, int]]) -> bool:

@@ -15,6 +15,7 @@ from launchlint.library.shipped import is_in_library
 from launchlint.spelling import closest, distance, one_slip
 from launchlint.workspace.packages import Hidden, Package, Packages
 from launchlint.workspace.public_packages import public_names
+from launchlint.workspace.source_lists import GITMODULES
 
 SHORTEST_SLIP = 6
 """Below this many letters most names are one slip away from some other name."""
@@ -43,8 +44,9 @@ def judge(name: str, packages: Packages, near: str) -> Judgement | None:
 
     Error: a metapackage, any name where the picture is complete (``Packages.complete``), and a name that is one slip away from a package
     that is here or that a ``package.xml`` declares. Nothing: a package that is here, one of the public index or of the library that
-    launchlint ships, one that a ``package.xml`` of the workspaces declares, one whose ``package.xml`` is here and broken (LL704 tells of
-    that), and a placeholder. Warning: any other name. One slip from a public package is help and no more: no list holds all packages.
+    launchlint ships, one that a ``package.xml`` of the workspaces declares, one whose repository a ``.gitmodules``, ``*.rosinstall`` or
+    ``*.repos`` names, one whose ``package.xml`` is here and broken (LL704 tells of that), and a placeholder. Warning: any other name.
+    One slip from a public package is help and no more: no list holds all packages.
     """
     if packages.has(name) or is_placeholder(name):
         return None
@@ -54,6 +56,11 @@ def judge(name: str, packages: Packages, near: str) -> Judgement | None:
     if key not in known:
         known[key] = _judge(name, packages, home)
     return known[key]
+
+
+def cause(name: str, severity: Severity) -> str:
+    """What LL210 and LL303 tell of together: that package ``name`` is not here, over all files, and not who needs it."""
+    return f"no package {name} {severity.word}"
 
 
 Key = tuple[str, str]
@@ -83,6 +90,10 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
     if packages.complete:
         here = packages.names()
         near = closest(name, here)
+        listed = packages.listed_in(name)
+        if listed is not None:
+            get = "git submodule update --init" if listed.endswith(GITMODULES) else "get what it lists"
+            return Judgement(Severity.ERROR, f"{_shown(listed, packages)} names it, and it is not checked out here", get)
         if name in public and near is None:
             return Judgement(
                 Severity.ERROR,
@@ -90,7 +101,7 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
                 f"install it: rosdep install {name}, or your system's package of it",
             )
         return Judgement(Severity.ERROR, "every package that exists here is known", _did_you_mean(near) or _add(name))
-    if name in public or name in declared or is_in_library(name):
+    if name in public or name in declared or is_in_library(name) or packages.listed_in(name) is not None:
         return None
     unlisted = f"it is not in the list of {len(public):,} public packages that launchlint ships"
     known = [*packages.names(), *declared]

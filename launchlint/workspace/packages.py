@@ -153,6 +153,7 @@ class Packages:
         self._duplicates: dict[str, list[Package]] | None = None
         self._hidden: dict[str, Hidden] | None = None
         self._hooks: Hooks | None = None
+        self._listed: Mapping[str, str] | None = None
 
     def get(self, name: str, near: str) -> Package | None:
         """The package called ``name`` as a launch file at ``near`` gets it; ``None`` where there is none.
@@ -231,6 +232,24 @@ class Packages:
             self._hooks = read_hooks(each for place in self.places[: len(self.workspaces)] for each in place.everything)
         note(self._hooks.looked)
         return self._hooks.variables
+
+    def listed_in(self, name: str) -> str | None:
+        """The list of sources (absolute: .gitmodules, *.rosinstall, *.repos) that names a repository called ``name`` which is not here.
+
+        A repository is here where a package lies in a directory of its name: then its packages are those, and no others.
+        """
+        from launchlint.workspace.source_lists import folded, read_source_lists
+
+        if self._listed is None:
+            here = {
+                folded(part)
+                for place in self.places[: len(self.workspaces)]
+                for package in place.everything
+                for part in package.directory.removeprefix(place.root).split(os.sep)
+            }
+            listed = read_source_lists(self.workspaces)
+            self._listed = {each: file for each, file in listed.items() if each not in here}
+        return self._listed.get(folded(name))
 
     def duplicates(self) -> dict[str, list[Package]]:
         """Names that several packages of one workspace bear, with these packages in the order of the crawl; sorted by name.

@@ -116,6 +116,10 @@ def change_only_the_included_build_file(directory: Path) -> None:
     write(directory, {"arm/cmake/more.cmake": "add_executable(drve drive.cpp)\n"})
 
 
+def list_sources(directory: Path) -> None:
+    write(directory, {".gitmodules": '[submodule "x"]\n  path = lib/armm\n', "more.repos": "repositories:\n"})
+
+
 def take_executable_bit(directory: Path) -> None:
     (directory / "base/scripts/talk.py").chmod(0o644)
 
@@ -144,7 +148,8 @@ def link_package(directory: Path) -> None:
         ([change_yaml], "LL503", None),
         ([remove_yaml], "LL502", None),
         ([add_package], None, "the package armm is not known"),
-        ([change_package], "base", None),
+        ([list_sources], None, "the package armm is not known"),
+        ([change_package], "package base is not known", None),
         ([declare_dependency], None, "does not declare base, which arm/"),
         ([change_build_file], "has no executable drive", None),
         ([change_included_build_file, change_only_the_included_build_file], None, "has no executable drve"),

@@ -1,10 +1,11 @@
 """A `$(find …)` names a package that does not exist.
 
-A checkout does not hold what is installed on the robot, so that a package which is merely not here is nothing to tell
-of. It is an error where the name is one slip away from a package that is here or that a `package.xml` here declares, or
-where everything is here: a ROS installation is set up on this machine, or the configuration says `packages: complete`. It is
-a warning where the name is not in the list of public packages that launchlint ships: no list holds all packages, so that a near
-name in it is help and not proof. Each package is told of once, with all files that need it.
+A checkout does not hold what is installed on the robot, so that a package which is merely not here is nothing to tell of; nor is
+one that has the name of a repository in a `.gitmodules`, `*.rosinstall` or `*.repos` of the workspace. It is an error where the
+name is one slip away from a package that is here or that a `package.xml` here declares, or where everything is here: a ROS
+installation is set up on this machine, or the configuration says `packages: complete`. It is a warning where the name is not in
+the list of public packages that launchlint ships: no list holds all packages, so that a near name in it is help and not proof.
+Each package is told of once, with all files that need it.
 
 ## Why it matters
 
@@ -54,7 +55,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.first_of_file import all_but_first
-from launchlint.rules.missing_package import judge
+from launchlint.rules.missing_package import cause, judge
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 
@@ -82,5 +83,5 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         notes=(f"roslaunch stops{' where it is missing' if unsure else ''} with: Resource not found: {name}", judgement.why),
         help=judgement.help,
         topic=name,
-        cause=f"{severity.word} {name}",
+        shared_cause=cause(name, severity),
     )

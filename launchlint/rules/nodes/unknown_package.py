@@ -1,10 +1,12 @@
 """A node is started from a package that does not exist.
 
-What it does: it looks for the `pkg` of every node and test among the packages of the workspace, the installed ones and the public
-index. It is an error where every package is known (a ROS installation is set up here, or the configuration says `packages:
-complete`) or where the name is one slip away from a package that is here or that a `package.xml` here declares; a warning where the
-name is not in the list of public packages that launchlint ships. Public packages that are only not installed here are passed over.
-Each package is told of once, with all files that need it. Where a file looks for it with `$(find …)`, too, LL210 tells.
+What it does: it looks for the `pkg` of every node and test among the packages of the workspace, the installed ones, the public
+index, and the repositories that a `.gitmodules`, `*.rosinstall` or `*.repos` of the workspace names. It is an error where every
+package is known (a ROS installation is set up here, or the configuration says `packages: complete`) or where the name is one slip
+away from a package that is here or that a `package.xml` here declares; a warning where the name is not in the list of public
+packages that launchlint ships. Public packages that are only not installed here are passed over.
+Each package is told of once, with all files that need it. Where a file looks for it with `$(find …)`, too, LL210 tells, and
+the two rules are told as one.
 
 ## Why it matters
 
@@ -52,7 +54,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.missing_package import judge
+from launchlint.rules.missing_package import cause, judge
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin, Place
@@ -103,7 +105,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
             label="not found",
             notes=tuple(notes),
             help=judgement.help,
-            cause=f"{severity.word} {name}",
+            shared_cause=cause(name, severity),
         )
 
 
