@@ -6,6 +6,7 @@ whether the picture is complete, and whether anybody has ever heard of the name.
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
@@ -86,6 +87,13 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
     hidden = packages.hidden(name)
     if hidden is not None and (packages.complete or name not in public):
         return _say_hidden(hidden, packages, home)
+    if home is not None and home.name == name and name not in public:
+        outer = packages.package_of(posixpath.dirname(home.directory))
+        if outer is not None and not outer.is_metapackage:
+            inner = _shown(home.directory, packages)
+            why = f"it is this file's own package, and {inner} lies in another one, {outer.name}: rospack does not look below a package"
+            severity = Severity.ERROR if packages.complete else Severity.WARNING
+            return Judgement(severity, why, f"move {inner} out of {outer.name}, or name its files by $(find {outer.name})")
     declared = _declared_by(packages, local) | _declared([] if home is None else [home])
     if packages.complete:
         here = packages.names()
