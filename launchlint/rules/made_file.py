@@ -1,12 +1,14 @@
-"""A file that is not here since something makes it: the build, a template that somebody fills in, or the robot."""
+"""A file that is not here, and what makes it: the build, a template that somebody fills in, a node, or the robot."""
 
 from __future__ import annotations
 
+import posixpath
 from typing import NamedTuple
 
 from launchlint.rules.other_file import shown
 from launchlint.rules.package_contents import contents
-from launchlint.workspace.packages import Packages
+from launchlint.rules.view import LaunchView
+from launchlint.workspace.looking import exists
 
 
 class Made(NamedTuple):
@@ -16,14 +18,35 @@ class Made(NamedTuple):
     help: str
 
 
-def made(path: str, packages: Packages, root: str) -> Made | None:
+_DEEPEST = 60
+
+
+def cause_of(path: str, maker: Made | None) -> str:
+    """What several rules tell once: that the file at ``path`` (absolute) is not here, or the outermost directory that is not."""
+    for _ in range(_DEEPEST):
+        parent = posixpath.dirname(path)
+        if parent == path or exists(parent):
+            break
+        path = parent
+    return f"missing {path}" if maker is None else f"made {path}"
+
+
+def made(path: str, view: LaunchView, root: str) -> Made | None:
     """What makes the file at ``path`` (absolute), which is not here; ``None`` where nothing is known to.
 
-    That is a command of the package's CMake files, else a template beside it, else whatever makes what ``.gitignore`` names.
+    That is a submodule of git, a command of the package's CMake files, else a template beside it, else whatever makes what ``.gitignore``
+    names, else a node.
     """
+    from launchlint.rules.made_by_node import maker_of
     from launchlint.workspace.ignored import ignored_by
+    from launchlint.workspace.submodules import missing_submodule
     from launchlint.workspace.templates import template_of
 
+    module = missing_submodule(path)
+    if module is not None:
+        name = shown(module, root)
+        return Made(f"it is in the git submodule {name}, which is not checked out", f"git submodule update --init {name}")
+    packages = view.packages
     package = packages.package_of(path)
     how = None if package is None else contents(packages).made(package).by(path)
     if how is not None:
@@ -32,8 +55,12 @@ def made(path: str, packages: Packages, root: str) -> Made | None:
     if template is not None:
         name = shown(template, root)
         return Made(f"{name} lies beside it: a template from which it may be made", f"make it from {name} before this is started")
-    ignore = ignored_by(path)
+    ignore = ignored_by(path, packages.workspaces)
     if ignore is None:
-        return None
+        node = maker_of(path, view)
+        if node is None:
+            return None
+        place = f"{shown(node.file, root)}, line {node.line}"
+        return Made(f"made by {node.program}, which is given {node.given} ({place})", f"let {node.program} make it before this is started")
     why = f"git ignores it ({ignore.pattern} in {shown(ignore.file, root)}), so that it is made, or put there, on each machine"
     return Made(why, "see that it is there before this is started")

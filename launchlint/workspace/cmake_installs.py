@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from launchlint.workspace.cmake_blocks import section
 from launchlint.workspace.cmake_scope import Scope, Value
 from launchlint.workspace.cmake_targets import CMakeFacts, Install
+from launchlint.workspace.cmake_words import INSTALL_WORDS
 
 
 def install(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
@@ -62,4 +63,23 @@ def _installed(facts: CMakeFacts, scope: Scope, path: str, is_directory: bool, a
             elif matching:
                 only.append(pattern)
     where = section(arguments, "DESTINATION")
-    facts.installs.append(Install(scope.path(path), is_directory, where[0] if where else None, tuple(only), tuple(without)))
+    destination = where[0] if where else None
+    facts.installs.append(Install(scope.path(path), is_directory, destination, tuple(only), tuple(without), _runnable(arguments)))
+
+
+def _runnable(arguments: Sequence[Value]) -> tuple[str, ...]:
+    """The patterns of the files that are given the right to be run (cmake install(FILES), install(DIRECTORY))."""
+    found: list[str] = []
+    permissions = False
+    pattern = "*"
+    for position, word in enumerate(arguments):
+        if word in ("PATTERN", "REGEX"):
+            pattern = (arguments[position + 1 : position + 2] or [None])[0] or "*" if word == "PATTERN" else "*"
+        elif word in ("PERMISSIONS", "FILE_PERMISSIONS"):
+            permissions = True
+        elif word == "OWNER_EXECUTE" and permissions:
+            found.append(pattern)
+        elif word in INSTALL_WORDS:
+            permissions = False
+    programs = "PROGRAMS" in arguments and "PERMISSIONS" not in arguments
+    return ("*",) if programs else tuple(dict.fromkeys(found))

@@ -25,7 +25,8 @@ class Install(NamedTuple):
     """One installed file or directory tree (absolute path), with the name patterns of ``install(DIRECTORY)``.
 
     ``only`` are the patterns behind FILES_MATCHING (empty: all files), ``without`` those with EXCLUDE; not those of REGEX.
-    ``destination`` is ``None`` where it cannot be known.
+    ``destination`` is ``None`` where it cannot be known. ``runnable`` are the patterns of the files that can be run once they are
+    installed, whatever their permissions in the source: ``*`` for all of them.
     """
 
     path: str
@@ -33,6 +34,7 @@ class Install(NamedTuple):
     destination: Value
     only: tuple[str, ...] = ()
     without: tuple[str, ...] = ()
+    runnable: tuple[str, ...] = ()
 
 
 class Target:

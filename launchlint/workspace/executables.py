@@ -77,6 +77,11 @@ class Executables:
         """Their names, sorted."""
         return list(self.by_name)
 
+    @property
+    def has_runnable_script(self) -> bool:
+        """Whether any script of the package has the executable bit."""
+        return any(each.how == "file" and each.name.endswith(_SCRIPT_ENDS) for each in self.by_name.values())
+
     def flaw(self, name: str) -> Flaw | None:
         """What is wrong with the script called ``name``, if the package has one that cannot be started; reads its first bytes.
 
@@ -118,6 +123,11 @@ class InstalledFiles(NamedTuple):
         return any(
             install.without and _takes(install._replace(without=()), path) and not _takes(install, path) for install in self.installs
         )
+
+    def makes_runnable(self, path: str) -> bool:
+        """Whether the file at ``path`` (absolute) can be run once it is installed, whatever its permissions are here."""
+        parts = path.split("/")
+        return any(_takes(each, path) and any(_matches(pattern, parts) for pattern in each.runnable) for each in self.installs)
 
     @property
     def directories(self) -> tuple[str, ...]:

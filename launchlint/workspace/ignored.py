@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -59,9 +60,14 @@ class _Pattern(NamedTuple):
         return _matches(f"/{self.glob.removeprefix('/')}", "/".join(inside)) and (names[-1] == "**" or _matches(names[-1], parts[-1]))
 
 
-def ignored_by(path: str) -> Ignore | None:
-    """Why git ignores a file at ``path`` (absolute, whether or not it is there); ``None`` where it does not. Never raises."""
+def ignored_by(path: str, workspaces: Sequence[str] = ()) -> Ignore | None:
+    """Why git ignores a file at ``path`` (absolute, whether or not it is there); ``None`` where it does not. Never raises.
+
+    A copy without ``.git`` is taken to begin where the outermost of ``workspaces`` (absolute) does that the file lies in.
+    """
     root = repository_root(os.path.dirname(path))
+    if not os.path.exists(os.path.join(root, ".git")):
+        root = min((each for each in workspaces if f"{root}/".startswith(f"{each.rstrip('/')}/")), key=len, default=root)
     relative = os.path.relpath(path, root).replace(os.sep, "/")
     parts = relative.split("/")
     if parts[0] == ".." or len(relative) > _LONGEST_PATH or len(parts) > _DEEPEST or "\0" in relative:

@@ -4,7 +4,9 @@ What it does: it looks for the `file` of every `<include>` whose name can be wor
 roslaunch is started, not beside the including file. It is a warning where the answer hangs on this machine: for absolute
 names outside the workspace, for relative names that do exist beside the including file, and for files that `CMakeLists.txt` may
 install. It is an info for names made from an environment variable, whose value here says little, and for a file that is made: by a
-command of `CMakeLists.txt`, from a template that lies beside it, or by what `.gitignore` keeps out of the repository.
+command of `CMakeLists.txt`, from a template that lies beside it, by a node that gets its name (or the name of the launch file that it is
+made from) in another configuration, or by what `.gitignore` keeps out of the repository; and for one in a git submodule that is not
+checked out. A directory that is missing is told once, with all files that would be in it.
 
 ## Why it matters
 
@@ -53,7 +55,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.installed import installed_from
-from launchlint.rules.made_file import made
+from launchlint.rules.made_file import cause_of, made
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import has_placeholder
@@ -100,7 +102,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     if environment:
         notes.append("the name hangs on an environment variable, which may be another one on the robot")
     installed = installed_from(file, view.packages) if not relative and not environment else None
-    maker = made(file, view.packages, root) if not relative and not environment and installed is None else None
+    maker = made(file, view, root) if not relative and not environment and installed is None else None
     if maker is not None:
         notes.append(maker.why)
     if installed is not None:
@@ -120,6 +122,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         notes=tuple(notes),
         help=advice,
         fix=None if environment else _fix(problem, view, written, f"$(dirname)/{file}" if beside else _meant(advice), sure=beside),
+        shared_cause="" if relative or environment or installed is not None else cause_of(file, maker),
     )
 
 

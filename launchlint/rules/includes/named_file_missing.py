@@ -4,7 +4,8 @@ What it does: it looks for the files that the `args` of nodes and the `command` 
 workspace. It is an error where roslaunch itself fails because of it: `command` runs a program that is not there, or lets xacro or cat
 read the file. Files that are there to be written (behind `-o` or `>`, of a recorder) are passed over; logs, bags and the like, too, unless
 a file of nearly that name is there. It is an info where a file is made: by a command of `CMakeLists.txt`, from a template that
-lies beside it, or by what `.gitignore` keeps out of the repository; and where the package has no file of that kind at all.
+lies beside it, by another node, or by what `.gitignore` keeps out of the repository; where it lies in a git submodule that is not checked
+out; and where the package has no file of that kind at all. What LL401 or LL502 tells is not told again.
 
 ## Why it matters
 
@@ -68,7 +69,7 @@ from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.model import Command
-from launchlint.rules.made_file import made
+from launchlint.rules.made_file import cause_of, made
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -157,7 +158,7 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
     if package is None or (named.doubtful and one_slip(name, names(directory)) is None) or "env " in written or "env(" in written:
         return
     ending = posixpath.splitext(path)[1]
-    maker = made(path, view.packages, root)
+    maker = made(path, view, root)
     reads = named.plain and posixpath.basename(use.program) in _FAIL_WITHOUT
     fails = use.command and (named.position == 0 or reads)
     severity, notes = (Severity.ERROR, ["roslaunch runs the command, and stops where it fails"]) if fails else (None, [])
@@ -174,7 +175,7 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         notes=tuple(notes),
         help=advice if maker is None else maker.help,
         topic=path,
-        cause=shown(path, root),
+        shared_cause=cause_of(path, maker),
     )
 
 

@@ -1,8 +1,10 @@
 """A node's script cannot be run: it lacks the executable bit or the `#!` line.
 
 What it does: where the package of a node lies in the workspace or is installed, it looks at the script that `type` names.
-Programs that CMake builds or that `catkin_install_python` wraps are passed over; where another command of `CMakeLists.txt` names the
-script, as with `execute_process(COMMAND chmod +x …)`, it is an info.
+Programs that CMake builds or that `catkin_install_python` wraps are passed over. It is a warning where `install()` gives the script
+the executable bit: it runs from an install space only. It is an info where another command of `CMakeLists.txt` names the
+script, as with `execute_process(COMMAND chmod +x …)`. Each script is told of once; where no script of a package has the bit, the
+package is.
 
 ## Why it matters
 
@@ -72,6 +74,11 @@ from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
+from launchlint.workspace.executables import Executable
+
+_WRAPPED = "catkin_install_python(PROGRAMS)"
+"""Since ROS Noetic catkin writes a program of that name into the devel space, too, which reads the script (catkin_install_python.cmake)."""
+_NONE = Executable("", "", None)
 
 RULE = Rule("LL305", "not-executable", Severity.ERROR, roslaunch="reports")
 
@@ -86,26 +93,38 @@ def check(view: LaunchView) -> Iterator[Finding]:
         if node.unknown & {"pkg", "type"} or not node.executable.strip() or "/" in node.executable:
             continue
         package = view.packages.get(node.package, launch.entry.file)
-        flaw = None if package is None else contents(view.packages).executables(package).flaw(node.executable)
+        if package is None:
+            continue
+        found = contents(view.packages).executables(package)
+        flaw = found.flaw(node.executable)
         if flaw is None:
+            continue
+        if flaw.lacks_bit and not flaw.lacks_shebang and found.by_name.get(node.executable, _NONE).how == _WRAPPED:
             continue
         path = shown(flaw.path, root)
         wrong, help = _words(path, flaw.lacks_bit, flaw.lacks_shebang)
         notes = ["roslaunch loads the file and fails when it starts this node"]
         if flaw.lacks_bit:
             notes.append("roslaunch looks only at files with the executable bit")
-        made = None if package is None else contents(view.packages).made(package).by(flaw.path)
+        made = contents(view.packages).made(package).by(flaw.path)
+        installed = not flaw.lacks_shebang and contents(view.packages).installs(package).makes_runnable(flaw.path)
+        none_has_it = flaw.lacks_bit and not found.has_runnable_script
         if made is not None:
             notes.append(f"the build may mend it: {made}")
-        assumed = any(condition.assumed for condition in node.conditions)
+        elif installed:
+            notes.append("CMakeLists.txt installs it with that bit: it runs from an install space, not from a devel space")
+        if none_has_it:
+            notes.append(f"no script of the package {node.package} has the executable bit")
+        doubtful = installed or any(condition.assumed for condition in node.conditions)
         yield RULE.at(
             Origin(node.attributes.get("type", node.origin.place), node.origin.step),
             f"{node.executable} cannot be run: {wrong}",
-            severity=Severity.INFO if made is not None else Severity.WARNING if assumed else None,
-            label="this file",
+            severity=Severity.INFO if made is not None else Severity.WARNING if doubtful else None,
+            label=f"{node.executable} cannot be run",
             related=((line_of(flaw.path, root), "its first line"),),
             notes=tuple(notes),
             help=help,
+            cause=f"{package.directory if none_has_it else flaw.path} {made is None} {installed}",
         )
 
 

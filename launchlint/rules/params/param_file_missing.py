@@ -8,7 +8,8 @@ after substitution, and the file has to be readable UTF-8 text (but for `binfile
 roslaunch refuses the launch file, and with it every launch file that includes it. It is a warning where the file may
 well be there on the robot: a path outside of all packages, a relative one, and one that `CMakeLists.txt` may install. It is
 an info where the path is made from an environment variable, whose value here says little, and where the file is made: by a command
-of `CMakeLists.txt`, from a template that lies beside it, or by what `.gitignore` keeps out of the repository.
+of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, or by what `.gitignore` keeps out of the repository;
+and where it lies in a git submodule that is not checked out. A directory that is missing is told once, with all files that would be in it.
 
 ## Example
 
@@ -43,7 +44,7 @@ from typing import Any
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.installed import installed_from
-from launchlint.rules.made_file import made
+from launchlint.rules.made_file import cause_of, made
 from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -70,7 +71,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     severity = None
     elsewhere = installed_from(facts["file"], view.packages) if missing and not facts["relative"] else None
     look = missing and not facts["relative"] and not facts["environment"] and elsewhere is None
-    maker = made(facts["file"], view.packages, root_of(problem.place.source)) if look else None
+    maker = made(facts["file"], view, root_of(problem.place.source)) if look else None
     if path and facts["environment"]:
         severity = Severity.INFO
     elif elsewhere is not None:
@@ -90,10 +91,11 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         problem.origin,
         message,
         severity=severity,
-        label="no such file" if missing else "",
+        label=f"no file {name}" if missing and facts["no_directory"] else "no such file" if missing else "",
         related=problem.related,
         notes=tuple(notes),
         help=maker.help if maker is not None else _advice(facts),
+        shared_cause=cause_of(facts["file"], maker) if look and path else "",
     )
 
 

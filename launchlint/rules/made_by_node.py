@@ -1,0 +1,103 @@
+"""A file that is not here since a node makes it: one of the same launch files, in this or another configuration."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from launchlint.rules.view import LaunchView
+from launchlint.workspace.looking import is_file
+
+_MOST_WORDS = 2_000
+_WRITES = re.compile(
+    r"(?:^|[_\-/~])(?:out|output|save|saver|record|recorder|write|writer|dump|export|exporter|generate|generator)(?![a-z])"
+)
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_ELEMENT = re.compile(r"<(node|param|arg)\b[^<>]*")
+_ATTRIBUTE = re.compile(r"""\b(type|name|args|value|default)\s*=\s*("[^"]*"|'[^']*')""")
+_FOUND = re.compile(r"\$\(find\s+([^()\s]+)\s*\)")
+
+
+class Maker(NamedTuple):
+    """The ``program`` that is given the path ``given``, in line ``line`` of ``file`` (absolute)."""
+
+    program: str
+    file: str
+    line: int
+    given: str
+
+
+def maker_of(path: str, view: LaunchView) -> Maker | None:
+    """The node that probably makes the file at ``path`` (absolute), which is not here; ``None`` where there is none.
+
+    That is one that writes, by its name or the option in front, and is given the path (the ending may be left out). And it is one that
+    this configuration does not start, where it is given the file beside it whose name the missing one extends: it makes
+    robot_spawner.launch from robot.launch.
+    """
+    directory, name = posixpath.split(path)
+    stem, ending = posixpath.splitext(name)
+    for file, text in _texts(view):
+        for element in _ELEMENT.finditer(text):
+            is_node = element[1] == "node"
+            for program, before, word in _given(element[0], is_node):
+                option, _, value = word.rpartition("=")
+                one = _absolute(value, file, view)
+                if is_node and _extends(directory, stem, ending, one):
+                    made = not _starts(view, program, one)
+                else:
+                    made = _is(path, one, stem, ending) and any(map(_WRITES.search, (program, option or before)))
+                if made:
+                    return Maker(program, file, text.count("\n", 0, element.start()) + 1, posixpath.basename(one))
+    return None
+
+
+def _given(element: str, is_node: bool) -> Iterator[tuple[str, str, str]]:
+    """Each word that an element hands over, with the program (or the name of the param or arg) and the word in front of it."""
+    attributes = {match[1]: match[2][1:-1] for match in _ATTRIBUTE.finditer(element)}
+    if not is_node:
+        yield attributes.get("name", ""), "", attributes.get("value", attributes.get("default", ""))
+        return
+    words = attributes.get("args", "").replace("$(find ", "$(find\0").split()[:_MOST_WORDS]
+    program = attributes.get("type", "")
+    for before, word in zip(("", *words), words, strict=False):
+        yield program, before, word.replace("\0", " ")
+
+
+def _texts(view: LaunchView) -> Iterator[tuple[str, str]]:
+    """The launch files of this start, comments blanked out."""
+    for document in view.documents.values():
+        yield posixpath.abspath(document.source.file), _blanked(document.source.text)
+
+
+def _blanked(text: str) -> str:
+    return _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+
+
+def _absolute(word: str, file: str, view: LaunchView) -> str:
+    """The path a word names, as far as ``$(find …)`` and ``$(dirname)`` tell; with other substitutions, what is behind the last of them."""
+    found = _FOUND.search(word)
+    if found is not None and found.start() == 0:
+        word = (view.packages.find(found[1], file) or "") + word[found.end() :]
+    word = word.replace("$(dirname)", posixpath.dirname(file))
+    return posixpath.normpath(word) if "$" not in word else word.rpartition(")")[2]
+
+
+def _is(path: str, given: str, stem: str, ending: str) -> bool:
+    """Whether ``given`` is the path, or with a directory the end of it; its ending may be left out."""
+    if given.startswith("/") and given.count("/") > 1 and given.endswith((stem, stem + ending)):
+        return path in (given, given + ending) or path.endswith((given, given + ending))
+    return False
+
+
+def _extends(directory: str, stem: str, ending: str, given: str) -> bool:
+    """Whether the file ``given`` lies in ``directory`` and the missing name is its name and a word more."""
+    parent, name = posixpath.split(given)
+    start, other = posixpath.splitext(name)
+    longer = bool(start) and stem.startswith((f"{start}_", f"{start}-", f"{start}."))
+    return longer and parent == directory and other == ending and is_file(given)
+
+
+def _starts(view: LaunchView, program: str, given: str) -> bool:
+    return any(node.executable == program and given in node.arguments for node in view.launch.nodes)
