@@ -3,8 +3,9 @@
 What it does: where the package lies in the workspace or is installed, it looks for the `type` among the programs that its
 `CMakeLists.txt` builds, its scripts, and its installed files. It is an error where the package is installed or the name is one
 slip away from a program of it; otherwise a warning. Where the package is not here, the library is asked: a name that is one slip away
-from a program that it knows is an error where the library lists all programs of the package, else a warning. Nothing is said where
-the list of programs may have gaps, as with packages below `/usr`, whose programs Debian distributes over several packages of its own.
+from a program that it knows is an error where the library lists all programs of the package, else a warning. Where the list of programs
+may have gaps, as with packages below `/usr`, whose programs Debian distributes over several packages of its own, nothing is said but such
+a warning.
 Each program is told of once, with all places that start it. Where another package of the workspace has a program of just that name,
 the help names it; where the command that would build the program is commented out in `CMakeLists.txt`, a note says so.
 
@@ -100,7 +101,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             continue
         package = view.packages.get(node.package, launch.entry.file)
         if package is None:
-            yield from _by_library(node, view)
+            yield from _by_library(node, view, here=False)
             continue
         known = contents(view.packages).executables(package)
         if name in known.by_name or known.flaw(name) is not None:
@@ -108,6 +109,7 @@ def check(view: GraphView) -> Iterator[Finding]:
         slip = _slip(name, known.names)
         exhaustive = known.exhaustive and not package.directory.startswith(SYSTEM_SHARE + "/")
         if not exhaustive and slip is None:
+            yield from _by_library(node, view, here=True)
             continue
         assumed = any(condition.assumed for condition in node.conditions)
         certain = exhaustive and (known.installed or slip is not None) and not assumed
@@ -143,13 +145,16 @@ def _help(node: Node, slip: str | None, near: str | None, others: Sequence[str])
     return f"correct the type, or add {node.executable} to the CMakeLists.txt or scripts of {node.package}"
 
 
-def _by_library(node: Node, view: GraphView) -> Iterator[Finding]:
-    """Where the package is not here: is it a slip for a program that the library knows? Programs of tests are seldom installed."""
+def _by_library(node: Node, view: GraphView, *, here: bool) -> Iterator[Finding]:
+    """Where the package is not here, or not all that it builds can be seen: is it a slip for a program that the library knows?
+
+    Programs of tests are seldom installed; and a package that is ``here`` may build what the library has never heard of.
+    """
     name, library = node.executable, view.library
     known = library.executables(node.package)
-    if not known or name in known or node in view.launch.tests or view.packages.complete:
+    if not known or name in known or node in view.launch.tests or (view.packages.complete and not here):
         return
-    complete = library.has_all_executables(node.package)
+    complete = not here and library.has_all_executables(node.package)
     near = surely(name, known)
     if near is None or not _same_digits(name, near) or library.removed(node.package, "executables", near):
         return

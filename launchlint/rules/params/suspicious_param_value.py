@@ -4,8 +4,8 @@ Without `type` roslaunch makes a number of `10` and `1.5`, a boolean of `true` a
 text of all else. So `1,5`, `1e-3` (there is no point in it), `flase` and `[1, 2, 3]` are texts.
 
 A text may be just what the node reads. So it is a warning where the library says that it reads something else (of roscpp nodes that is
-told by LL508), and where the value is a slip for `true` or `false`; silence where the node reads a text, or nothing of that name; and an
-info where nobody knows what is read.
+told by LL508), where the value is a slip for `true` or `false` or has a decimal comma, and where a list is given to no node in particular;
+silence where the node reads a text, or nothing of that name; and an info where nobody knows what the node reads.
 
 ## Why it matters
 
@@ -84,9 +84,9 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
             continue
         start, end = written.span(1 if written[1] is not None else 2)
         at = setting.origin._replace(place=Place(place.source, Span(place.span.start + start, place.span.start + end)))
-        message, help_, slip = said
+        message, help_, sure = said
         wants = readers.wanted(setting)
-        if wants == _ANOTHER or (wants == _NOBODY_KNOWS and slip):
+        if wants == _ANOTHER or (wants == _NOBODY_KNOWS and (sure or (setting.node is None and value.startswith("[")))):
             yield RULE.at(at, message, label="a text", help=help_)
         elif wants == _NOBODY_KNOWS:
             note = "which node reads it, and as what, is not known: if it takes a text, all is well"
@@ -117,14 +117,14 @@ class _Readers:
 
 
 def _suspicion(name: str, value: str) -> tuple[str, str, bool] | None:
-    """Message, help and whether it is a misspelt word; None where the value may well be meant as a text."""
+    """Message, help and whether nobody would write such a text; None where the value may well be meant as a text."""
     if re.fullmatch(_COMMA, value) is not None:
         if re.search(_SEVERAL, name) is not None:
             return None
         return (
             f"{value} is a text and no number: decimals have a point",
             f'write {value.replace(",", ".")}, or type="string" if the text is meant',
-            False,
+            True,
         )
     if re.fullmatch(_EXPONENT, value) is not None:
         mantissa, exponent = re.split("[eE]", value)
