@@ -19,6 +19,7 @@ from launchlint.workspace.public_packages import PublicPackages, public_names
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.workspace.environment_hooks import Hooks
+    from launchlint.workspace.variables import Variables
 
 SYSTEM_SHARE = "/usr/share"
 DEBIAN_CATKIN = "/usr/lib/python3/dist-packages/catkin"
@@ -153,6 +154,7 @@ class Packages:
         self._duplicates: dict[str, list[Package]] | None = None
         self._hidden: dict[str, Hidden] | None = None
         self._hooks: Hooks | None = None
+        self._variables: Variables | None = None
         self._listed: Mapping[str, str] | None = None
 
     def get(self, name: str, near: str) -> Package | None:
@@ -250,6 +252,16 @@ class Packages:
             listed = read_source_lists(self.workspaces)
             self._listed = {each: file for each, file in listed.items() if each not in here}
         return self._listed.get(folded(name))
+
+    def own_variables(self) -> Mapping[str, str]:
+        """The environment variables that files of the workspaces set or read, each with one file (absolute) that does."""
+        from launchlint.workspace.looking import note
+        from launchlint.workspace.variables import read_variables
+
+        if self._variables is None:
+            self._variables = read_variables(self.workspaces)
+        note(self._variables.looked)
+        return self._variables.known
 
     def duplicates(self) -> dict[str, list[Package]]:
         """Names that several packages of one workspace bear, with these packages in the order of the crawl; sorted by name.

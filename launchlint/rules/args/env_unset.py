@@ -2,7 +2,9 @@
 
 Variables that every login or ROS installation sets are not told of, nor those that an env-hook of a package in the workspace sets
 (`catkin_add_env_hooks`, `env-hooks/*.sh`). Others may be set on the robot and not where this
-check runs; `env:` in `.launchlint.yaml` gives them a value for the check. Each variable is told of once in a file.
+check runs; `env:` in `.launchlint.yaml` gives them a value for the check. Each variable is told of once. It is an info where the
+workspace itself sets or reads the variable elsewhere (a shell file, a Dockerfile, a service, `os.environ` or `getenv`): it is the project's
+own.
 
 ## Why it matters
 
@@ -32,6 +34,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.first_of_file import all_but_first
+from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import one_slip
@@ -57,11 +60,17 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     if name in USUAL or name in view.packages.hook_variables():
         return
     slip = one_slip(name, (*USUAL, *OPTIONAL))
+    own = view.packages.own_variables().get(name)
+    notes = [f"where it is not set roslaunch stops with: environment variable '{name}' is not set"]
+    if own is not None:
+        notes.append(f"{shown(own, root_of(problem.place.source))} sets or reads it, too")
     given = f"write $(optenv {name} DEFAULT), or give it a value under env: in .launchlint.yaml if it is always set"
     yield RULE.at(
         problem.origin,
         f"the environment variable {name} is not set here",
-        notes=(f"where it is not set roslaunch stops with: environment variable '{name}' is not set",),
+        severity=None if own is None or slip is not None else Severity.INFO,
+        notes=tuple(notes),
         help=given if slip is None else f"did you mean {slip}?",
         topic=name,
+        cause=f"{name} {own is None}",
     )

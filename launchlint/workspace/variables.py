@@ -1,0 +1,58 @@
+"""Where a workspace itself sets or reads an environment variable: in shell files, images, services and sources. Nothing is run."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from launchlint.workspace.looking import content, walk
+
+_MOST_DIRECTORIES = 400
+_MOST_FILES = 600
+_LARGEST = 200_000
+_SHELL_ENDS = (".sh", ".bash", ".zsh", ".env", ".service", ".rc", ".bashrc", ".zshrc")
+_SOURCE_ENDS = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
+_COMPOSE_ENDS = (".yml", ".yaml")
+_SHELL = re.compile(r"^[ \t]*(?:(?:export|declare -x)[ \t]+|Environment=[\"']?)?([A-Za-z_]\w*)=", re.MULTILINE)
+_DOCKER = re.compile(r"^[ \t]*(?:ENV|ARG)[ \t]+([A-Za-z_]\w*)", re.MULTILINE | re.IGNORECASE)
+_COMPOSE = re.compile(r"^[ \t]*(?:-[ \t]*[\"']?)?([A-Z_][A-Z_0-9]*)[ \t]*[:=]", re.MULTILINE)
+_SOURCE = re.compile(r"(?:environ(?:\.get)?[ \t]*[\[(]|getenv[ \t]*\()[ \t]*[\"']([A-Za-z_]\w*)[\"']")
+
+
+class Variables(NamedTuple):
+    """Each variable that is set or read, with the first file (absolute) that does, and the places that were looked at."""
+
+    known: Mapping[str, str]
+    looked: frozenset[str]
+
+
+def read_variables(directories: Iterable[str]) -> Variables:
+    """The variables that files below ``directories`` set or read; values are not looked at. Bounded; never raises."""
+    found: dict[str, str] = {}
+    looked: set[str] = set()
+    left = _MOST_FILES
+    for top in directories:
+        for directory, listed in walk(top, _MOST_DIRECTORIES):
+            looked.add(directory)
+            for name in listed:
+                pattern = _pattern(name)
+                if pattern is None or left <= 0:
+                    continue
+                left -= 1
+                file = os.path.join(directory, name)
+                looked.add(file)
+                for match in pattern.finditer((content(file) or b"")[:_LARGEST].decode("utf-8", "replace")):
+                    found.setdefault(match[1], file)
+    return Variables(found, frozenset(looked))
+
+
+def _pattern(name: str) -> re.Pattern[str] | None:
+    if name.endswith(_SHELL_ENDS):
+        return _SHELL
+    if name.startswith("Dockerfile") or name.endswith(".dockerfile"):
+        return _DOCKER
+    if name.endswith(_COMPOSE_ENDS) and "compose" in name:
+        return _COMPOSE
+    return _SOURCE if name.endswith(_SOURCE_ENDS) else None
