@@ -1,0 +1,49 @@
+"""What several findings of one cause come to, where their rule has nothing better to say: one of them, with the places of the others."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from launchlint.finding import Edit, Finding, Fix, Related
+
+
+def spokesman(findings: Sequence[Finding]) -> Finding:
+    """Of ``findings`` the worst, of these the one that shows most, of these the first."""
+    return min(findings, key=lambda finding: (-int(finding.severity), -len(finding.related)))
+
+
+def joined(findings: Sequence[Finding]) -> Finding:
+    """The :func:`spokesman` of ``findings`` with the others as related places, and all repairs as one."""
+    first = spokesman(findings)
+    others = [finding for finding in findings if finding is not first]
+    related = {item.location: item for item in first.related}
+    new = [finding for finding in others if finding.location not in related]
+    for finding in others:
+        related.setdefault(finding.location, Related(finding.location, finding.label or finding.message))
+        for item in finding.related:
+            related.setdefault(item.location, item)
+    places = f" (and at {len(new)} more place{'' if len(new) == 1 else 's'})" if new else ""
+    return first._replace(
+        message=f"{first.message}{places}",
+        related=tuple(related.values()),
+        entries=max(finding.entries for finding in findings),
+        fix=_joined_fix([first, *others]),
+    )
+
+
+def _joined_fix(findings: Sequence[Finding]) -> Fix | None:
+    """All repairs as one; none where one rule can repair some of the places only, or where two repairs change the same text."""
+    fixes = [finding.fix for finding in findings if finding.fix is not None]
+    repairing = {finding.rule for finding in findings if finding.fix is not None}
+    if not fixes or any(finding.fix is None and finding.rule in repairing for finding in findings):
+        return None
+    edits = sorted({edit for fix in fixes for edit in fix.edits})
+    if any(_overlap(one, other) for one, other in pairwise(edits)):
+        return None
+    changes = next((fix.changes for fix in fixes if fix.changes), "")
+    return Fix(f"{fixes[0].message}, and the others alike", all(fix.safe for fix in fixes), tuple(edits), changes)
+
+
+def _overlap(one: Edit, other: Edit) -> bool:
+    return one.path == other.path and (other.start < one.end or (one.start == other.start and one.end == other.end))
