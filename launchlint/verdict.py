@@ -1,7 +1,8 @@
-"""What roslaunch makes of one entry file as it would be started: the one verdict that every output gives."""
+"""What roslaunch makes of one entry file: the one verdict that every output gives."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 TYPE_CHECKING = False
@@ -12,28 +13,56 @@ MOST_NAMED = 3
 """What is missing is named up to so many times in a sentence."""
 
 
+class Refusal(NamedTuple):
+    """Args with which roslaunch refuses an entry file; ``rule`` (its ID) and ``reason`` say why."""
+
+    arguments: tuple[tuple[str, str], ...]
+    rule: str
+    reason: str
+
+    @property
+    def given(self) -> str:
+        """The args as on the command line."""
+        return " ".join(f"{name}:={value}" for name, value in self.arguments)
+
+
 class Verdict(NamedTuple):
-    """``word`` says it; ``rule`` (its ID) and ``reason`` say why roslaunch refuses the file, or stops here.
+    """``word`` says what becomes of the file as it stands; ``rule`` (its ID) and ``reason`` say why roslaunch refuses it, or stops here.
 
     ``missing`` is what somebody who starts the file would have and this check has not: a package, an arg of the command line, a variable of
-    the machine, a file that is made later.
+    the machine, a file that is made later. ``elsewhere`` are the other configurations that roslaunch refuses, each for a reason of its own;
+    none where it refuses the file as it stands, and none where only that was looked at.
     """
 
     word: Literal["loads", "refused", "cannot be told"]
     rule: str = ""
     reason: str = ""
     missing: tuple[str, ...] = ()
+    elsewhere: tuple[Refusal, ...] = ()
 
     @property
     def sentence(self) -> str:
         """The verdict in words, without a full stop."""
+        return "; ".join(filter(None, (self._as_it_stands, self.with_args)))
+
+    @property
+    def notice(self) -> str:
+        """The sentence; empty where no configuration is known that does not load."""
+        return "" if self.word == "loads" and not self.elsewhere else self.sentence
+
+    @property
+    def brief(self) -> str:
+        """The notice where the findings stand beside it, so that it need not repeat why roslaunch refuses the file."""
         if self.word == "refused":
-            return f"refused by roslaunch: {self.reason}"
-        return f"cannot be told: {self.why}" if self.word == "cannot be told" else "loads"
+            return "refused by roslaunch"
+        untold = self._as_it_stands if self.word == "cannot be told" else ""
+        return "; ".join(
+            filter(None, (untold, f"refused by roslaunch with {self.elsewhere[0].given}{self._others}" if self.elsewhere else ""))
+        )
 
     @property
     def why(self) -> str:
-        """Why it does not load, in words; empty where it does."""
+        """Why it does not load as it stands, in words; empty where it does."""
         if not self.missing:
             return self.reason
         named = self.missing[:MOST_NAMED]
@@ -42,9 +71,36 @@ class Verdict(NamedTuple):
         listed = " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
         return f"it needs {listed}"
 
+    @property
+    def with_args(self) -> str:
+        """Which other configuration roslaunch refuses, and why: ``refused with sim:=true: two nodes are named /a``; empty for none."""
+        return f"refused with {self.elsewhere[0].given}: {self.elsewhere[0].reason}{self._others}" if self.elsewhere else ""
+
     def as_object(self) -> dict[str, Any]:
         """The verdict as JSON has it."""
-        return {"word": self.word, "rule": self.rule, "reason": self.reason, "missing": list(self.missing)}
+        others = [{"configuration": dict(each.arguments), "rule": each.rule, "reason": each.reason} for each in self.elsewhere]
+        return {"word": self.word, "rule": self.rule, "reason": self.reason, "missing": list(self.missing), "elsewhere": others}
+
+    def beside(self, others: Iterable[tuple[tuple[tuple[str, str], ...], Verdict]]) -> Verdict:
+        """The verdict on the file as it stands, joined with those on other configurations by their args."""
+        if self.word == "refused":
+            return self
+        reasons: dict[tuple[str, str], Refusal] = {}
+        for arguments, verdict in others:
+            if verdict.word == "refused":
+                reasons.setdefault((verdict.rule, verdict.reason), Refusal(arguments, verdict.rule, verdict.reason))
+        return self._replace(elsewhere=tuple(reasons.values()))
+
+    @property
+    def _as_it_stands(self) -> str:
+        if self.word == "refused":
+            return f"refused by roslaunch: {self.reason}"
+        return f"cannot be told: {self.why}" if self.word == "cannot be told" else "loads"
+
+    @property
+    def _others(self) -> str:
+        more = len(self.elsewhere) - 1
+        return f"; with other args for {more} more reason{'' if more == 1 else 's'}" if more else ""
 
 
 LOADS = Verdict("loads")

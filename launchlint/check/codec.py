@@ -15,7 +15,7 @@ from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary
 from launchlint.source import Span
 from launchlint.suppression import Name, Suppression
-from launchlint.verdict import Verdict
+from launchlint.verdict import Refusal, Verdict
 
 
 def file_to_json(result: FileResult) -> list[Any]:
@@ -87,7 +87,7 @@ def entry_to_json(result: EntryResult) -> list[Any]:
 def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResult]) -> EntryResult:
     """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
     path, verdict, error, findings, fine, visited, names, summary, configurations, outcome = value
-    word, rule, reason, missing = outcome
+    word, rule, reason, missing, elsewhere = outcome
     entry, refused, included, calls, roots, needs, undeclared = summary
     return EntryResult(
         request,
@@ -108,8 +108,13 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
             undeclared,
         ),
         configurations,
-        outcome=Verdict(word, rule, reason, tuple(missing)),
+        outcome=Verdict(word, rule, reason, tuple(missing), tuple(_refusal_from_json(each) for each in elsewhere)),
     )
+
+
+def _refusal_from_json(value: Any) -> Refusal:
+    arguments, rule, reason = value
+    return Refusal(tuple((name, given) for name, given in arguments), rule, reason)
 
 
 def _finding_to_json(finding: Finding) -> list[Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from copy import copy
 from functools import cached_property
+from itertools import islice
 from typing import NamedTuple
 
 from launchlint.check.empty_defaults import told_at_declarations
@@ -111,6 +112,7 @@ class EntryChecker:
         files: dict[str, FileResult] = {}
         included: dict[str, None] = {}
         first: Evaluation | None = None
+        outcomes: list[tuple[tuple[tuple[str, str], ...], Verdict]] = []
         pinned = frozenset(name for name, _ in request.arguments)
         count = 0
         for evaluation in configurations(session, request.at, request.arguments):
@@ -125,6 +127,7 @@ class EntryChecker:
                     included[include.source.path] = None
             evaluation = told_at_declarations(session, request.at, evaluation, pinned)
             first = first or evaluation
+            outcomes.append((evaluation.launch.given, self._judged(evaluation, request)))
             for found in self._launch_findings(evaluation, request):
                 if isinstance(found, Fine):
                     fine[found] = None
@@ -134,6 +137,7 @@ class EntryChecker:
                 break
         assert first is not None
         result = self._result(request, first, findings, fine, visited, files, tuple(included), count)
+        result = result._replace(outcome=outcomes[0][1].beside(outcomes[1:]))
         if not self.remember:
             return result
         looks = dict(look for file in files.values() for look in file.looks) | {path: state(path) for path in noted()}
@@ -149,10 +153,17 @@ class EntryChecker:
         summary = EntrySummary(path, True, (), (), ())
         return EntryResult(request, path, "error", (finding.rule, finding.message), (finding,), (), (), (), summary, 0, outcome=CRASHED)
 
-    def verdict(self, evaluation: Evaluation, request: EntryRequest) -> Verdict:
-        """What roslaunch makes of the entry file as it was evaluated."""
+    def verdict(self, request: EntryRequest) -> Verdict:
+        """What roslaunch makes of the entry file, as :meth:`check` says it."""
+        session = self.session_for(request)
+        session.begin_entry()
         pinned = frozenset(name for name, _ in request.arguments)
-        evaluation = told_at_declarations(self.session_for(request), request.at, evaluation, pinned)
+        found = islice(configurations(session, request.at, request.arguments), 1 if self.options.default_only else None)
+        evaluations = (told_at_declarations(session, request.at, evaluation, pinned) for evaluation in found)
+        first, *others = ((evaluation.launch.given, self._judged(evaluation, request)) for evaluation in evaluations)
+        return first[1].beside(others)
+
+    def _judged(self, evaluation: Evaluation, request: EntryRequest) -> Verdict:
         return judged(evaluation.launch, LaunchView(evaluation.launch, self.packages, request.declared, evaluation.documents))
 
     def model(self, request: EntryRequest) -> tuple[Evaluation, tuple[str, str] | None]:
@@ -255,7 +266,6 @@ class EntryChecker:
             tuple(files.values()),
             summary,
             count,
-            outcome=self.verdict(first, request),
         )
 
 

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from launchlint.check.entry import EntryChecker
-from launchlint.check.graphs import graphs_of, revision
+from launchlint.check.graphs import graphs_of, revision, topology_of
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.run import default_directory
 from launchlint.cli.entries import EntryOptions
@@ -48,7 +48,7 @@ def _of_files(entry: EntryOptions, base: str, head: str, chosen: Selection) -> l
         entry.paths = (file,)  # its own workspace: the files may lie in two copies of one repository
         checker = EntryChecker(entry.options(everything=True, cache=default_directory()))
         request = EntryRequest(file, file, entry.arguments)
-        sides.append(select(topology(graphs_of(checker, request, every_configuration=True)), chosen))
+        sides.append(select(topology_of(checker, request, every_configuration=True), chosen))
     found = difference(*sides)
     return [] if found.is_empty else [found]
 
@@ -108,7 +108,7 @@ def _topologies(
     for path, request in requests.items():
         if request.at in wanted:
             graphs = graphs_of(checker, request, every_configuration=True)
-            found[path] = topology(graphs)
+            found[path] = topology(graphs)._replace(verdict=checker.verdict(request))
             included.update(each.source.path for graph in graphs for each in graph.launch.includes if each.source is not None)
     return found, {path for path, each in found.items() if each.entry not in included}
 

@@ -85,9 +85,8 @@ def show(entry: EntryOptions, format_: str, every_configuration: bool, dangling:
     graph diff --help` tells how to compare two revisions or two files.
     """
     from launchlint.check.entry import EntryChecker
-    from launchlint.check.graphs import graphs_of
+    from launchlint.check.graphs import topology_of
     from launchlint.check.run import default_directory
-    from launchlint.graph.topology import topology
 
     requests, overlay = entry.requests()
     checker = EntryChecker(entry.options(everything=True, cache=default_directory()), overlay)
@@ -99,7 +98,7 @@ def show(entry: EntryOptions, format_: str, every_configuration: bool, dangling:
     if format_ == "graphml" and len(requests) > 1:
         raise UsageError(f"--format graphml makes one document, and here are {len(requests)} launch files; give one")
     _print(
-        [topology(graphs_of(checker, request, every_configuration=every_configuration)) for request in requests],
+        [topology_of(checker, request, every_configuration=every_configuration) for request in requests],
         selection(format_, **narrowed),
         format_,
         dangling=dangling,

@@ -37,7 +37,7 @@ def command(entry: EntryOptions, format_: str) -> int:
     collected: list[object] = []
     for request in requests:
         evaluation, error = checker.model(request)
-        verdict = checker.verdict(evaluation, request)
+        verdict = checker.verdict(request)
         refused |= error is not None
         if format_ == "text":
             title = f"{visible(evaluation.launch.entry.path)}:\n" if len(requests) > 1 else ""

@@ -13,6 +13,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from launchlint.verdict import Verdict
+
 MOST_PARTNERS = 5
 """Names of partners that are kept for a lost or gained link."""
 
@@ -87,7 +89,17 @@ class Difference(NamedTuple):
     @property
     def is_empty(self) -> bool:
         """Whether nothing changed."""
-        return not any(self[2:-1])
+        return not any(self[2:-1]) and not self.loads_otherwise
+
+    @property
+    def loads_otherwise(self) -> bool:
+        """Whether roslaunch loads the launch file now and did not, or the reverse, as it stands or with other args."""
+        before, after = self.before.verdict, self.after.verdict
+        return None not in (before, after) and _standing(before) != _standing(after)
+
+
+def _standing(verdict: Verdict | None) -> tuple[str, bool]:
+    return ("", False) if verdict is None else (verdict.word, bool(verdict.elsewhere))
 
 
 def difference(before: Topology, after: Topology) -> Difference:

@@ -17,6 +17,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from launchlint.verdict import Verdict
+
 SAMPLE = 200
 """Characters of a param's value that are kept."""
 
@@ -120,7 +122,10 @@ class TopologyParam(NamedTuple):
 
 
 class Topology(NamedTuple):
-    """A connection graph. ``entry`` is the launch file, ``configurations`` the ways of starting it that were joined (args as text)."""
+    """A connection graph. ``entry`` is the launch file, ``configurations`` the ways of starting it that were joined (args as text).
+
+    ``verdict`` is what roslaunch makes of the launch file; None where that was not asked.
+    """
 
     entry: str
     configurations: tuple[str, ...]
@@ -130,6 +135,7 @@ class Topology(NamedTuple):
     connections: tuple[Connection, ...]
     params: tuple[TopologyParam, ...]
     containers: tuple[Container, ...]
+    verdict: Verdict | None = None
 
 
 EMPTY = Topology("", ("",), True, (), (), (), (), ())

@@ -15,8 +15,8 @@ from launchlint.report.run import Run
 def render(findings: Sequence[Finding], run: Run) -> str:
     """``{"version": 1, "findings": […], "verdicts": […]}``, each in a line; all severities, whatever ``run.verbose`` says.
 
-    ``verdicts`` has ``file``, ``word`` (``loads``, ``refused`` or ``cannot be told``), ``rule``, ``reason`` and ``missing`` for each entry
-    file; it is left out where only some rules were asked for.
+    ``verdicts`` has ``file``, ``word`` (``loads``, ``refused`` or ``cannot be told``), ``rule``, ``reason``, ``missing`` and ``elsewhere``
+    (the other configurations that roslaunch refuses) for each entry file; it is left out where only some rules were asked for.
     """
     parts = ['"version": 1', f'"findings": [{_lines(objects(findings))}]']
     if run.verdicts:

@@ -123,6 +123,8 @@ def table(launch: Launch, verdict: Verdict) -> str:
         lines += [f"roslaunch refuses this file: {visible(verdict.reason)} ({verdict.rule}); what can be known of it:", ""]
     elif verdict.word == "cannot be told":
         lines += [f"whether roslaunch loads this file cannot be told here: {visible(verdict.why)}; what can be known of it:", ""]
+    if verdict.elsewhere:
+        lines += [visible(verdict.with_args), ""]
     own: dict[str, list[ParameterSetting]] = {}
     rest: list[ParameterSetting] = []
     private = {node.full_name + "/": node.full_name for node in (*launch.nodes, *launch.tests)}

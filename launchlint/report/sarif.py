@@ -122,8 +122,8 @@ def _rule(rule: RuleMetadata) -> Any:
 
 
 def _verdicts(run: Run) -> dict[str, Any] | None:
-    """What roslaunch makes of the entry files that it does not load as they stand."""
-    others = [{"file": visible(file), **verdict.as_object()} for file, verdict in run.verdicts if verdict.word != "loads"]
+    """What roslaunch makes of the entry files that it does not load, as they stand or with other args."""
+    others = [{"file": visible(file), **verdict.as_object()} for file, verdict in run.verdicts if verdict.notice]
     return {"verdicts": others} if others else None
 
 

@@ -46,15 +46,16 @@ def _loading(run: Run) -> str:
     """What roslaunch makes of the entry files; the empty string where it loads them all."""
     words = [verdict.word for _, verdict in run.verdicts]
     refused, untold = words.count("refused"), words.count("cannot be told")
-    if not refused and not untold:
+    elsewhere = sum(bool(verdict.elsewhere) for _, verdict in run.verdicts)
+    if not refused and not untold and not elsewhere:
         return ""
     if len(words) == 1:
-        verdict = run.verdicts[0][1]
-        return f"; {visible('refused by roslaunch' if refused else verdict.sentence)}"
+        return f"; {visible(run.verdicts[0][1].brief)}"
     loads = len(words) - refused - untold
     told = [f"{loads} {'loads' if loads == 1 else 'load'}"]
     told += [f"{refused} {'is' if refused == 1 else 'are'} refused by roslaunch"] if refused else []
     told += [f"{untold} cannot be told"] if untold else []
+    told += [f"{elsewhere} of these {'is' if elsewhere == 1 else 'are'} refused with other args"] if elsewhere else []
     return f"; of {len(words)} entry files {', '.join(told)}"
 
 

@@ -34,7 +34,10 @@ def test_patterns_are_relative_to_the_file_and_not_to_the_current_directory(repo
         repository, {".launchlint.yaml": "per-file-ignores: {demo/launch/double.launch: [LL301]}\nexclude: [demo/launch/unused.launch]\n"}
     )
     for directory in (repository, repository / "demo", repository / "demo" / "launch"):
-        assert run(directory, "check") == (0, f"no problems in {2} launch files\n", ""), directory
+        said = (
+            "no problems in 2 launch files; of 2 entry files 1 loads, 1 is refused by roslaunch\n"  # whatever somebody wants to hear of it
+        )
+        assert run(directory, "check") == (0, said, ""), directory
 
 
 def test_options_go_over_the_file(repository: Path) -> None:

@@ -349,3 +349,41 @@ def test_check_with_args_of_the_configuration(workspace: Path) -> None:
     assert run(workspace, "check", "--base", "HEAD", "--select", "LL620", "--format", "concise").output == ""
     ran = run(workspace, "graph", "diff", "HEAD")
     assert ran.output == "no connection changed\n"
+
+
+REFUSED = '<launch>\n  <node name="talker" pkg="demo" type="talker"/>\n  <node name="talker" pkg="demo" type="talker"/>\n</launch>\n'
+
+
+def test_what_is_drawn_of_a_refused_launch_says_so(tmp_path: Path) -> None:
+    write(tmp_path, {**FILES, "demo/launch/talk.launch": REFUSED})
+    said = "refused by roslaunch: two nodes are named /talker; shown is what it would start otherwise"
+    drawn = {each: run(tmp_path, "graph", "--format", each, "demo").output for each in ("text", "mermaid", "dot", "graphml", "json")}
+    assert drawn["text"].splitlines()[1] == f"    {said}"
+    escaped = "refused by roslaunch#58; two nodes are named /talker#59; shown is what it would start otherwise"
+    assert drawn["mermaid"].splitlines()[1] == f'  n1["{escaped}"]'
+    assert f'label="demo/launch/talk.launch; {said}";' in drawn["dot"]
+    assert '<data key="g1">refused by roslaunch: two nodes are named /talker</data>' in drawn["graphml"]
+    assert json.loads(drawn["json"])["verdict"]["word"] == "refused"
+    write(tmp_path, FILES)
+    in_order = {each: run(tmp_path, "graph", "--format", each, "demo").output for each in ("text", "mermaid", "dot")}
+    assert not [each for each, text in in_order.items() if "refused" in text]
+
+
+def test_a_launch_that_is_refused_now_is_a_change(tmp_path: Path) -> None:
+    once = REFUSED.replace('  <node name="talker" pkg="demo" type="talker"/>\n', "", 1)
+    write(tmp_path, {**FILES, "demo/launch/talk.launch": once})
+    git(tmp_path, "init", "-q")
+    git(tmp_path, "add", "-A")
+    git(tmp_path, "commit", "-qm", "one")
+    assert run(tmp_path, "graph", "diff", "HEAD", "--exit-code").status == 0
+    write(tmp_path, {"demo/launch/talk.launch": REFUSED})
+    ran = run(tmp_path, "graph", "diff", "HEAD", "--exit-code")
+    assert (ran.status, ran.output) == (
+        1,
+        "demo/launch/talk.launch\n  now: refused by roslaunch: two nodes are named /talker; shown is what it would start otherwise\n",
+    )
+    changed = json.loads(run(tmp_path, "graph", "diff", "HEAD", "--format", "json").output)[0]["verdict"]
+    assert (changed["before"]["word"], changed["after"]["word"]) == ("loads", "refused")
+    git(tmp_path, "commit", "-qam", "two")
+    write(tmp_path, {"demo/launch/talk.launch": once})
+    assert run(tmp_path, "graph", "diff", "HEAD").output == "demo/launch/talk.launch\n  loads now; before: refused by roslaunch\n"

@@ -140,6 +140,7 @@ def test_from_before_to_after(directory: Path) -> None:
     assert (ran.status, ran.errors) == (0, "")
     assert ran.output == (
         "input.launch → output.launch\n"
+        "  loads now; before: refused by roslaunch\n"
         "  lost: /sim1 → /square on topic /turtle1/pose\n"
         "      /square is now /turtle2/square\n"
         "  gained: /circle → /sim1 on topic /turtle1/cmd_vel\n"

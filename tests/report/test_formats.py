@@ -115,7 +115,7 @@ def test_entry_line(plain: list[Finding], run: Run) -> None:
     assert line.endswith("}\n")
     assert "\n" not in line[:-1]
     expected = {"file": "mutants/a.launch", "as": "nav.launch", "verdict": "error"}
-    outcome = {"word": "refused", "rule": "LL301", "reason": "two nodes", "missing": []}
+    outcome = {"word": "refused", "rule": "LL301", "reason": "two nodes", "missing": [], "elsewhere": []}
     assert json.loads(line) == {**expected, "outcome": outcome, "findings": json.loads(formats.render("json", plain[:1], run))["findings"]}
 
 

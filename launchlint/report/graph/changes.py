@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from launchlint.graph.difference import ConnectionChange, Difference, Link, is_default, moved
 from launchlint.graph.topology import Connection, Topology, TopologyNode
 from launchlint.report.escape import line_start, visible
-from launchlint.report.graph.words import DOES, does, listed, number, remapped, when, wrapped
+from launchlint.report.graph.words import DOES, does, listed, loading, number, remapped, when, wrapped
 
 MOST_PARTNERS = 5
 MOST_NAMES = 8
@@ -36,6 +36,7 @@ def _titles(titles: Sequence[str]) -> str:
 
 
 def _body(changes: Difference) -> Iterator[str]:
+    yield from _loading(changes)
     yield from _links("lost", changes.lost, changes)
     if changes.lost and changes.uncertain:
         yield "    (a node came in of which not everything is known: it may do what seems lost)"
@@ -46,6 +47,15 @@ def _body(changes: Difference) -> Iterator[str]:
         before, after = (" and ".join(each.types) or "unknown type" for each in channel)
         yield f"  ~ {channel.after.kind} {visible(channel.after.name)}: {visible(before)} → {visible(after)}"
     yield from _connections(changes)
+
+
+def _loading(changes: Difference) -> Iterator[str]:
+    """What roslaunch makes of the launch file now: where it does not load it, or did not before."""
+    now = loading(changes.after)
+    if now:
+        yield f"  {'now' if changes.loads_otherwise else 'still' if loading(changes.before) else 'it'}: {visible(now)}"
+    elif changes.loads_otherwise:
+        yield f"  loads now; before: {'' if changes.before.verdict is None else visible(changes.before.verdict.brief)}"
 
 
 def _links(word: str, links: Sequence[Link], changes: Difference) -> Iterator[str]:

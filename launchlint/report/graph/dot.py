@@ -5,6 +5,7 @@ from __future__ import annotations
 from launchlint.graph.difference import Difference
 from launchlint.graph.drawing import Arrow, Box, draw
 from launchlint.graph.topology import Topology
+from launchlint.report.graph.words import loading
 
 LONGEST_LABEL = 1_000
 
@@ -19,7 +20,7 @@ def render(topology: Topology, changes: Difference | None = None, *, title: str 
     for box in drawing.boxes:
         children.setdefault(box.parent, []).append(box)
     lines = ["digraph connections {", "  rankdir=LR;", '  node [shape=box, fontname="sans-serif"];', '  edge [fontname="sans-serif"];']
-    caption = "; ".join(filter(None, (title, drawing.left_out)))
+    caption = "; ".join(filter(None, (title, loading(topology), drawing.left_out)))
     if caption:
         lines.append(f"  label={_quoted(caption)};")
     waiting: list[tuple[Box | None, int]] = [(box, 1) for box in reversed(children.get("", ()))]

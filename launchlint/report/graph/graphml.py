@@ -34,8 +34,12 @@ def render(topology: Topology) -> str:
     )
     lines = [f'  <key id="{key}" for="{what}" attr.name="{name}" attr.type="{_type(name)}"/>' for (what, name), key in keys.items()]
     lines.append('  <key id="g0" for="graph" attr.name="entry" attr.type="string"/>')
+    if topology.verdict is not None:
+        lines.append('  <key id="g1" for="graph" attr.name="verdict" attr.type="string"/>')
     lines.append('  <graph edgedefault="directed">')
     lines.append(f'    <data key="g0">{_text(topology.entry)}</data>')
+    if topology.verdict is not None:
+        lines.append(f'    <data key="g1">{_text(topology.verdict.sentence)}</data>')
     for key, attributes in vertices:
         lines += [f'    <node id="{key}">', *_data("node", attributes, keys), "    </node>"]
     for source, target, key, attributes in edges:

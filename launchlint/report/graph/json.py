@@ -25,11 +25,12 @@ def text(value: Any) -> str:
 
 
 def as_object(topology: Topology) -> dict[str, Any]:
-    """All of a topology. Ports are those of groups and includes, by their id."""
+    """All of a topology. Ports are those of groups and includes, by their id; the verdict is as ``check --format json`` has it."""
     return {
         "entry": topology.entry,
         "configurations": list(topology.configurations),
         "complete": topology.complete,
+        "verdict": _verdict(topology),
         "nodes": [_node(node) for node in topology.nodes],
         "channels": [channel._asdict() for channel in topology.channels],
         "connections": [_connection(connection) for connection in topology.connections],
@@ -37,6 +38,10 @@ def as_object(topology: Topology) -> dict[str, Any]:
         "containers": [container._asdict() for container in topology.containers],
         "ports": {container: [_port(port) for port in listed] for container, listed in ports(topology).items()},
     }
+
+
+def _verdict(topology: Topology) -> dict[str, Any] | None:
+    return None if topology.verdict is None else topology.verdict.as_object()
 
 
 def _connection(connection: Connection) -> dict[str, Any]:
@@ -61,6 +66,7 @@ def difference_as_object(changes: Difference) -> dict[str, Any]:
         "entry": changes.after.entry,
         "entry_before": changes.before.entry,
         "configurations": {"before": list(changes.before.configurations), "after": list(changes.after.configurations)},
+        "verdict": {"before": _verdict(changes.before), "after": _verdict(changes.after)},
         "uncertain": changes.uncertain,
         "lost": [_link(link) for link in changes.lost],
         "gained": [_link(link) for link in changes.gained],

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from launchlint.graph.difference import Difference
 from launchlint.graph.drawing import Arrow, Box, Drawing, draw
 from launchlint.graph.topology import Topology
+from launchlint.report.graph.words import loading
 
 MOST = 120
 """Arrows, and boxes, of a picture that can still be read; GitHub gives up at 500 arrows."""
@@ -22,6 +23,7 @@ _CLASSES = {
     "conditional": "stroke-dasharray: 6 4",
     "channel": "font-style:italic",
     "note": "stroke:none,fill:none",
+    "refused": "stroke:#cf222e,stroke-width:2px",
     "added": "stroke:#1a7f37,stroke-width:3px",
     "removed": "stroke:#cf222e,stroke-width:3px,stroke-dasharray: 4 4",
     "changed": "stroke:#9a6700,stroke-width:3px",
@@ -49,7 +51,8 @@ def render_all(pictures: Sequence[Picture], *, dangling: bool = False) -> str:
     shown = pictures[: MOST // FEWEST]
     while True:
         drawings = [draw(each.topology, most, each.changes, dangling=dangling) for each in shown]
-        text = _text([each.title if len(pictures) > 1 else "" for each in shown], drawings, len(pictures) - len(shown))
+        titles = [each.title if len(pictures) > 1 else "" for each in shown]
+        text = _text(titles, [loading(each.topology) for each in shown], drawings, len(pictures) - len(shown))
         if len(text) <= LONGEST or most <= 1:
             return text
         most //= 2
@@ -89,11 +92,13 @@ class _Lines:
         return "\n".join([*self.lines, *self.links, *styles, *used]) + "\n"
 
 
-def _text(titles: Sequence[str], drawings: Sequence[Drawing], more: int) -> str:
+def _text(titles: Sequence[str], verdicts: Sequence[str], drawings: Sequence[Drawing], more: int) -> str:
     out = _Lines()
-    for title, drawing in zip(titles, drawings, strict=True):
+    for title, verdict, drawing in zip(titles, verdicts, drawings, strict=True):
         if title:
             out.write(1, f'subgraph {out.name()} ["{_label(title)}"]')
+        if verdict:
+            _note(out, verdict, "refused")
         _draw(out, drawing)
         if drawing.left_out:
             _note(out, drawing.left_out)
@@ -106,10 +111,10 @@ def _text(titles: Sequence[str], drawings: Sequence[Drawing], more: int) -> str:
     return out.text()
 
 
-def _note(out: _Lines, text: str) -> None:
+def _note(out: _Lines, text: str, looks: str = "note") -> None:
     name = out.name()
     out.write(1, f'{name}["{_label(text, 200)}"]')
-    out.mark(name, iter(["note"]))
+    out.mark(name, iter([looks]))
 
 
 def _draw(out: _Lines, drawing: Drawing) -> None:

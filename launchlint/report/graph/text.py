@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from launchlint.graph.partners import Partners, meet
 from launchlint.graph.topology import Connection, Topology, TopologyNode, TopologyParam
 from launchlint.report.escape import line_start, visible
-from launchlint.report.graph.words import DOES, MISSED, listed, number, place, remapped, when, wrapped
+from launchlint.report.graph.words import DOES, MISSED, listed, loading, number, place, remapped, when, wrapped
 
 MOST_PARTNERS = 6
 """Names of partners on one line."""
@@ -34,6 +34,8 @@ def render(topology: Topology, complete: Topology | None = None, *, dangling: bo
     partners = Partners(topology)
     hidden = {connection.node for connection in (complete or topology).connections}
     lines = [f"{line_start(topology.entry)}: {_counts(topology)}"]
+    if loading(topology):
+        lines.append(f"    {visible(loading(topology))}")
     before: dict[str, TopologyNode] = {}
     for node in topology.nodes:
         if node.name in before and meet(before[node.name].only, node.only):

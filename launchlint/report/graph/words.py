@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from launchlint.graph.topology import Connection, RemapStep
+from launchlint.graph.topology import Connection, RemapStep, Topology
 from launchlint.report.escape import visible
 
 WIDTH = 110
@@ -51,6 +51,14 @@ def wrapped(start: str, words: Sequence[str]) -> Iterator[str]:
         else:
             line += f", {word}"
     yield line
+
+
+def loading(topology: Topology) -> str:
+    """Why roslaunch does not load all that is shown; empty where it does, or where that was not asked."""
+    verdict = topology.verdict
+    if verdict is None or not verdict.notice:
+        return ""
+    return verdict.notice if verdict.word == "loads" else f"{verdict.notice}; shown is what it would start otherwise"
 
 
 def place(text: str) -> str:

@@ -32,6 +32,7 @@ def entry_data(
         "file": places.file(material.path, base=gone),
         "verdict": material.verdict.word,
         "why": plain.text(material.verdict.why),
+        "withArgs": plain.text(material.verdict.with_args),
         "configurations": [plain.text(each) for each in state.configurations],
         "complete": material.topology is None or material.topology.complete,
         "containers": entry.containers(),

@@ -36,11 +36,14 @@ def verdict(data: Mapping[str, Any]) -> tuple[str, str]:
         return "warning", "there is no launch file"
     words = [entry["verdict"] for entry in entries]
     refused, untold = words.count("refused"), words.count("cannot be told")
-    level = "error" if refused or "error" in severities else "warning" if untold or "warning" in severities else "ok"
+    elsewhere = sum(entry["withArgs"] != "" for entry in entries)
+    level = "error" if refused or elsewhere or "error" in severities else "warning" if untold or "warning" in severities else "ok"
     if len(entries) == 1:
         (entry,) = entries
-        return level, "loads" if words == ["loads"] else f"{SAID[entry['verdict']]}: {entry['why']}"
+        said = "loads" if words == ["loads"] else f"{SAID[entry['verdict']]}: {entry['why']}"
+        return level, "; ".join(filter(None, (said, entry["withArgs"])))
     others = [f"{number} {SAID[word]}" for word, number in (("refused", refused), ("cannot be told", untold)) if number]
+    others += [f"{elsewhere} of these refused with other args"] if elsewhere else []
     loads = len(entries) - refused - untold
     return level, ", ".join([f"{loads} of {len(entries)} launch files load", *others])
 

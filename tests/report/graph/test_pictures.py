@@ -233,7 +233,18 @@ def test_json_is_strict(topology: Topology) -> None:
 
 def test_json_of_a_topology() -> None:
     read = json.loads(text(as_object(tiny.topology("/a > /x", "/b < /x?"))))
-    assert list(read) == ["entry", "configurations", "complete", "nodes", "channels", "connections", "params", "containers", "ports"]
+    assert list(read) == [
+        "entry",
+        "configurations",
+        "complete",
+        "verdict",
+        "nodes",
+        "channels",
+        "connections",
+        "params",
+        "containers",
+        "ports",
+    ]
     assert [(each["node"], each["role"], each["name"], each["certain"]) for each in read["connections"]] == [
         ("/a", "publisher", "/x", True),
         ("/b", "subscriber", "/x", False),

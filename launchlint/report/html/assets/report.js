@@ -415,14 +415,14 @@
     if (node.isTest) classes.push("test");
     if (node.mark) classes.push(node.mark);
     if (view.stubs.has(`n:${index}`)) classes.push("stub");
-    const said2 = [node.name, node.program];
-    if (node.knowledge === "unknown") said2.push(`unknown: ${node.reason || "nothing is known of what it connects to"}`);
-    if (node.conditions.length) said2.push(`only where ${node.conditions.join(" and ")}`);
-    if (guest) said2.push(`in the process of ${node.host}`);
-    if (machine2) said2.push(`on the machine ${machineName(machine2, address)}`);
+    const said = [node.name, node.program];
+    if (node.knowledge === "unknown") said.push(`unknown: ${node.reason || "nothing is known of what it connects to"}`);
+    if (node.conditions.length) said.push(`only where ${node.conditions.join(" and ")}`);
+    if (guest) said.push(`in the process of ${node.host}`);
+    if (machine2) said.push(`on the machine ${machineName(machine2, address)}`);
     const loose = loosePorts(view, `n:${index}`, view.loose.get(index) ?? [], group3);
     const badge3 = badgeOf(view, node.findings) ?? badgeOf(view, node.related, true);
-    return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said2.join("\n"), badge: badge3, loose, level: null, wires: [] }, measure);
+    return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said.join("\n"), badge: badge3, loose, level: null, wires: [] }, measure);
   }
   function foldedBox(view, group3, measure) {
     var _a;
@@ -2468,25 +2468,25 @@ ${counted(about.nodes, "node")}`;
   }
   function stateOf(model, hash) {
     var _a;
-    const said2 = pairsOf(hash);
+    const said = pairsOf(hash);
     const state = initialState();
-    const wanted = wantedOf(said2);
-    state.entry = entryOf(model, said2, wanted) ?? state.entry;
+    const wanted = wantedOf(said);
+    state.entry = entryOf(model, said, wanted) ?? state.entry;
     const entry = model.entry(state.entry);
-    const configuration = said2.get("configuration");
+    const configuration = said.get("configuration");
     if (configuration !== void 0) state.configuration = entry.entry.configurations.indexOf(configuration);
-    const grouping = said2.get("group") ?? "";
+    const grouping = said.get("group") ?? "";
     if (GROUPINGS.includes(grouping)) state.grouping = /** @type {PageState["grouping"]} */
     grouping;
     const outside = (path) => `g:${state.grouping}:${path}`;
-    const focus = said2.get("focus");
+    const focus = said.get("focus");
     if (focus) state.focus = outside(focus);
-    const open = said2.get("open");
+    const open = said.get("open");
     if (open !== void 0) state.expanded = new Set(parts2(open).map(outside));
-    state.hidden = new Set(parts2(said2.get("hide") ?? "").flatMap((each) => unstable(entry, each)));
-    const layers = (_a = said2.get("layers")) == null ? void 0 : _a.split(",");
+    state.hidden = new Set(parts2(said.get("hide") ?? "").flatMap((each) => unstable(entry, each)));
+    const layers = (_a = said.get("layers")) == null ? void 0 : _a.split(",");
     if (layers) for (const layer2 of LAYERS) state.layers[layer2] = layers.includes(layer2);
-    for (const flag2 of FLAGS) if (said2.has(flag2)) state[flag2] = said2.get(flag2) === "yes";
+    for (const flag2 of FLAGS) if (said.has(flag2)) state[flag2] = said.get(flag2) === "yes";
     state.selection = wanted && found(model, entry, state.grouping, wanted);
     return state;
   }
@@ -2512,8 +2512,8 @@ ${counted(about.nodes, "node")}`;
   function indexed(kind, prefix, index) {
     return index === void 0 ? null : { kind, id: `${prefix}${index}` };
   }
-  function entryOf(model, said2, wanted) {
-    const file = said2.get("entry");
+  function entryOf(model, said, wanted) {
+    const file = said.get("entry");
     const { entries } = model.data;
     if (file !== void 0) return positive(entries.findIndex((each) => model.data.files[each.file] === file));
     if (!wanted) return void 0;
@@ -2527,21 +2527,21 @@ ${counted(about.nodes, "node")}`;
     return positive(entries.findIndex(has));
   }
   var positive = (index) => index < 0 ? void 0 : index;
-  function wantedOf(said2) {
+  function wantedOf(said) {
     for (const kind of ["finding", "node", ...CHANNELS, "param", "container", "edge"]) {
-      const name = said2.get(kind);
+      const name = said.get(kind);
       if (name) return [kind, name];
     }
     return null;
   }
   function pairsOf(hash) {
-    const said2 = /* @__PURE__ */ new Map();
+    const said = /* @__PURE__ */ new Map();
     for (const pair of hash.replace(/^#/, "").split("&")) {
       const [key = "", ...rest] = pair.split("=");
       const value = rest.join("=");
-      if (rest.length > 0 && !said2.has(key)) said2.set(key, key === "open" || key === "hide" ? value : unescape(value));
+      if (rest.length > 0 && !said.has(key)) said.set(key, key === "open" || key === "hide" ? value : unescape(value));
     }
-    return said2;
+    return said;
   }
   function numbered(named, name, index) {
     var _a;
@@ -2611,9 +2611,9 @@ ${counted(about.nodes, "node")}`;
     ["changed", "#9a6700"]
   ]);
   var BUNDLE2 = 3;
-  function dot({ title: title2, boxes, arrows }) {
+  function dot({ title: title2, verdict, boxes, arrows }) {
     const names = new Map(boxes.map((box2, index) => [box2.id, `n${index + 1}`]));
-    const lines = ["digraph connections {", "  rankdir=LR;", `  label=${quoted(title2)};`, "  node [shape=box];"];
+    const lines = ["digraph connections {", "  rankdir=LR;", `  label=${quoted(title2, verdict)};`, "  node [shape=box];"];
     const write = (parent, depth) => {
       const indent = "  ".repeat(Math.min(depth, 12));
       for (const box2 of boxes) {
@@ -2675,6 +2675,7 @@ ${counted(about.nodes, "node")}`;
 
   // launchlint/report/html/js/page/mermaid.js
   var LONGEST2 = 80;
+  var LONGEST_VERDICT = 200;
   var BUNDLE3 = 3;
   var STYLES = /* @__PURE__ */ new Map([
     ["unknown", "stroke-dasharray: 2 2"],
@@ -2683,9 +2684,10 @@ ${counted(about.nodes, "node")}`;
     ["removed", "stroke:#cf222e,stroke-width:3px,stroke-dasharray: 6 3"],
     ["changed", "stroke:#9a6700,stroke-width:3px"]
   ]);
-  function mermaid({ boxes, arrows }) {
+  function mermaid({ verdict, boxes, arrows }) {
     const names = new Map(boxes.map((box2, index) => [box2.id, `n${index + 1}`]));
     const lines = ["flowchart LR"];
+    if (verdict) lines.push(`  verdict["${label(verdict, LONGEST_VERDICT)}"]`, "  style verdict stroke:#cf222e,stroke-width:2px");
     const write = (parent, depth) => {
       const indent = "  ".repeat(Math.min(depth, 12));
       for (const box2 of boxes) {
@@ -2712,14 +2714,14 @@ ${counted(about.nodes, "node")}`;
     return kind === "node" ? `[${inside2}]` : `([${inside2}])`;
   }
   function line2({ kind, names, conditional }) {
-    const shown = names.length < BUNDLE3 ? names.map(label).join("<br/>") : `${names.length} ${kind}s`;
+    const shown = names.length < BUNDLE3 ? names.map((each) => label(each)).join("<br/>") : `${names.length} ${kind}s`;
     const text2 = shown && `|"${shown}"|`;
     if (kind === "action") return `==>${text2}`;
     return conditional || kind === "service" ? `-.->${text2}` : `-->${text2}`;
   }
-  function label(text2) {
+  function label(text2, longest = LONGEST2) {
     const characters = Array.from(text2);
-    const shown = characters.length <= LONGEST2 ? characters : [...characters.slice(0, 26), "…", ...characters.slice(-(LONGEST2 - 27))];
+    const shown = characters.length <= longest ? characters : [...characters.slice(0, 26), "…", ...characters.slice(-(longest - 27))];
     return shown.map((each) => /^[\w\-/.,~ …→]$/.test(each) ? each : `#${each.codePointAt(0)};`).join("");
   }
 
@@ -2801,8 +2803,9 @@ ${counted(about.nodes, "node")}`;
   function number(count3, one2, many2 = `${one2}s`) {
     return `${count3.toLocaleString("en")} ${count3 === 1 ? one2 : many2}`;
   }
-  function said(verdict) {
-    return verdict === "refused" ? "refused by roslaunch" : verdict;
+  function notice({ verdict, why, withArgs }) {
+    if (verdict === "loads") return withArgs && `loads; ${withArgs}`;
+    return `${verdict === "refused" ? "refused by roslaunch" : verdict}: ${why}${withArgs && `; ${withArgs}`}`;
   }
   function configurationName(args) {
     return args || "default args";
@@ -2864,7 +2867,7 @@ ${counted(about.nodes, "node")}`;
           for (const [to, taker] of takers) if (from !== to) draw(arrows, from, to, channel.kind, channel.name, both(giver, taker));
       }
     }
-    return { title: page.model.data.files[model.entry.file] ?? "", boxes, arrows: [...arrows.values()] };
+    return { title: page.model.data.files[model.entry.file] ?? "", verdict: notice(model.entry), boxes, arrows: [...arrows.values()] };
   }
   var givesData = ({ kind }, end) => kind === "topic" === end.offers;
   function isShown({ drawing }, state, channel, at) {
@@ -3193,7 +3196,7 @@ ${end.mark}`;
       const count3 = each.findings.length;
       const told2 = [
         each.configurations[0],
-        each.verdict !== "loads" && each.verdict,
+        each.verdict !== "loads" ? each.verdict : each.withArgs !== "" && "refused with other args",
         each.mark,
         count3 > 0 && `${count3} ${count3 === 1 ? "finding" : "findings"}`
       ];
@@ -3995,6 +3998,7 @@ ${end.mark}`;
       element2("h2", { tabindex: -1 }, page.model.data.files[entry.file] ?? ""),
       entry.verdict === "refused" && element2("p", { class: "refused" }, badge2("refused", "error"), ` roslaunch does not load it: ${entry.why}`),
       entry.verdict === "cannot be told" && element2("p", {}, badge2("cannot be told", "warning"), ` whether roslaunch loads it: ${entry.why}`),
+      entry.withArgs !== "" && element2("p", { class: "refused" }, badge2("refused with other args", "error"), ` ${entry.withArgs.replace(/^refused /, "")}`),
       !entry.complete && element2("p", { class: "note" }, "An include could not be followed, so there may be more nodes than are shown."),
       ...page.model.data.notices.map((each) => element2("p", { class: "note" }, each)),
       ...changesBlocks(page, model),
@@ -4733,9 +4737,9 @@ ${end.mark}`;
         return (_a = page.model.data.findings[each]) == null ? void 0 : _a.severity;
       });
       const has = (severity) => severities.filter((each) => each === severity).length;
-      const words2 = entry.verdict === "loads" ? loads(has("error"), has("warning")) : `${said(entry.verdict)}: ${entry.why}`;
+      const words2 = notice(entry) || loads(has("error"), has("warning"));
       const { base } = page.model.data;
-      verdict.className = entry.verdict === "refused" || has("error") > 0 ? "error" : entry.verdict !== "loads" || has("warning") > 0 ? "warning" : "ok";
+      verdict.className = isRefused(entry) || has("error") > 0 ? "error" : entry.verdict !== "loads" || has("warning") > 0 ? "warning" : "ok";
       verdict.textContent = base === null ? words2 : `${words2}; compared with ${base}`;
       const nodes = entry.nodes.filter((each) => isIn(each, state.configuration) && each.mark !== "removed");
       const topics = entry.channels.filter((each) => each.kind === "topic" && !each.plumbing && each.mark !== "removed");
@@ -4749,6 +4753,7 @@ ${end.mark}`;
       );
     });
   }
+  var isRefused = (entry) => entry.verdict === "refused" || entry.withArgs !== "";
   function loads(errors, warnings) {
     return errors > 0 ? "loads, with errors" : warnings > 0 ? "loads, with warnings" : "loads";
   }

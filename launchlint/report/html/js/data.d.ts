@@ -43,6 +43,8 @@ export interface Entry {
   verdict: "loads" | "refused" | "cannot be told";
   /** Why it is refused, or what is missing so that it cannot be told; empty where it loads. */
   why: string;
+  /** Which other configuration roslaunch refuses, and why: "refused with sim:=true: …"; empty where none is known. */
+  withArgs: string;
   /** Args of each configuration as on the command line; the first is the default one (often ""). */
   configurations: string[];
   /** Whether every include could be followed. */

@@ -35,7 +35,7 @@ def browser() -> Iterator[Browser]:
 def reports(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
     """A function: the page of the robot, of ``hostile`` names, of what ``changed``, of an ``empty`` file, of an ``unknown`` robot.
 
-    Or of findings ``between`` nodes.
+    Or of findings ``between`` nodes, or of a file that is refused ``otherwise``.
     """
     made: dict[str, Path] = {}
     directory = tmp_path_factory.mktemp("reports")
@@ -105,6 +105,14 @@ def _between(directory: Path) -> Path:
     return _written(directory, "main.launch")
 
 
+def _otherwise(directory: Path) -> Path:
+    """A launch file that loads as it stands, and that roslaunch refuses with other args."""
+    directory.mkdir()
+    node = '<node pkg="demo" type="talk" name="a"/>'
+    (directory / "main.launch").write_text(f'<launch><arg name="sim" default="false"/>{node}<group if="$(arg sim)">{node}</group></launch>')
+    return _written(directory, "main.launch")
+
+
 def _unknown(directory: Path) -> Path:
     shutil.copytree(HERE / "robot", directory)
     return _written(directory, "robot.launch", "--title", "unknown")
@@ -117,6 +125,7 @@ MAKERS: dict[str, Callable[[Path], Path]] = {
     "empty": _empty,
     "unknown": _unknown,
     "between": _between,
+    "otherwise": _otherwise,
 }
 
 

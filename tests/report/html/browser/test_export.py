@@ -51,6 +51,16 @@ def test_json_names_boxes_and_arrows(open_report, tmp_path):
     ]
 
 
+def test_what_is_drawn_of_a_refused_launch_says_so(open_report, tmp_path):
+    said = "refused by roslaunch: two nodes are named /camera"
+    page = open_report(fragment="#entry=tools.launch")
+    assert saved(page, "Mermaid", tmp_path).read_text(encoding="utf-8").splitlines()[1] == f'  verdict["{said.replace(":", "#58;")}"]'
+    page = open_report(fragment="#entry=tools.launch")
+    assert f'label="tools.launch\\n{said}";' in saved(page, "Graphviz DOT", tmp_path).read_text(encoding="utf-8")
+    page = open_report(fragment="#entry=tools.launch")
+    assert json.loads(saved(page, "JSON", tmp_path).read_text(encoding="utf-8"))["verdict"] == said
+
+
 def test_svg_is_a_document_of_its_own(open_report, tmp_path):
     page = open_report(fragment=VIEW)
     root = ElementTree.parse(saved(page, "SVG picture", tmp_path)).getroot()

@@ -159,3 +159,14 @@ def test_another_launch_file_is_shown_whole(open_report):
         "refused roslaunch does not load it: two nodes are named /camera",
     ]
     assert fragment(page) == "entry=tools.launch"
+
+
+@pytest.mark.parametrize("script", [True, False])
+def test_what_is_refused_with_other_args_is_said_at_the_top(open_report, script):
+    page = open_report("otherwise", java_script_enabled=script)
+    assert page.locator("#verdict").inner_text() == "loads; refused with sim:=true: two nodes are named /a"
+    assert page.locator("#verdict").get_attribute("class") == "error"
+    if script:
+        assert lines(page.locator("#panel"))[2] == "refused with other args with sim:=true: two nodes are named /a"
+    else:
+        assert page.locator("p.empty").first.inner_text() == "refused with sim:=true: two nodes are named /a"

@@ -20,7 +20,7 @@ const SIGNS = {
  * or "~" before it: added, removed, changed.
  */
 export function data(facts, { nodes = {}, channels = {}, params = [], containers = [], configurations = [""], base = null, findings = [] } = {}) {
-  const entry = { file: 0, verdict: "loads", why: "", configurations, complete: true, containers: containers.map((each) => ({ findings: [], ...each })), nodes: [], channels: [], connections: [], params, findings: [] };
+  const entry = { file: 0, verdict: "loads", why: "", withArgs: "", configurations, complete: true, containers: containers.map((each) => ({ findings: [], ...each })), nodes: [], channels: [], connections: [], params, findings: [] };
   const at = new Map();
   const node = (name) => {
     const key = `n ${name}`;

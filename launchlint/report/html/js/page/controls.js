@@ -42,7 +42,7 @@ function entryChooser({ model, store }) {
     const count = each.findings.length;
     const told = [
       each.configurations[0],
-      each.verdict !== "loads" && each.verdict,
+      each.verdict !== "loads" ? each.verdict : each.withArgs !== "" && "refused with other args",
       each.mark,
       count > 0 && `${count} ${count === 1 ? "finding" : "findings"}`,
     ];

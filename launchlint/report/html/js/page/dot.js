@@ -12,9 +12,9 @@ const COLOURS = new Map([
 const BUNDLE = 3;
 
 /** @param {Picture} picture */
-export function dot({ title, boxes, arrows }) {
+export function dot({ title, verdict, boxes, arrows }) {
   const names = new Map(boxes.map((box, index) => [box.id, `n${index + 1}`]));
-  const lines = ["digraph connections {", "  rankdir=LR;", `  label=${quoted(title)};`, "  node [shape=box];"];
+  const lines = ["digraph connections {", "  rankdir=LR;", `  label=${quoted(title, verdict)};`, "  node [shape=box];"];
   /** @param {string} parent @param {number} depth */
   const write = (parent, depth) => {
     const indent = "  ".repeat(Math.min(depth, 12));

@@ -5,6 +5,7 @@
 /** @typedef {import("./picture.js").Arrow} Arrow */
 
 const LONGEST = 80;
+const LONGEST_VERDICT = 200;
 const BUNDLE = 3;
 const STYLES = new Map([
   ["unknown", "stroke-dasharray: 2 2"],
@@ -15,9 +16,10 @@ const STYLES = new Map([
 ]);
 
 /** @param {Picture} picture */
-export function mermaid({ boxes, arrows }) {
+export function mermaid({ verdict, boxes, arrows }) {
   const names = new Map(boxes.map((box, index) => [box.id, `n${index + 1}`]));
   const lines = ["flowchart LR"];
+  if (verdict) lines.push(`  verdict["${label(verdict, LONGEST_VERDICT)}"]`, "  style verdict stroke:#cf222e,stroke-width:2px");
   /** @param {string} parent @param {number} depth */
   const write = (parent, depth) => {
     const indent = "  ".repeat(Math.min(depth, 12));
@@ -48,15 +50,15 @@ function shape({ kind, label: text, detail }) {
 
 /** @param {Arrow} arrow */
 function line({ kind, names, conditional }) {
-  const shown = names.length < BUNDLE ? names.map(label).join("<br/>") : `${names.length} ${kind}s`;
+  const shown = names.length < BUNDLE ? names.map((each) => label(each)).join("<br/>") : `${names.length} ${kind}s`;
   const text = shown && `|"${shown}"|`;
   if (kind === "action") return `==>${text}`;
   return conditional || kind === "service" ? `-.->${text}` : `-->${text}`;
 }
 
-/** Whatever could end a label or begin markup is written as its code. @param {string} text */
-function label(text) {
+/** Whatever could end a label or begin markup is written as its code. @param {string} text @param {number} longest */
+function label(text, longest = LONGEST) {
   const characters = Array.from(text);
-  const shown = characters.length <= LONGEST ? characters : [...characters.slice(0, 26), "…", ...characters.slice(-(LONGEST - 27))];
+  const shown = characters.length <= longest ? characters : [...characters.slice(0, 26), "…", ...characters.slice(-(longest - 27))];
   return shown.map((each) => (/^[\w\-/.,~ …→]$/.test(each) ? each : `#${each.codePointAt(0)};`)).join("");
 }

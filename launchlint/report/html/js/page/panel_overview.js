@@ -25,6 +25,8 @@ export function overviewPanel(page, model) {
     entry.verdict === "refused" && element("p", { class: "refused" }, badge("refused", "error"), ` roslaunch does not load it: ${entry.why}`),
     entry.verdict === "cannot be told" &&
       element("p", {}, badge("cannot be told", "warning"), ` whether roslaunch loads it: ${entry.why}`),
+    entry.withArgs !== "" &&
+      element("p", { class: "refused" }, badge("refused with other args", "error"), ` ${entry.withArgs.replace(/^refused /, "")}`),
     !entry.complete && element("p", { class: "note" }, "An include could not be followed, so there may be more nodes than are shown."),
     ...page.model.data.notices.map((each) => element("p", { class: "note" }, each)),
     ...changesBlocks(page, model),

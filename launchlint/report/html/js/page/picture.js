@@ -3,7 +3,7 @@
 import { containersOf } from "../drawing/index.js";
 import { fullName } from "./containers.js";
 import { isIn } from "./model.js";
-import { number } from "./wording.js";
+import { notice, number } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
 /** @typedef {import("./state.js").PageState} PageState */
@@ -13,11 +13,12 @@ import { number } from "./wording.js";
 /** @typedef {import("../drawing/types").Group} Group */
 
 /**
- * `kind` is container (open), folded, node, topic, service or action; `parent` the id of the container around it, empty for none.
+ * `kind` is container (open), folded, node, topic, service or action; `parent` the id of the container around it, empty for none. `verdict` says
+ * why roslaunch does not load all that is drawn; empty where it does.
  *
  * @typedef {{ id: string, parent: string, kind: string, label: string, detail: string, unknown: boolean, conditional: boolean, mark: string }} Box
  * @typedef {{ from: string, to: string, kind: Channel["kind"], names: string[], conditional: boolean, mark: string }} Arrow
- * @typedef {{ title: string, boxes: Box[], arrows: Arrow[] }} Picture
+ * @typedef {{ title: string, verdict: string, boxes: Box[], arrows: Arrow[] }} Picture
  */
 
 /** @type {ReadonlyMap<Channel["kind"], "topics" | "services" | "actions">} */
@@ -69,7 +70,7 @@ export function pictureOf(page) {
         for (const [to, taker] of takers) if (from !== to) draw(arrows, from, to, channel.kind, channel.name, both(giver, taker));
     }
   }
-  return { title: page.model.data.files[model.entry.file] ?? "", boxes, arrows: [...arrows.values()] };
+  return { title: page.model.data.files[model.entry.file] ?? "", verdict: notice(model.entry), boxes, arrows: [...arrows.values()] };
 }
 
 /** Data flows from publishers, and from clients to servers. @param {Channel} channel @param {Connection} end */

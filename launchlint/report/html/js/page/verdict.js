@@ -2,9 +2,10 @@
 
 import { element, fill, part } from "./elements.js";
 import { isIn } from "./model.js";
-import { said } from "./wording.js";
+import { notice } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
+/** @typedef {import("../data").Entry} Entry */
 
 const SEVERITIES = /** @type {const} */ (["error", "warning", "info"]);
 
@@ -17,9 +18,9 @@ export function createVerdict(page) {
     const { entry } = page.model.entry(state.entry);
     const severities = entry.findings.map((each) => page.model.data.findings[each]?.severity);
     const has = (/** @type {string} */ severity) => severities.filter((each) => each === severity).length;
-    const words = entry.verdict === "loads" ? loads(has("error"), has("warning")) : `${said(entry.verdict)}: ${entry.why}`;
+    const words = notice(entry) || loads(has("error"), has("warning"));
     const { base } = page.model.data;
-    verdict.className = entry.verdict === "refused" || has("error") > 0 ? "error" : entry.verdict !== "loads" || has("warning") > 0 ? "warning" : "ok";
+    verdict.className = isRefused(entry) || has("error") > 0 ? "error" : entry.verdict !== "loads" || has("warning") > 0 ? "warning" : "ok";
     verdict.textContent = base === null ? words : `${words}; compared with ${base}`;
     const nodes = entry.nodes.filter((each) => isIn(each, state.configuration) && each.mark !== "removed");
     const topics = entry.channels.filter((each) => each.kind === "topic" && !each.plumbing && each.mark !== "removed");
@@ -33,6 +34,9 @@ export function createVerdict(page) {
     );
   });
 }
+
+/** Whether roslaunch refuses the launch file in some configuration. @param {Entry} entry */
+const isRefused = (entry) => entry.verdict === "refused" || entry.withArgs !== "";
 
 /** @param {number} errors @param {number} warnings */
 function loads(errors, warnings) {

@@ -36,9 +36,10 @@ export function number(count, one, many = `${one}s`) {
   return `${count.toLocaleString("en")} ${count === 1 ? one : many}`;
 }
 
-/** A verdict as people read it. @param {Entry["verdict"]} verdict */
-export function said(verdict) {
-  return verdict === "refused" ? "refused by roslaunch" : verdict;
+/** The verdict in a sentence; empty where no configuration is known that does not load. @param {Entry} entry */
+export function notice({ verdict, why, withArgs }) {
+  if (verdict === "loads") return withArgs && `loads; ${withArgs}`;
+  return `${verdict === "refused" ? "refused by roslaunch" : verdict}: ${why}${withArgs && `; ${withArgs}`}`;
 }
 
 /**
