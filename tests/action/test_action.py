@@ -75,7 +75,7 @@ def test_an_error_is_annotated_and_fails_at_the_end(repository: Repository, inst
         + next(line for line in ran.log.splitlines() if line.startswith("::warning")).partition("is never read")[2],
     ]
     assert ran.summary.splitlines()[:5] == [
-        "### launchlint: 1 error, 1 warning in 3 launch files",
+        "### launchlint: 1 error, 1 warning in 3 launch files; of 3 entry files 2 load, 1 is refused by roslaunch",
         "",
         "| | rule | where | what |",
         "|---|---|---|---|",
