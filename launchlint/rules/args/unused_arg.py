@@ -84,7 +84,7 @@ def check(view: FileView) -> Iterator[Finding]:
     for name, elements in declared.items():
         if name in read or any(_is_check(element) or element.index in kept for element in elements):
             continue
-        idle = name in in_comments or all("value" in element.attributes for element in elements)
+        idle = name in in_comments or all(element.attributes.keys() & {"value", "default"} == {"value"} for element in elements)
         first, *others = (document.place(element.attributes["name"].value_span) for element in elements)
         yield RULE.at(
             first,

@@ -37,7 +37,6 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance
 from launchlint.rules.frames.published import STATIC, Published, has_prefix, published
-from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
@@ -48,7 +47,7 @@ RULE = Rule("LL622", "competing-transforms", Severity.ERROR)
 def check(view: GraphView) -> Iterator[Finding]:
     """Compare the child frames of all transforms (tf2::BufferCore::setTransform keeps one parent for each frame)."""
     graph = view.graph
-    if has_odd_boolean(view.launch) or has_prefix(graph):
+    if has_prefix(graph):
         return
     known: dict[tuple[str, str], list[Published]] = {}
     for each in published(graph):

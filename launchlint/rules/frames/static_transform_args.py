@@ -41,7 +41,6 @@ from math import inf, isfinite
 from launchlint.finding import Finding, Severity
 from launchlint.graph.command_line import command_line
 from launchlint.model import Launch, Node
-from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
@@ -65,8 +64,6 @@ _SUBSTITUTION = re.compile(r"\$\((?:[^()]|\([^()]*\))*\)")
 
 def check(view: LaunchView) -> Iterator[Finding]:
     """Read the arguments as the programs do (main in static_transform_publisher.cpp, static_transform_broadcaster_program.cpp)."""
-    if has_odd_boolean(view.launch):
-        return
     for node in (*view.launch.nodes, *view.launch.tests):
         if node.executable != PROGRAM or node.package not in FORMS or node.unknown & {"pkg", "type", "args"}:
             continue

@@ -39,7 +39,6 @@ from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
 from launchlint.rules.connections.near_names import SLIP, relation
 from launchlint.rules.frames.published import TOPICS, bare, description, has_prefix, published
-from launchlint.rules.made_up import has_odd_boolean
 from launchlint.rules.params.values import is_certain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
@@ -59,7 +58,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
         for frame in instance.frames
         if frame.role != "child" and frame.name and frame.parameter and (setting := graph.parameters.setting(frame.parameter)) is not None
     ]
-    if not named or has_odd_boolean(view.launch):
+    if not named:
         return
     made = _made(graph)
     if made is not None and len(named) * len(made) > MOST_COMPARED:
