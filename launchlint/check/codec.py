@@ -78,6 +78,7 @@ def entry_to_json(result: EntryResult) -> list[Any]:
             summary.roots,
             summary.needs_caller,
             summary.undeclared_args,
+            summary.calls,
         ],
         result.configurations,
         result.outcome,
@@ -88,7 +89,7 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
     """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
     path, verdict, error, findings, fine, visited, names, summary, configurations, outcome = value
     word, rule, reason, missing, elsewhere = outcome
-    entry, refused, included, calls, roots, needs, undeclared = summary
+    entry, refused, included, calls, roots, needs, undeclared, passing = summary
     return EntryResult(
         request,
         path,
@@ -106,6 +107,7 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
             tuple((name, Location(*location)) for name, location in roots),
             needs,
             undeclared,
+            tuple((path, tuple((name, text) for name, text in passed)) for path, passed in passing),
         ),
         configurations,
         outcome=Verdict(word, rule, reason, tuple(missing), tuple(_refusal_from_json(each) for each in elsewhere)),

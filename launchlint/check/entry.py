@@ -17,6 +17,7 @@ from launchlint.evaluate.configurations import configurations
 from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.finding import Finding, Key, Location, Severity
+from launchlint.model import Launch
 from launchlint.problem import Problem
 from launchlint.rules.registry import RULES, Entry, rule_of
 from launchlint.rules.rule import Fine
@@ -254,7 +255,7 @@ class EntryChecker:
         needs_caller = bool(reasons & ALONE_KINDS) and not request.declared
         lacks = needs_caller and bool(reasons & (ALONE_KINDS - {"required-arg-unset"}))
         calls = tuple(_broken_calls(launch.problems))
-        summary = EntrySummary(path, refused is not None, included, calls, roots, needs_caller, lacks)
+        summary = EntrySummary(path, refused is not None, included, calls, roots, needs_caller, lacks, tuple(_calls(launch)))
         return EntryResult(
             request,
             path,
@@ -274,6 +275,13 @@ def _keep_plainer(findings: dict[Key, Finding], found: Finding) -> None:
     known = findings.get(found.key)
     if known is None or (-int(found.severity), len(found.chain)) < (-int(known.severity), len(known.chain)):
         findings[found.key] = found
+
+
+def _calls(launch: Launch) -> Iterator[tuple[str, tuple[tuple[str, str], ...]]]:
+    for include in launch.includes:
+        passed = tuple((name, value) for name, value in include.arguments.items() if isinstance(value, str))
+        if include.source is not None and passed:
+            yield include.source.path, passed
 
 
 def _broken_calls(problems: tuple[Problem, ...]) -> Iterator[BrokenCall]:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from launchlint.check.entry import EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult, run_rule
+from launchlint.check.given_together import judged_by_callers
 from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.options import Options
 from launchlint.check.ours import Ours
@@ -52,6 +53,7 @@ def merge(
     entries = list(results) if alone else without_parts(results)
     findings: dict[Key, Finding] = {}
     reached: dict[Key, set[str]] = {}
+    by_default: set[Key] = set()
     fine: set[Fine] = set()
     visited: dict[str, set[int]] = {}
     files: dict[str, FileResult] = {}
@@ -62,6 +64,8 @@ def merge(
         for finding in result.findings:
             key = finding.key
             reached.setdefault(key, set()).add(result.path)
+            if finding.arguments == result.request.arguments:
+                by_default.add(key)
             known = findings.get(key)
             if known is None or _better(finding, known):
                 findings[key] = finding
@@ -73,6 +77,7 @@ def merge(
         for key, finding in findings.items()
         if Fine(finding.rule, finding.location.path, finding.location.start) not in fine
     ]
+    collected = list(judged_by_callers(collected, by_default, [result.summary for result in entries]))
     own = {finding.key for finding in collected}
     for file in files.values():
         evaluated = visited.get(file.path, set())

@@ -107,7 +107,8 @@ class EntrySummary(NamedTuple):
     """What is left of an evaluated entry file when all have been evaluated; paths as shown.
 
     ``needs_caller``: it does not load alone, because args are missing that an including file or the command line would give;
-    ``undeclared_args``: it reads args that it does not even declare.
+    ``undeclared_args``: it reads args that it does not even declare. ``calls`` are its includes as it is started without args: the path
+    of the included file, and the args that are passed with a value that is known.
     """
 
     path: str
@@ -117,6 +118,7 @@ class EntrySummary(NamedTuple):
     roots: tuple[tuple[str, Location], ...]
     needs_caller: bool = False
     undeclared_args: bool = False
+    calls: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = ()
 
 
 class RunView(NamedTuple):

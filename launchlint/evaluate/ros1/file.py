@@ -303,7 +303,8 @@ class FileEvaluation:
         elif elements and not outer:
             self.problem("arg-out-of-scope", span, refused=True, name=name, declaration=self._declared_at(elements[0]))
         else:
-            self.problem("undeclared-arg", span, refused=True, name=name, known=known, entry=self.is_entry)
+            skipped = tuple(self._declared_at(element) for element in outer)
+            self.problem("undeclared-arg", span, refused=True, name=name, known=known, entry=self.is_entry, skipped=skipped)
 
     def declarations(self) -> dict[str, list[Element]]:
         """All ``<arg>`` elements of this file outside includes, by name as written."""

@@ -5,6 +5,8 @@ can then give it), and where the configuration says how the file is started (`en
 information: roslaunch takes an arg from the command line whether it is declared or not, and some files are started just so.
 In an `$(eval …)` it is a warning: the name may be a text without its quotes.
 
+An arg that is declared, but only under conditions none of which holds, is information too, where other args would make one hold.
+
 ## Why it matters
 
 roslaunch refuses the file as soon as it evaluates the element without a value for the arg. In a branch that is rarely taken
@@ -50,11 +52,15 @@ RULE = Rule("LL201", "undeclared-arg", Severity.ERROR, roslaunch="refuses", fixa
 
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
-    """Name the arg that was meant, or say who has to give it; facts: ``name``, ``known`` (args in scope)."""
+    """Name the arg that was meant, or say who has to give it; facts: ``name``, ``known`` (args in scope), ``skipped``."""
     name, known = problem.facts["name"], problem.facts["known"]
     declare = f'declare it above: <arg name="{name}" default="…"/>'
     meant = surely(name, known)
     near = meant or closest(name, known)
+    switches = _switches(problem, view)
+    if switches and not view.declared_entry:
+        yield _under_conditions(problem, switches)
+        return
     entered = _entered_without(problem, view)
     if meant is not None or entered or view.declared_entry:
         severity = Severity.ERROR if problem.refused else Severity.WARNING
@@ -82,6 +88,33 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         help=help_,
         topic=name,
         fix=None if near is None or severity is Severity.INFO or help_ != f"did you mean {near}?" else _fix(problem, view, name, near),
+    )
+
+
+def _switches(problem: Problem, view: LaunchView) -> tuple[str, ...]:
+    """The args of the entry file that the conditions of the declarations of the arg hang on; ``skipped`` are their places."""
+    starts = {(place.source.path, place.span.start) for place in problem.facts["skipped"]}
+    if not starts:
+        return ()
+    names: set[str] = set()
+    for branch in view.launch.branches:
+        path, span = branch.element.source.path, branch.element.span
+        if any(path == at and span.start <= start < span.end for at, start in starts):
+            names |= branch.steered_by
+    return tuple(sorted(names))
+
+
+def _under_conditions(problem: Problem, switches: tuple[str, ...]) -> Finding:
+    """The arg has declarations, and a configuration in which none of them counts."""
+    name = problem.facts["name"]
+    return RULE.at(
+        problem.origin,
+        f"the arg {name} is declared under conditions only, and none of them holds",
+        severity=Severity.INFO,
+        related=(*problem.related, *((place, "declared here, under a condition") for place in problem.facts["skipped"])),
+        notes=(f"without it roslaunch stops here; what declares it hangs on {' and '.join(switches)}",),
+        help=f"declare {name} for the other cases too, or say in the doc of {switches[0]} what has to be chosen",
+        topic=name,
     )
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from launchlint.graph.connections import ConnectionGraph, Endpoint, Instance
-from launchlint.graph.names import absolute, kind
+from launchlint.graph.names import Applied, absolute, kind
+from launchlint.library.template import Slot, is_template, parse
 from launchlint.source import Origin
 
 Owners = Mapping[int, Instance]
@@ -41,12 +42,31 @@ def remap_origin(endpoint: Endpoint) -> Origin | None:
     return None
 
 
+def asked_for(endpoint: Endpoint, instance: Instance) -> Applied | None:
+    """The remapping whose target the node's code looks up and makes the name of, as ``image_view`` does; None where it says the name.
+
+    A further remap of the name that comes out would have to be found by its code, too: remappings do not chain.
+    """
+    template = endpoint.declaration.name
+    if endpoint.applied or not is_template(template):
+        return None
+    for part in parse(template):
+        if isinstance(part, Slot) and part.kind == "remap":
+            found = instance.namer.remappings.get(absolute(part.key, instance.namer.namespace, instance.namer.node))
+            if found is not None and f"{endpoint.name}/".startswith(f"{found.target}/"):
+                return found
+    return None
+
+
 def acting_origin(endpoint: Endpoint, instance: Instance) -> Origin:
     """Where the name is made: the last remap, ``args`` where it stands there, else the node."""
     remap = remap_origin(endpoint)
     if remap is not None:
         return remap
-    if endpoint.applied and "args" in instance.node.attributes:
+    asked = asked_for(endpoint, instance)
+    if asked is not None and asked.rule.remap is not None:
+        return asked.rule.remap.origin
+    if (endpoint.applied or asked is not None) and "args" in instance.node.attributes:
         return Origin(instance.node.attributes["args"], instance.node.origin.step)
     return node_origin(instance)
 
@@ -56,6 +76,9 @@ def how(endpoint: Endpoint, instance: Instance) -> str:
     if endpoint.applied:
         rule = endpoint.applied[-1].rule
         return f"{instance.name} says {endpoint.declared}; the remap of {rule.source} to {rule.target} makes it {endpoint.name}"
+    asked = asked_for(endpoint, instance)
+    if asked is not None:
+        return f"{instance.name} makes {endpoint.name} of what {asked.rule.source} is remapped to, {asked.rule.target}"
     way = kind(endpoint.declared)
     if way == "global":
         return f"{instance.name} says {endpoint.declared}, a global name that no namespace changes"
@@ -75,15 +98,23 @@ def new_remap(endpoint: Endpoint, instance: Instance, target: str) -> tuple[str,
 
 def write_remap(endpoint: Endpoint, instance: Instance, target: str) -> str:
     """What to write so that ``endpoint`` gets the name ``target``."""
-    if endpoint.applied:
-        rule = endpoint.applied[-1].rule
+    asked = asked_for(endpoint, instance)
+    if endpoint.applied or asked is not None:
+        rule = endpoint.applied[-1].rule if asked is None else asked.rule
         remap = rule.remap
+        source = rule.source if remap is None else remap.source
+        if asked is not None:
+            tail = endpoint.name[len(asked.target) :]
+            if not target.endswith(tail):
+                return f"remap {source} so that {target} comes out"
+            target = target[: len(target) - len(tail)]
+        elif endpoint.unremapped == target:
+            return f"take the remap of {source} away"
         namespace = instance.namer.namespace.strip("/")
         prefix = f"/{namespace}/" if namespace else "/"
         shown = target[len(prefix) :] if not rule.target.startswith(("/", "~")) and target.startswith(prefix) else target
-        source = rule.source if remap is None else remap.source
-        if endpoint.unremapped == target:
-            return f"take the remap of {source} away"
+        if remap is None:
+            return f"write {source}:={shown} in the args of {instance.name}"
         return f'let the remap of {source} lead to="{shown}"'
     source, shown = new_remap(endpoint, instance, target)
     return f'put <remap from="{source}" to="{shown}"/> into the <node> of {instance.name}'

@@ -2,8 +2,9 @@
 
 It is told where the library knows the node completely, and none of the names in its code (topics, services, actions, params)
 is the `from` of the remap. Of a remap outside a node it is told where this holds for all nodes that it reaches. It is an info
-where the remap would change nothing anyhow: one of `/tf` and the like, or one to a name that the node uses in any case. A
-name that the node would have if it were started in another way counts as one of its names.
+where the remap would change nothing anyhow: one of `/tf` and the like, one of a param that the node does not read and others
+do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. A name that the
+node would have if it were started in another way counts as one of its names.
 
 A remap acts on whole names only: `camera` does not remap `camera/image`, unless the code makes a NodeHandle of `camera`.
 
@@ -43,7 +44,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.graph.connections import HUBS, Instance
+from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, kind
 from launchlint.model import Remap
 from launchlint.rules.edits import fix, set_value, spot
@@ -68,6 +69,7 @@ class _Miss(NamedTuple):
     instance: Instance
     applied: Applied
     names: OwnNames
+    graph: ConnectionGraph
 
 
 def check(view: GraphView) -> Iterator[Finding | Fine]:
@@ -95,7 +97,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
             if applied.source == applied.target:
                 continue  # the rule of remaps to themselves speaks about it
             if not _has(instance, names, applied):
-                missed.setdefault((*_key(origin), topic), []).append(_Miss(origin, instance, applied, names))
+                missed.setdefault((*_key(origin), topic), []).append(_Miss(origin, instance, applied, names, view.graph))
             elif remap_or_none is not None:
                 fine[_key(origin)] = origin
     yield from (RULE.fine(origin) for origin in fine.values())
@@ -132,7 +134,8 @@ def _has(instance: Instance, names: OwnNames, applied: Applied) -> bool:
 
 
 def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
-    origin, instance, applied, names = misses[0]
+    first = misses[0]
+    origin, instance, applied, names = first.origin, first.instance, first.applied, first.names
     rule = applied.rule
     written = rule.remap.source if rule.remap is not None else rule.source
     if len(misses) == 1:
@@ -178,7 +181,32 @@ def _is_harmless(miss: _Miss) -> bool:
     source, target = miss.applied.source, miss.applied.target
     if source in HUBS or (target in miss.names.spelled and _reversed(miss) is None) or _is_said_twice(miss):
         return True
+    if _as_wanted(miss) is not None or _is_idle_param(miss):
+        return True
     return miss.instance.client != "rospy" and any(full.startswith(f"{source}/") for full in miss.names.spelled)
+
+
+def _as_wanted(miss: _Miss) -> str | None:
+    """The name that the node uses anyhow and that was wanted: a ``from`` that acts would lead the node away from it.
+
+    It is written in ``to`` with its namespace, and resolved in that namespace ``to`` would hold it twice.
+    """
+    wanted, namespace = _as_global(miss), miss.instance.namer.namespace.rstrip("/")
+    return wanted if namespace and wanted in miss.names.used and wanted.startswith(f"{namespace}/") else None
+
+
+def _as_global(miss: _Miss) -> str:
+    """``to`` as it would be with a leading slash."""
+    return "/" + miss.applied.rule.target.strip().lstrip("/")
+
+
+def _is_idle_param(miss: _Miss) -> bool:
+    """Whether it is a param that is set, or that other nodes read, and that this node does not read, by no name that is like it."""
+    names, source = miss.names, miss.applied.source
+    end = source.rpartition("/")[2]
+    sides, graph = (source, miss.applied.target, _as_global(miss)), miss.graph
+    is_param = any(graph.parameters.is_set(side) or side in graph.readers for side in sides)
+    return is_param and not any(full.rpartition("/")[2] == end for full in names.spelled) and closest(source, names.spelled) is None
 
 
 def _is_said_twice(miss: _Miss) -> bool:
@@ -200,8 +228,8 @@ def _reversed(miss: _Miss) -> str | None:
 
 
 def _help(miss: _Miss, written: str) -> str:
-    instance, names, source = miss.instance, miss.names, miss.applied.source
-    spelled, namer = names.spelled, instance.namer
+    names, source = miss.names, miss.applied.source
+    spelled = names.spelled
     turned = _reversed(miss)
     if turned is not None and source not in HUBS:
         return f'if from and to are swapped, write from="{turned}" to="{written}"; else remove it, since {turned} is the name in the code'
@@ -209,10 +237,9 @@ def _help(miss: _Miss, written: str) -> str:
     if inside:
         return f"a remap does not reach below a name: remap {_listed(inside)} one by one"
     if _is_harmless(miss):
-        return (
-            f"remove it: {miss.applied.target} is the name that the node uses anyhow" if miss.applied.target in names.used else "remove it"
-        )
-    bare = written.lstrip("~/")
+        anyhow = miss.applied.target if miss.applied.target in names.used else _as_wanted(miss)
+        return "remove it" if anyhow is None else f"remove it: {anyhow} is the name that the node uses anyhow"
+    bare, namer = written.lstrip("~/"), miss.instance.namer
     for other, what in ((f"~{bare}", "private"), (bare, "relative"), (f"/{bare}", "global")):
         found = spelled.get(absolute(other, namer.namespace, namer.node)) if bare else None
         if found is not None:
