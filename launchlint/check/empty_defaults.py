@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 
+from launchlint.check.empty_reach import may_be_caused
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.session import Session
@@ -41,11 +42,19 @@ def told_at_declarations(session: Session, file: str, evaluation: Evaluation, pi
     if launch.refused is None or any(problem.facts.get("empty") is True for problem in launch.problems):
         return evaluation  # it loads, or has been here
     declared = dict(_empty_declarations(evaluation))
-    if not declared:
+    if not declared or not may_be_caused(session, evaluation, {name for name, _ in declared.values()}):
         return evaluation
 
+    done: dict[frozenset[tuple[Declaration, str]], Evaluation] = {}
+
+    def evaluated(chosen: Mapping[Declaration, Value]) -> Evaluation:
+        variant = frozenset((each, repr(value)) for each, value in chosen.items())
+        if variant not in done:
+            done[variant] = evaluate(session, file, launch.given, pinned, chosen)
+        return done[variant]
+
     def with_defaults(chosen: Mapping[Declaration, Value]) -> Launch:
-        return evaluate(session, file, launch.given, pinned, chosen).launch
+        return evaluated(chosen).launch
 
     refusing = {_key(problem): problem for problem in launch.problems if problem.refused}
     left = refusing.keys() - _keys(with_defaults({each: _unknown(name) for each, (name, _) in declared.items()}))
@@ -62,7 +71,7 @@ def told_at_declarations(session: Session, file: str, evaluation: Evaluation, pi
             left -= caused
     if not causes:
         return evaluation
-    better = evaluate(session, file, launch.given, pinned, guilty)
+    better = evaluated(guilty)
     kept = _independent(launch, better.launch, lambda: with_defaults({each: _placeholder(declared[each][0]) for each in guilty}))
     problems = (*causes, *better.launch.problems, *kept)
     refused = next((problem for problem in problems if problem.refused), None)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterable, Mapping
-from copy import copy
 
 from launchlint.evaluate.assemble import Evaluation, assemble, not_loadable
 from launchlint.evaluate.block import Value
@@ -51,24 +50,7 @@ def evaluate(
     ``pinned`` names args that people fixed, which therefore do not count as steering any condition. ``defaults`` are taken in place of
     empty defaults, by where the arg is declared.
     """
-    if defaults:
-        return _with_defaults(session, file, given, pinned, defaults)
-    return _evaluate(session, file, given, pinned, Progress())
-
-
-def _with_defaults(
-    session: Session, file: str, given: tuple[tuple[str, str], ...], pinned: frozenset[str], defaults: Mapping[Declaration, Value]
-) -> Evaluation:
-    """Blocks worked out with the defaults as written are of no use here, nor are these elsewhere; what is looked at counts all the same."""
-    own = copy(session)
-    own.blocks = {}
-    evaluation = _evaluate(own, file, given, pinned, Progress(defaults))
-    session.touched |= own.touched
-    session.variables |= own.variables
-    return evaluation
-
-
-def _evaluate(session: Session, file: str, given: tuple[tuple[str, str], ...], pinned: frozenset[str], progress: Progress) -> Evaluation:
+    progress = Progress(defaults, frozenset(session.named(path) for path, _ in defaults))
     if sys.getrecursionlimit() < DEEPEST_STACK:
         sys.setrecursionlimit(DEEPEST_STACK)
     document = session.document(file)

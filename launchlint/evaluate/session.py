@@ -63,8 +63,10 @@ class Session:
         self.root = os.getcwd() if root is None else root
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
+        self.variants: dict[Any, Block] = {}
         self.loaded: dict[str, Any] = {}
         self.uses: dict[Document, ArgUses] = {}
+        self.words: dict[Document, Mapping[str, frozenset[str]]] = {}
         self.sources: dict[str, Source] = {}
         self.touched: set[str] = set()
         self.variables: set[str] = set()
@@ -81,7 +83,8 @@ class Session:
         return session
 
     def begin_entry(self) -> None:
-        """Forget which files and variables were looked at: a new entry file starts."""
+        """Forget which files and variables were looked at, and the blocks with other defaults than are written: a new entry file starts."""
+        self.variants = {}
         self.touched = set()
         self.variables = set()
 
@@ -91,6 +94,10 @@ class Session:
         inside = self.root.rstrip(os.sep) + os.sep
         path = absolute.removeprefix(inside)
         return path.replace(os.sep, "/")
+
+    def named(self, shown: str) -> str:
+        """The absolute name of the file that people see as ``shown``, as in :attr:`touched`."""
+        return os.path.abspath(os.path.join(self.root, shown))
 
     def read(self, file: str) -> Read:
         """Read ``file`` once. Never raises: a missing, unreadable or too large file has a reason instead of data."""

@@ -58,13 +58,16 @@ class Progress:
     """What all files of one evaluation share: the anonymous names so far, the include stack, and how much has been looked at.
 
     ``angles``: a ``<rosparam>`` has been loaded, and with it roslaunch's knowledge of ``deg(…)`` and ``rad(…)``, also for ``<param
-    type="yaml">``. ``defaults`` holds what to take in place of some empty defaults, by the place of the declaration.
+    type="yaml">``. ``defaults`` holds what to take in place of some empty defaults, by the place of the declaration, and ``defaulted``
+    names the files with these; ``variant`` is equal for equal defaults.
     """
 
-    __slots__ = ("angles", "anonymous", "defaults", "looked_at", "stack")
+    __slots__ = ("angles", "anonymous", "defaulted", "defaults", "looked_at", "stack", "variant")
 
-    def __init__(self, defaults: Mapping[Declaration, Value] = NO_DEFAULTS) -> None:
+    def __init__(self, defaults: Mapping[Declaration, Value] = NO_DEFAULTS, defaulted: frozenset[str] = frozenset()) -> None:
         self.defaults = defaults
+        self.defaulted = defaulted
+        self.variant = frozenset((at, repr(value)) for at, value in defaults.items())
         self.angles = False
         self.anonymous = 0
         self.looked_at = 0

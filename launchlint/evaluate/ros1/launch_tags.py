@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 from launchlint.evaluate.block import NO_CYCLE, Block, Clear
 from launchlint.evaluate.ros1.entering import Entering
 from launchlint.evaluate.ros1.file import FileEvaluation, Progress
@@ -48,7 +50,7 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
     """Evaluate ``document`` as ``entering`` says, or take the block of an equal entering. Raises Exhausted."""
     key = entering.key
     stored = (key, progress.angles)
-    known = session.blocks.get(stored) or session.blocks.get((stored, entry))
+    known = _known(session, entering, stored, entry, progress)
     if known is not None and progress.has_room_for(known):
         progress.looked_at += known.looked_at
         session.touched |= known.touched
@@ -84,8 +86,28 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
         block.cycle_floor = NO_CYCLE
     # A block whose include cycle leads back to a file above it would be another one below other files.
     if not block.anonymous and block.cycle_floor == NO_CYCLE:
-        session.blocks[(stored, entry) if block.near else stored] = block
+        if progress.defaults and _differs(block, entering, progress):
+            session.variants[stored, entry, progress.variant] = block
+        else:
+            session.blocks[(stored, entry) if block.near else stored] = block
     return block
+
+
+def _known(session: Session, entering: Entering, stored: object, entry: str, progress: Progress) -> Block | None:
+    """The block of an equal entering, worked out with the same defaults or with defaults that make no difference to it."""
+    known = session.blocks.get(stored) or session.blocks.get((stored, entry))
+    if progress.defaults and (known is None or _differs(known, entering, progress)):
+        return session.variants.get((stored, entry, progress.variant))
+    return known
+
+
+def _differs(block: Block, entering: Entering, progress: Progress) -> bool:
+    """Whether ``block`` may be another one with other defaults: one of them is its own or below it, or reaches it as an unknown value."""
+    return (
+        os.path.abspath(entering.file) in progress.defaulted
+        or not progress.defaulted.isdisjoint(block.touched)
+        or any(isinstance(value, Unknown) for value in entering.arguments.values())
+    )
 
 
 def walk(file: FileEvaluation, element: Element, context: Context, default_machine: str | None) -> str | None:

@@ -145,6 +145,13 @@ def _replace(evaluation: FileEvaluation, text: str, where: Where, context: Conte
     resolved = text
     unknown: _NotKnown | None = None
     for inner, start, end in collect(text):
+        name = inner[4:] if not finds and inner.startswith("arg ") else ""
+        if name and " " not in name and len(resolved) < SHORT:
+            # Most of what a launch file holds; a span is made where something is to be said of it only.
+            known = evaluation.known_argument(name, context)
+            if known is not None and len(known) < SHORT:
+                resolved = resolved.replace(text[start:end], known)
+                continue
         words = [word for word in inner.split(" ") if word]
         if not words:
             raise BadSubstitution("there is no command in it", start, end)
@@ -153,12 +160,6 @@ def _replace(evaluation: FileEvaluation, text: str, where: Where, context: Conte
             raise BadSubstitution(f"{command} is not a substitution command", start, end)
         if (command == "find") is not finds:
             continue
-        if command == "arg" and len(arguments) == 1 and len(resolved) < SHORT:
-            # Most of what a launch file holds; a span is made where something is to be said of it only.
-            known = evaluation.known_argument(arguments[0], context)
-            if known is not None and len(known) < SHORT:
-                resolved = resolved.replace(f"$({inner})", known)
-                continue
         span = where(start, end)
         evaluation.spend_characters(len(resolved), span)  # each one goes over the whole text
         try:
