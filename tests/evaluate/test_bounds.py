@@ -12,7 +12,9 @@ from tests.evaluate.comparison import Case, case, launch_of, write
 
 ME = '<include file="$(dirname)/main.launch"'
 SECONDS = 20
-"""Of processor, since the clock says how busy the machine is. Far more than any of these needs on a slow machine (the slowest some 6), far less than without bounds."""
+"""Of processor, since the clock says how busy the machine is. Far more than any of these needs on a slow machine (the slowest some 8), far
+less than without bounds.
+"""
 
 
 def chain(text: str, length: int, end: str = "[[]]") -> dict[str, str]:

@@ -75,8 +75,10 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
         block.default_machine = walk(file, document.launch, context, entering.default_machine)
     finally:
         progress.stack.pop()
-        block.touched, block.variables = frozenset(session.touched), frozenset(session.variables)
-        session.touched, session.variables = outer[0] | block.touched, outer[1] | block.variables
+        inner = session.touched, session.variables
+        outer[0].update(inner[0])
+        outer[1].update(inner[1])
+        session.touched, session.variables = outer
     block.looked_at = progress.looked_at - before
     block.entered.add(key)
     block.angles = progress.angles
@@ -86,6 +88,7 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
         block.cycle_floor = NO_CYCLE
     # A block whose include cycle leads back to a file above it would be another one below other files.
     if not block.anonymous and block.cycle_floor == NO_CYCLE:
+        block.touched, block.variables = frozenset(inner[0]), frozenset(inner[1])
         if progress.defaults and _differs(block, entering, progress):
             session.variants[stored, entry, progress.variant] = block
         else:
