@@ -20,11 +20,11 @@ MISSING = '<param name="p" value="$(find no_such_package)"/>'
     [
         pytest.param(MISSING, False, id="elsewhere"),
         pytest.param('<param name="p" value="$(find no_such_package)/$(arg e)"/>', False, id="beside it in a text"),
-        pytest.param('<group ns="$(arg e)">' + MISSING + "</group>", False, id="in a namespace"),
+        pytest.param('<group ns="a$(arg e)">' + MISSING + "</group>", False, id="in a namespace"),
         pytest.param("""<param name="p" value="$(eval find('no_such_package') + e)"/>""", True, id="in an expression"),
-        pytest.param("""<group if="$(eval e == '')">""" + MISSING + "</group>", True, id="under a condition"),
+        pytest.param("""<group if="$(eval e != 'x')">""" + MISSING + "</group>", True, id="under a condition"),
         pytest.param(
-            """<arg name="f" value="$(eval e == '')"/><group if="$(arg f)">""" + MISSING + "</group>", True, id="under an arg of it"
+            """<arg name="f" value="$(eval e != 'x')"/><group if="$(arg f)">""" + MISSING + "</group>", True, id="under an arg of it"
         ),
         pytest.param("""<group if="$(eval arg('e') == '')">""" + MISSING + "</group>", True, id="asked for as a text"),
         pytest.param("""<group if="$(eval arg('' + 'e') == '')">""" + MISSING + "</group>", True, id="under a name that is made"),
