@@ -110,12 +110,17 @@ class _Place:
         """The packages ``$(find)`` can answer, those of one name in the order of the crawl."""
         return self._by_name if self.everything else {}
 
+    @property
+    def ignored(self) -> list[str]:
+        """The directories (absolute) with a ``CATKIN_IGNORE``, which the crawl does not enter."""
+        self._crawl()
+        return self._ignored
+
     def hidden(self) -> list[Hidden]:
         """The packages that a ``CATKIN_IGNORE`` keeps from being found; each call looks at the disk again."""
-        self._crawl()  # which notes the directories that are ignored
         return [
             Hidden(each.name, each.directory, os.path.join(directory, CATKIN_IGNORE))
-            for directory in self._ignored
+            for directory in self.ignored
             for each in crawl_all(directory, through_ignored=True)[0]
             if each.name and not each.metapackage and not each.reason
         ]
@@ -214,8 +219,8 @@ class Packages:
 
     def is_hidden(self, directory: str) -> bool:
         """Whether ``directory`` (absolute) is or lies in one that a ``CATKIN_IGNORE`` hides."""
-        markers = {each.marker for each in self._all_hidden().values()}
-        return any(f"{directory}/".startswith(f"{os.path.dirname(each)}/") for each in markers)
+        ignored = (each for place in self.places[: len(self.workspaces)] for each in place.ignored)
+        return any(f"{directory}/".startswith(f"{each}/") for each in ignored)
 
     def _all_hidden(self) -> dict[str, Hidden]:
         if self._hidden is None:

@@ -2,7 +2,7 @@
 
 What it does: where `CMakeLists.txt` can be read to the end and installs something, it looks whether some `install(DIRECTORY …)`
 or `install(FILES …)` takes the launch file. Tests and examples are passed over, packages that install nothing at all, and what
-an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on purpose. It is an info where
+an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on purpose; and packages below a `CATKIN_IGNORE`. It is an info where
 the package installs nothing but headers. All files of one directory that are missing for one reason are told of at once.
 
 ## Why it matters
@@ -91,7 +91,7 @@ def check(view: FileView) -> Iterator[Finding]:
         return
     inside = posixpath.relpath(file, package.directory)
     cmake = posixpath.join(package.directory, "CMakeLists.txt")
-    if document.launch is None or _NOT_MEANT.search(inside) or not is_file(cmake):
+    if document.launch is None or _NOT_MEANT.search(inside) or not is_file(cmake) or packages.is_hidden(package.directory):
         return
     installed = contents(packages).installs(package)
     if not installed.installs or not installed.exhaustive or installed.covers(file) or installed.leaves_out(file):

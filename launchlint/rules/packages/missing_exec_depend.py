@@ -8,7 +8,9 @@ placeholders such as `$(find [PACKAGE])` is a template that is never launched. A
 `package.xml` was left out on purpose. Everything that one `package.xml` lacks is told at once, with the first use of each package.
 
 It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has
-the other.
+the other; and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse,
+the assistant itself), in a package with its `.setup_assistant`. Packages below a `CATKIN_IGNORE` are passed over, and launch files that
+an `EXCLUDE` of `install(DIRECTORY …)` leaves out.
 
 ## Why it matters
 
@@ -55,31 +57,43 @@ farm, a fresh robot) the launch fails, unless something else brings the package 
 ## Fix
 
 `--fix` adds the line to `package.xml`, below the last dependency, and proves that nothing else changes in it. What is declared for tests
-only is left alone.
+only is left alone, and so is what needs this package itself to be built: the dependency would close a ring, and catkin would build
+nothing any more. Where two packages would only need each other to run, catkin has no objection, but the fix is not called safe.
 """
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.rules.missing_package import is_placeholder
 from launchlint.rules.other_file import is_inside, root_of, shown
+from launchlint.rules.package_contents import contents
 from launchlint.rules.packages.metapackages import members
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.tree import Document, Element
+from launchlint.workspace.build_order import ways_to
+from launchlint.workspace.looking import is_file
 from launchlint.workspace.public_packages import public_names
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.workspace.build_order import Way
     from launchlint.workspace.manifest import Manifest
     from launchlint.workspace.packages import Package, Packages
 
 ELSEWHERE = "it works only where something else brings {} along"
 MOST_NAMED = 12
+SETUP_ASSISTANT = ".setup_assistant"
+_MOVE = "move {} to a package that starts both, such as a bringup package"
+# What MoveIt's Setup Assistant writes into every package and what nobody needs to drive the robot; it declares none of this itself.
+_GENERATED_EXTRA = re.compile(
+    r"(?:setup_assistant|joystick_control|run_benchmark_\w+|(?:default_)?warehouse(?:_db|_settings)?|(?:demo_)?gazebo)\.launch(?:\.xml)?"
+)
 
 RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports", fixable="safe")
 
@@ -109,50 +123,65 @@ def check(view: FileView) -> Iterator[Finding]:
     if not missing:
         return
     declared = _with_what_they_declare(declared | {"roslaunch"}, packages, file)
+    missing = [name for name in missing if name not in declared and (packages.has(name) or name in public_names())]
+    if not missing or packages.is_hidden(home.directory) or contents(packages).installs(home).leaves_out(posixpath.abspath(file)):
+        return
     place = _place(manifest, root_of(document.source))
+    extra = _GENERATED_EXTRA.fullmatch(posixpath.basename(file)) is not None and is_file(posixpath.join(home.directory, SETUP_ASSISTANT))
+    ways = ways_to(home.name, packages) if any(_is_beside(name, packages, file) for name in missing) else {}
     for name in missing:
-        if name in declared or not (packages.has(name) or name in public_names()):
-            continue
         where, how = uses[name]
         manifest_path = shown(home.manifest_path, root_of(document.source))
         tested = name in home.test_dependencies
         says = f"declares {name} for tests only" if tested else f"does not declare {name}"
         at = next((each.span for each in manifest.dependencies if each.name == name and each.tag == "test_depend"), None)
+        line = _line(name, manifest.format, is_test=is_test)
+        way = None if tested else ways.get(name)
+        closes = way is not None and (way.built or is_test)
         beside = not tested and home.name not in public_names() and _is_beside(name, packages, file)
         yield RULE.at(
             place if at is None else place._replace(span=at),
             f"{manifest_path} {says}, {'and' if tested else 'which'} {document.source.path} {how} {'it' if tested else ''}".rstrip(),
-            severity=Severity.INFO if beside else RULE.severity,
+            severity=Severity.INFO if beside or extra else RULE.severity,
             label="for tests only" if tested else f"no {name} here",
             related=((where, "used here"),),
-            notes=(f"{name} lies in this workspace; whoever has only this package lacks it" if beside else ELSEWHERE.format(name),),
-            help=f"{'change it to' if tested else 'add'} {_line(name, manifest.format, is_test=is_test)}",
+            notes=(
+                f"{name} lies in this workspace; whoever has only this package lacks it" if beside else ELSEWHERE.format(name),
+                *([] if way is None else [_ring(way, closes=closes)]),
+            ),
+            help=_MOVE.format(document.source.path) if closes else f"{'change it to' if tested else 'add'} {line}",
             topic=name,
             cause="" if tested else manifest_path,
-            fix=None if tested else _fix(place, manifest, _line(name, manifest.format, is_test=is_test)),
+            fix=None if tested or closes else _fix(place, manifest, line, safe=way is None),
         )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
     """One finding for all that one ``package.xml`` lacks, with the first use of each package, and one fix."""
+    findings = list({finding.topic: finding for finding in reversed(findings)}.values())[::-1]
     first = findings[0]
+    if len(findings) == 1:
+        return first
     names = [finding.topic for finding in findings]
     fixes = [finding.fix for finding in findings if finding.fix is not None]
+    fixes = [fix for fix in fixes if fix.safe] or fixes  # what is not safe is told again when it is alone
+    help = next((finding.help for finding in findings if finding.fix in fixes), first.help)
     edits = [edit for fix in fixes for edit in fix.edits]
     fix = None
-    if len(fixes) == len(findings) and len({edit[:3] for edit in edits}) == 1:  # all at one place: they are one insertion
+    if len({edit[:3] for edit in edits}) == 1:  # all at one place: they are one insertion
         joined = edits[0]._replace(text="".join(edit.text for edit in edits))
-        fix = Fix(f"add {len(fixes)} dependencies", all(fix.safe for fix in fixes), (joined,))
+        fix = Fix(fixes[0].message if len(fixes) == 1 else f"add {len(fixes)} dependencies", fixes[0].safe, (joined,))
     return first._replace(
         message=f"{first.location.path} does not declare {len(names)} packages that its launch files use: {_listed(names)}",
         label="not declared here",
         related=tuple(related._replace(label=f"{finding.topic} is used here") for finding in findings for related in finding.related),
         notes=(
             ELSEWHERE.format("them")
-            if first.severity is RULE.severity
+            if any(finding.notes[:1] == (ELSEWHERE.format(finding.topic),) for finding in findings)
             else "they lie in this workspace; whoever has only this package lacks them",
+            *[note for finding in findings for note in finding.notes[1:]][:MOST_NAMED],
         ),
-        help=f"{first.help}, and so on",
+        help=f"{help}, and so on" if fixes else first.help,
         fix=fix,
         topic="",
     )
@@ -168,7 +197,16 @@ def _is_beside(name: str, packages: Packages, near: str) -> bool:
     return package is not None and is_inside(package.directory, packages.workspaces)
 
 
-def _fix(place: Place, manifest: Manifest, line: str) -> Fix | None:
+def _ring(way: Way, *, closes: bool) -> str:
+    """What a dependency would come to on a package that needs this one already."""
+    over = "" if len(way.names) == 2 else f" ({' → '.join(way.names)})"
+    already = f"{way.names[0]} needs {way.names[-1]} to {'be built' if way.built else 'run'}{over}"
+    if closes:
+        return f"{already}: to declare it here would close a ring, and catkin would build nothing any more"
+    return f"{already}: with this they need each other, which catkin allows"
+
+
+def _fix(place: Place, manifest: Manifest, line: str, *, safe: bool) -> Fix | None:
     """The line goes below the last dependency, or else below the name, indented as that is."""
     source, span = place
     if manifest.last_dependency is None and manifest.name_span is None:
@@ -178,7 +216,7 @@ def _fix(place: Place, manifest: Manifest, line: str) -> Fix | None:
     indent = start[: len(start) - len(start.lstrip())]
     alone = source.with_lines(span) != span
     newline = "\r\n" if "\r\n" in source.text else "\n"
-    return Fix(f"add {line}", True, (Edit(source.path, span.end, span.end, f"{newline}{indent}{line}" if alone else line),))
+    return Fix(f"add {line}", safe, (Edit(source.path, span.end, span.end, f"{newline}{indent}{line}" if alone else line),))
 
 
 def _line(name: str, format_: int, *, is_test: bool) -> str:
