@@ -290,4 +290,6 @@ def _broken_calls(problems: tuple[Problem, ...]) -> Iterator[BrokenCall]:
             missing = problem.kind == "include-missing-arg"
             if missing and problem.facts["pass_all"]:
                 continue  # it may come from the command line
-            yield BrokenCall(problem.facts["file"], problem.facts["name"], missing, Location.of(problem.place))
+            names = (problem.facts["name"],) if missing else problem.facts["all"]
+            if problem.facts["name"] == names[0]:
+                yield BrokenCall(problem.facts["file"], ", ".join(names), missing, Location.of(problem.place))

@@ -95,7 +95,10 @@ class BaseView(NamedTuple):
 
 
 class BrokenCall(NamedTuple):
-    """An include that passes (``missing`` false) an arg its target does not declare, or does not pass one it requires."""
+    """An include that passes (``missing`` false) args its target does not declare, or does not pass one it requires.
+
+    ``name`` is that of the arg, or the names of all that it should not pass, as roslaunch lists them (``a, b``).
+    """
 
     target: str
     name: str

@@ -181,6 +181,7 @@ def _check_arguments(
     """
     path = document.source.path
     lost = bool(block.refused_overrides)
+    undeclared = tuple(name for name in explicit if name not in block.declared and name not in block.refused_overrides)
     for name, place in explicit.items():
         if name in block.refused_overrides:
             fixed = ((block.refused_overrides[name], "its value is fixed here"),)
@@ -191,6 +192,7 @@ def _check_arguments(
                 "file": path,
                 "known": tuple(sorted(block.open_arguments)),
                 "target": document.source.file,
+                "all": undeclared,
             }
             lost = True
             file.problem("include-undeclared-arg" if not pass_all else "pass-all-hides-typo", place.span, refused=not pass_all, **facts)

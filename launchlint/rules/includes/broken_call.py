@@ -4,5 +4,9 @@ from __future__ import annotations
 
 
 def broken_call(target: str, name: str) -> str:
-    """The cause that LL403, LL404 and LL407 share: the arg ``name`` of the launch file ``target``, and not who gets it wrong."""
+    """The cause that LL403, LL404 and LL407 share: the arg ``name`` of the launch file ``target``, and not who gets it wrong.
+
+    Of args that are passed and not declared it is all that one include passes (``a, b``): roslaunch refuses them together, and callers
+    that are copies of each other pass the same.
+    """
     return f"call {target} {name}"

@@ -1,7 +1,7 @@
 """The args of a launch file do not fit the files that include it.
 
-What it does: it looks at all includes of the run together. Where two or more of them fail at the same arg of one file, it tells
-so at that file, with its callers: the file has most likely changed.
+What it does: it looks at all includes of the run together. Where two or more of them fail at the same arg (or pass the same
+args that are not declared) of one file, it tells so at that file, with its callers: the file has most likely changed.
 
 ## Why it matters
 
@@ -93,7 +93,8 @@ def check(view: RunView) -> Iterator[Finding]:
         if root is None or len({path for path, _ in callers}) < 2:
             continue
         places = [callers[key] for key in sorted(callers)]
-        wrong = f"do not pass the arg {name}, which it needs" if missing else f"pass the arg {name}, which it does not declare"
+        args, it = ("args", "them") if ", " in name else ("arg", "it")
+        wrong = f"do not pass the arg {name}, which it needs" if missing else f"pass the {args} {name}, which it does not declare"
         more = (f"and {len(places) - _MOST_SHOWN} more",) if len(places) > _MOST_SHOWN else ()
         yield Finding(
             RULE.id,
@@ -104,7 +105,7 @@ def check(view: RunView) -> Iterator[Finding]:
             label="this file",
             related=tuple(Related(place, "breaks here") for place in places[:_MOST_SHOWN]),
             notes=(*more, "roslaunch refuses each of the launch files that hold them"),
-            help=f"give {name} a default here, or pass it there" if missing else f"declare {name} here, or stop passing it there",
+            help=f"give {name} a default here, or pass it there" if missing else f"declare {name} here, or stop passing {it} there",
             element=f"{target} {name}",
             topic=f"{name} {'missing' if missing else 'undeclared'}",
             cause=broken_call(target, name),

@@ -1,7 +1,8 @@
 """An `<include>` passes an arg that the included file does not declare.
 
 What it does: it compares the `<arg>` children of every include with the args that the included file declares at its top level, in
-this configuration. An arg that is declared only in a group, or under a condition that is false, does not count.
+this configuration. An arg that is declared only in a group, or under a condition that is false, does not count. All such args of an
+include are told together.
 
 ## Why it matters
 
@@ -72,22 +73,39 @@ _MOST_NAMED = 8
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``include-undeclared-arg`` (roslaunch.loader.LoaderContext, ``post_process_include_args``)."""
     name, file, known = problem.facts["name"], problem.facts["file"], problem.facts["known"]
-    conditional = _declared_elsewhere(name, file, view)
+    undeclared: tuple[str, ...] = problem.facts["all"]
+    several = len(undeclared) > 1
+    elsewhere = {each: place for each in undeclared if (place := _declared_elsewhere(each, file, view)) is not None}
     has = ", ".join(known[:_MOST_NAMED]) + (" …" if len(known) > _MOST_NAMED else "")
-    notes = [f"roslaunch stops with: unused args [{name}] for include of [{file}]"]
+    listed = ", ".join(undeclared)
+    notes = [f"roslaunch stops with: unused args [{listed}] for include of [{file}]"]
     notes.append(f"{file} takes: {has}" if known else f"{file} takes no args")
     yield RULE.at(
         problem.origin,
-        f"{file} does not declare the arg {name}",
-        label="passed here",
-        shared_cause=broken_call(file, name),
-        related=() if conditional is None else ((conditional, "declared in a group or under a false condition: that does not count"),),
+        f"{file} does not declare the {'args' if several else 'arg'} {listed}",
+        label=f"{name} is passed here" if several else "passed here",
+        shared_cause=broken_call(file, listed),
+        related=tuple((place, "declared in a group or under a false condition: that does not count") for place in elsewhere.values()),
         notes=tuple(notes),
-        help="declare it at the top level of the included file, without a condition"
-        if conditional is not None
-        else did_you_mean(name, known) or "remove it here, or declare it there",
-        fix=None if conditional is not None else passed_under(view, problem.place, name, closest(name, known), f"{LOADS}, and "),
+        help=_help(undeclared, known, tuple(elsewhere)),
+        fix=None
+        if name in elsewhere
+        else passed_under(view, problem.place, name, closest(name, known), "" if several else f"{LOADS}, and "),
     )
+
+
+def _help(undeclared: tuple[str, ...], known: tuple[str, ...], elsewhere: tuple[str, ...]) -> str:
+    """What to do about each of the args, of which some are declared ``elsewhere`` in the file."""
+    if len(undeclared) == 1:
+        if elsewhere:
+            return "declare it at the top level of the included file, without a condition"
+        return did_you_mean(undeclared[0], known) or "remove it here, or declare it there"
+    near = {name: other for name in undeclared if name not in elsewhere and (other := closest(name, known)) is not None}
+    advice = [f"declare {', '.join(elsewhere)} at the top level of the included file, without a condition"] if elsewhere else []
+    advice += [f"is {other} meant by {name}?" for name, other in near.items()]
+    if len(elsewhere) + len(near) < len(undeclared):
+        advice.append("remove the others here, or declare them there" if advice else "remove them here, or declare them there")
+    return "; ".join(advice).replace("?;", "?")
 
 
 def _declared_elsewhere(name: str, file: str, view: LaunchView) -> Place | None:

@@ -3,7 +3,8 @@
 What it does: where the library knows every param that a node reads, it compares them with those set in the node's private namespace:
 inside the `<node>`, by a `<rosparam>` there, or from outside by their full names. It is a warning where the name is nearly that of a
 param which the node reads and which is not set, and where the node reads a param of this name in its namespace instead of its private
-one; else it is an info: a param may have been removed from the node since, or be there for others to look at. Names are compared part by
+one; else it is an info: a param may have been removed from the node since, or be there for others to look at. So is a value that is the
+default of the param which the node does read: nothing changes with the right name either. Names are compared part by
 part, so that `global_costmap/inflation/radus` is near `global_costmap/inflation/radius`, and also where the part in the middle is one that
 the node takes from a param. Of a node that may read more than is known, only a slip of one letter is told.
 
@@ -54,6 +55,10 @@ from launchlint.rules.params.values import is_certain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.spelling import closest, one_slip
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 RULE = Rule("LL507", "param-never-read", Severity.WARNING, fixable="unsafe")
 _FARTHEST = 3
@@ -193,10 +198,14 @@ def _finding(setting: ParameterSetting, owner: Instance, reads: _Reads, view: Gr
         help_ = f"did you mean {near}?"
     else:
         help_ = "remove it, unless somebody else looks at it"
+    meant = elsewhere if elsewhere is not None else f"{owner.name}/{near}" if near is not None else ""
+    as_default = bool(meant) and _is_default(setting.value, meant, owner, view)
+    if as_default:
+        help_ = f"remove it, since its value is the default of {elsewhere or near}, which {owner.program} reads"
     return RULE.at(
         setting.origin,
         f"{owner.program} does not read the param {inner}, which is set for {owner.name}",
-        severity=Severity.WARNING if elsewhere is not None or near is not None else Severity.INFO,
+        severity=Severity.WARNING if meant and not as_default else Severity.INFO,
         label="never read",
         notes=(_listed(reads.private(owner), everything=_is_known(owner)),),
         help=help_,
@@ -206,8 +215,14 @@ def _finding(setting: ParameterSetting, owner: Instance, reads: _Reads, view: Gr
         else f"{setting.origin.place.source.path}: {owner.program}"
         if several
         else f"{owner.program} {inner}",
-        fix=_fix(setting, owner, inner, candidates[0], view) if elsewhere is None and len(candidates) == 1 else None,
+        fix=_fix(setting, owner, inner, candidates[0], view) if elsewhere is None and len(candidates) == 1 and not as_default else None,
     )
+
+
+def _is_default(value: Any, name: str, owner: Instance, view: GraphView) -> bool:
+    """Whether ``value`` is the default of ``owner`` for the param ``name``; 10 and 10.0 are the same, 1 and true are not."""
+    defaults = [each.declaration.default for each in view.graph.readers.get(name, ()) if each.node == owner.name]
+    return any(each is not None and isinstance(each, bool) == isinstance(value, bool) and each == value for each in defaults)
 
 
 def _fix(setting: ParameterSetting, owner: Instance, inner: str, near: str, view: GraphView) -> Fix | None:

@@ -4,7 +4,8 @@ The `<master>` tag (roslaunch starts a master by itself), the `ros-root`, `ros-p
 `ros-hostname` attributes and the `<env>` children of a `<machine>`, the `ns` attribute of `<rosparam>` (it is called
 `param` now), and the program `xacro.py`, which ROS Noetic does not have. So are programs and params of which the library knows that a
 distribution removed them (`robot_state_publisher/state_publisher`, `use_gui` of joint_state_publisher), where the package is not in the
-workspace. A param that is set to what was its default is an info: it changed nothing when it was still read. Each such program or param,
+workspace. A param that is set to what was its default is an info: it changed nothing when it was still read. One that is shadowed by the
+node's own private param is left alone. Each such program or param,
 `<master>` and `ns` are told of once, with all places.
 
 ## Why it matters
@@ -40,7 +41,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.graph.connections import Instance
+from launchlint.graph.connections import Instance, Reading
 from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, is_literal, remove_attribute, remove_element, rename_attribute, replace, set_value, spot
 from launchlint.rules.other_file import is_inside
@@ -87,24 +88,36 @@ def check(view: GraphView) -> Iterator[Finding]:
         yield from _program(instance, view)
     for name, readings in view.graph.readers.items():
         setting = view.graph.parameters.setting(name)
-        removed = readings[0].declaration.removed if readings else None
-        if setting is None or removed is None or not all(reading.declaration.removed for reading in readings):
+        if setting is None or not all(reading.declaration.removed for reading in readings):
             continue
-        program = _of(readings[0].node, view)
+        reading = next((each for each in readings if not _is_shadowed(each, view)), None)
+        removed = None if reading is None else reading.declaration.removed
+        if reading is None or removed is None:
+            continue
+        program = _of(reading.node, view)
         if _lies_here(program.partition("/")[0], view):
             continue  # which version that is nobody knows
-        default = readings[0].declaration.default
-        severity = Severity.INFO if default is not None and setting.value == default else RULE.severity
+        default = reading.declaration.default
+        as_default = default is not None and setting.value == default
+        severity = Severity.INFO if as_default else RULE.severity
         yield RULE.at(
             setting.origin,
-            f"{program} has no param {readings[0].declared} in ROS {removed['in'].title()} any more",
+            f"{program} has no param {reading.declared} in ROS {removed['in'].title()} any more",
             severity=severity,
             label="out of date",
-            notes=("nothing reads it there",),
-            help=_instead(removed, "remove it"),
-            topic=f"removed {readings[0].declared}",
-            cause=f"{severity.word} {program} {readings[0].declared.lstrip('~')}",
+            notes=("it is set to what was its default, and changed nothing when it was still read",)
+            if as_default
+            else ("nothing reads it there",),
+            help="remove it" if as_default else _instead(removed, "remove it"),
+            topic=f"removed {reading.declared}",
+            cause=f"{severity.word} {program} {reading.declared.lstrip('~')}",
         )
+
+
+def _is_shadowed(reading: Reading, view: GraphView) -> bool:
+    """Whether the node has a private param of this name set, which it reads first (as get_param of joint_state_publisher does)."""
+    own = f"{reading.node}/{reading.declared.lstrip('~/')}"
+    return own != reading.name and view.graph.parameters.is_set(own)
 
 
 def _program(instance: Instance, view: GraphView) -> Iterator[Finding]:

@@ -2,7 +2,7 @@
 
 Only `<rosparam>` has a text that means anything, and only where it loads YAML that is written there: not beside
 `file=` and not with `command="delete"` or `"dump"`. Everywhere else text between tags is skipped. Text that begins with `#` or
-`//`, as comments do elsewhere, is an info.
+`//`, as comments do elsewhere, is an info. The same text in several places of the launch files of a directory is told once.
 
 ## Why it matters
 
@@ -33,6 +33,7 @@ a value. Nothing changes for roslaunch, which is proved before it is done.
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 
 from launchlint.finding import Edit, Finding, Fix, Severity
@@ -42,6 +43,8 @@ from launchlint.rules.template import has_placeholder
 from launchlint.source import Place
 
 RULE = Rule("LL107", "stray-text", Severity.WARNING, fixable="safe")
+
+_QUOTES = ('"', "'")
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -68,14 +71,19 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         reason = f'with command="{because}" roslaunch ignores the text'
         advice = "remove the text"
     comment = because == "tag" and words.startswith(("#", "//")) and "<" not in words
+    of_a_value = because == "tag" and parent in ("param", "env", "arg")
+    message = f"this text has no effect: {shown}"
+    if words in _QUOTES and problem.place.source.text[: problem.place.span.start].endswith("/>"):
+        message, advice = f"a stray quote stands behind the tag: {words}", "remove it"
     yield RULE.at(
         problem.origin,
-        f"this text has no effect: {shown}",
+        message,
         severity=Severity.INFO if comment else None,
         label="ignored",
         notes=(reason,),
         help=advice,
-        fix=_fix(problem.place, words, comment=comment, of_a_value=because == "tag" and parent in ("param", "env", "arg")),
+        fix=_fix(problem.place, words, comment=comment, of_a_value=of_a_value),
+        cause=f"{posixpath.dirname(problem.place.source.path)} {because} {of_a_value} {words}",
     )
 
 
