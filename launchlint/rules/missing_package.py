@@ -46,7 +46,9 @@ def judge(name: str, packages: Packages, near: str) -> Judgement | None:
     Error: a metapackage, any name where the picture is complete (``Packages.complete``), and a name that is one slip away from a package
     that is here or that a ``package.xml`` declares. Nothing: a package that is here, one of the public index or of the library that
     launchlint ships, one that a ``package.xml`` of the workspaces declares, one whose repository a ``.gitmodules``, ``*.rosinstall`` or
-    ``*.repos`` names, one whose ``package.xml`` is here and broken (LL704 tells of that), and a placeholder. Warning: any other name.
+    ``*.repos`` names, one whose ``package.xml`` is here and broken (LL704 tells of that), and a placeholder.
+    Info: one that a document of the workspace names, such as a README.
+    Warning: any other name.
     One slip from a public package is help and no more: no list holds all packages.
     """
     if packages.has(name) or is_placeholder(name):
@@ -56,7 +58,10 @@ def judge(name: str, packages: Packages, near: str) -> Judgement | None:
     known = _answers_for(packages)
     if key not in known:
         known[key] = _judge(name, packages, home)
-    return known[key]
+    answer = known[key]
+    if answer is not None and answer.severity in (Severity.INFO, Severity.WARNING):
+        packages.documented_in(name)  # which notes for the cache that the answer hangs on the documents
+    return answer
 
 
 def cause(name: str, severity: Severity) -> str:
@@ -118,6 +123,10 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
         where = "here" if packages.has(slip) else "declared in a package.xml"
         return Judgement(Severity.ERROR, f"{slip} is {where}, and {unlisted}", _did_you_mean(slip))
     near = _near(name, known) or _one_slip(name, list(public))
+    document = packages.documented_in(name)
+    if document is not None:
+        why = f"{_shown(document, packages)} names it, and {unlisted}"
+        return Judgement(Severity.INFO, why, f"declare {name} in package.xml, or list its repository in a .rosinstall or .repos")
     return Judgement(Severity.WARNING, f"no package.xml here declares it, and {unlisted}", _did_you_mean(near) or _add(name))
 
 

@@ -20,22 +20,30 @@ class Way(NamedTuple):
     built: bool
 
 
-def ways_to(name: str, packages: Packages) -> dict[str, Way]:
+def ways_to(name: str, packages: Packages, *, launched: bool = False) -> dict[str, Way]:
     """The packages of the workspaces that need package ``name`` already, each with the way; where building hangs on one, that one.
+
+    ``launched``: what their launch files name counts as declared for running.
 
     A package is built after what it declares for building and testing, and after all that those need to run, over any number of steps
     (catkin_pkg.topological_order: calculate_depends_for_topological_order). A ring is refused where one step of it is of the first kind;
     what only needs each other to run is built in any order. Linear in the number of dependencies.
     """
+    return _ways(name, _needed_by(packages, launched=launched))
+
+
+def _needed_by(packages: Packages, *, launched: bool) -> dict[str, dict[str, bool]]:
+    """Package → the packages that declare it, and whether for building."""
     needed_by: dict[str, dict[str, bool]] = {}
     for place in packages.places[: len(packages.workspaces)]:
         for package in place.everything:
             if package.name and package.manifest is not None:
-                for other in sorted(package.manifest.depends(*_WITH)):
+                named = packages.launched_by(package) if launched else frozenset[str]()
+                for other in sorted(package.manifest.depends(*_WITH) | named):
                     needed_by.setdefault(other, {}).setdefault(package.name, False)
                 for other in sorted(package.manifest.depends(*_BEFORE)):
                     needed_by.setdefault(other, {})[package.name] = True
-    return _ways(name, needed_by)
+    return needed_by
 
 
 def _ways(name: str, needed_by: Mapping[str, Mapping[str, bool]]) -> dict[str, Way]:

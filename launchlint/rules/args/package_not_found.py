@@ -4,7 +4,8 @@ A checkout does not hold what is installed on the robot, so that a package which
 one that has the name of a repository in a `.gitmodules`, `*.rosinstall` or `*.repos` of the workspace. It is an error where the
 name is one slip away from a package that is here or that a `package.xml` here declares, or where everything is here: a ROS
 installation is set up on this machine, or the configuration says `packages: complete`. It is a warning where the name is not in
-the list of public packages that launchlint ships: no list holds all packages, so that a near name in it is help and not proof.
+the list of public packages that launchlint ships: no list holds all packages, so that a near name in it is help and not proof;
+and an info where a README or another document of the workspace names it.
 Each package is told of once, with all files that need it.
 
 ## Why it matters

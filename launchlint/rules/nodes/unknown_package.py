@@ -4,7 +4,8 @@ What it does: it looks for the `pkg` of every node and test among the packages o
 index, and the repositories that a `.gitmodules`, `*.rosinstall` or `*.repos` of the workspace names. It is an error where every
 package is known (a ROS installation is set up here, or the configuration says `packages: complete`) or where the name is one slip
 away from a package that is here or that a `package.xml` here declares; a warning where the name is not in the list of public
-packages that launchlint ships. Public packages that are only not installed here are passed over.
+packages that launchlint ships, and an info where a README or another document of the workspace names it. Public packages that are
+only not installed here are passed over.
 Each package is told of once, with all files that need it. Where a file looks for it with `$(find …)`, too, LL210 tells, and
 the two rules are told as one.
 

@@ -1,9 +1,10 @@
 """A launch file is not among the files that its package installs.
 
 What it does: where `CMakeLists.txt` can be read to the end and installs something, it looks whether some `install(DIRECTORY …)`
-or `install(FILES …)` takes the launch file. Tests and examples are passed over, packages that install nothing at all, and what
-an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on purpose; and packages below a `CATKIN_IGNORE`. It is an info where
-the package installs nothing but headers. All files of one directory that are missing for one reason are told of at once.
+or `install(FILES …)` takes the launch file. Tests and examples are passed over, packages that install nothing at all, or nothing
+that exists, and what an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on purpose; and packages below a
+`CATKIN_IGNORE`. It is an info where the package installs nothing but headers. All files of one directory that are missing for one
+reason are told of at once.
 
 ## Why it matters
 
@@ -36,6 +37,10 @@ catkin_package()
 install(DIRECTORY config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 ```
 
+```yaml config/camera.yaml
+frame_rate: 30
+```
+
 ## Use instead
 
 ```xml launch/robot.launch
@@ -62,6 +67,10 @@ find_package(catkin REQUIRED)
 catkin_package()
 install(DIRECTORY config launch DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 ```
+
+```yaml config/camera.yaml
+frame_rate: 30
+```
 """
 
 from __future__ import annotations
@@ -75,7 +84,7 @@ from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
-from launchlint.workspace.looking import is_file
+from launchlint.workspace.looking import exists, is_file
 
 RULE = Rule("LL702", "launch-not-installed", Severity.WARNING)
 
@@ -96,10 +105,13 @@ def check(view: FileView) -> Iterator[Finding]:
     installed = contents(packages).installs(package)
     if not installed.installs or not installed.exhaustive or installed.covers(file) or installed.leaves_out(file):
         return
+    present = [each for each in installed.installs if exists(each.path)]
+    if not present:  # such an install() fails: nobody installs this package
+        return
     name = shown(cmake, root_of(document.source))
     directory = inside.partition("/")[0] if "/" in inside else ""
     share = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
-    headers = all((each.destination or "").partition("/")[0] == "include" for each in installed.installs)
+    headers = all((each.destination or "").partition("/")[0] == "include" for each in present)
     severity = Severity.INFO if headers else RULE.severity
     yield RULE.at(
         document.place(document.launch.name_span),

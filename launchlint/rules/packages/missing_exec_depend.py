@@ -128,7 +128,8 @@ def check(view: FileView) -> Iterator[Finding]:
         return
     place = _place(manifest, root_of(document.source))
     extra = _GENERATED_EXTRA.fullmatch(posixpath.basename(file)) is not None and is_file(posixpath.join(home.directory, SETUP_ASSISTANT))
-    ways = ways_to(home.name, packages) if any(_is_beside(name, packages, file) for name in missing) else {}
+    here = any(_is_beside(name, packages, file) for name in missing)
+    ways, later = _ways_for(packages, home.name) if here else ({}, {})
     for name in missing:
         where, how = uses[name]
         manifest_path = shown(home.manifest_path, root_of(document.source))
@@ -152,8 +153,23 @@ def check(view: FileView) -> Iterator[Finding]:
             help=_MOVE.format(document.source.path) if closes else f"{'change it to' if tested else 'add'} {line}",
             topic=name,
             cause="" if tested else manifest_path,
-            fix=None if tested or closes else _fix(place, manifest, line, safe=way is None),
+            fix=None if tested or closes else _fix(place, manifest, line, safe=name not in later),
         )
+
+
+_latest: list[tuple[Packages, str, dict[str, Way], dict[str, Way]]] = []
+
+
+def _ways_for(packages: Packages, name: str) -> tuple[dict[str, Way], dict[str, Way]]:
+    """Who needs package ``name``: now, and once all packages declare what their launch files use.
+
+    Files come package by package, so that the latest answer is kept; what it hangs on is noted for the cache each time.
+    """
+    if _latest and _latest[0][0] is packages and _latest[0][1] == name:
+        packages.note_launched()
+    else:
+        _latest[:] = [(packages, name, ways_to(name, packages), ways_to(name, packages, launched=True))]
+    return _latest[0][2:]
 
 
 def together(findings: Sequence[Finding]) -> Finding:

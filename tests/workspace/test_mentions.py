@@ -1,0 +1,47 @@
+"""Names of packages in the documents and launch files of a workspace."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from launchlint.workspace.looking import noted
+from launchlint.workspace.mentions import read_documents, used_by_launch_files
+
+
+@pytest.mark.parametrize(
+    ("text", "known"),
+    [
+        ("get my_bridge first", ["my_bridge"]),
+        ("`bridge` and bridge", ["bridge"]),
+        ("https://example.com/robots/bridge.git", ["bridge"]),
+        ("see https://example.com/robots/bridge", ["bridge"]),
+        ("# my_bridge\nmy_arm\n------\n- my_camera\n", ["my_camera"]),
+        ("my_bridge_2, not-my_bridge, a_b and bridge", ["my_bridge_2"]),
+    ],
+)
+def test_a_name_in_a_readme(tmp_path: Path, text: str, known: list[str]) -> None:
+    (tmp_path / "README.md").write_text(text)
+    assert sorted(read_documents([str(tmp_path)]).known) == known
+
+
+def test_which_files_are_documents(tmp_path: Path) -> None:
+    for file in ("README", "docs/a.rst", "notes.md", "docs/a.py", "docs/below/b.md", ".hidden/README.md"):
+        (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / file).write_text(f"see in_{(tmp_path / file).stem.lower()}_{file.replace('/', '_').replace('.', '_')}")
+    noted()
+    found = read_documents([str(tmp_path)])
+    expected = [str(tmp_path / each) for each in ("README", "docs/a.rst", "docs/below/b.md")]
+    assert sorted(found.known.values()) == expected
+    assert set(expected) <= found.looked <= noted()
+
+
+def test_what_launch_files_name(tmp_path: Path) -> None:
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "inner").mkdir()
+    (tmp_path / "package.xml").write_text("<package/>")
+    (tmp_path / "inner" / "package.xml").write_text("<package/>")
+    (tmp_path / "launch" / "a.launch").write_text('<launch><node pkg="amcl"/><include file="$(find my_arm)/a"/></launch>')
+    (tmp_path / "inner" / "b.launch").write_text('<launch><node pkg="other"/></launch>')
+    assert sorted(used_by_launch_files(str(tmp_path)).known) == ["amcl", "my_arm"]
