@@ -163,7 +163,6 @@ class Packages:
         self._variables: Variables | None = None
         self._listed: Mapping[str, str] | None = None
         self._documented: Mentions | None = None
-        self._launched: dict[str, Mentions] = {}
 
     def get(self, name: str, near: str) -> Package | None:
         """The package called ``name`` as a launch file at ``near`` gets it; ``None`` where there is none.
@@ -280,23 +279,6 @@ class Packages:
             self._documented = read_documents(self.workspaces)
         note(self._documented.looked)
         return self._documented.known.get(name)
-
-    def launched_by(self, package: Package) -> frozenset[str]:
-        """The packages that launch files of ``package`` name."""
-        from launchlint.workspace.looking import note
-        from launchlint.workspace.mentions import used_by_launch_files
-
-        if package.directory not in self._launched:
-            self._launched[package.directory] = used_by_launch_files(package.directory)
-        note(self._launched[package.directory].looked)
-        return frozenset(self._launched[package.directory].known)
-
-    def note_launched(self) -> None:
-        """Note for the cache all that :meth:`launched_by` has looked at so far."""
-        from launchlint.workspace.looking import note
-
-        for each in self._launched.values():
-            note(each.looked)
 
     def duplicates(self) -> dict[str, list[Package]]:
         """Names that several packages of one workspace bear, with these packages in the order of the crawl; sorted by name.

@@ -55,3 +55,12 @@ def test_the_way_that_is_built_goes_before_the_shorter_one(tmp_path: Path) -> No
 def test_a_ring_that_is_there_and_nobody_who_needs_it(tmp_path: Path) -> None:
     found = ways(tmp_path, a="<exec_depend>b</exec_depend>", b="<exec_depend>a</exec_depend>", c="<exec_depend>d</exec_depend>", d="")
     assert found == {"b": Way(("b", "a"), False)}
+
+
+def test_who_may_yet_declare_it(tmp_path: Path) -> None:
+    ways(tmp_path, a="", b="<build_depend>c</build_depend>", c="", d="")
+    (tmp_path / "c" / "launch").mkdir()
+    (tmp_path / "c" / "launch" / "c.launch").write_text("<launch/>")
+    packages = Packages([str(tmp_path)], {}, explicit=True)
+    assert ways_to("a", packages) == {}
+    assert ways_to("a", packages, lacking=True) == {"c": Way(("c", "a"), False), "b": Way(("b", "c", "a"), True)}

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from launchlint.workspace.looking import noted
-from launchlint.workspace.mentions import read_documents, used_by_launch_files
+from launchlint.workspace.mentions import read_documents
 
 
 @pytest.mark.parametrize(
@@ -35,13 +35,3 @@ def test_which_files_are_documents(tmp_path: Path) -> None:
     expected = [str(tmp_path / each) for each in ("README", "docs/a.rst", "docs/below/b.md")]
     assert sorted(found.known.values()) == expected
     assert set(expected) <= found.looked <= noted()
-
-
-def test_what_launch_files_name(tmp_path: Path) -> None:
-    (tmp_path / "launch").mkdir()
-    (tmp_path / "inner").mkdir()
-    (tmp_path / "package.xml").write_text("<package/>")
-    (tmp_path / "inner" / "package.xml").write_text("<package/>")
-    (tmp_path / "launch" / "a.launch").write_text('<launch><node pkg="amcl"/><include file="$(find my_arm)/a"/></launch>')
-    (tmp_path / "inner" / "b.launch").write_text('<launch><node pkg="other"/></launch>')
-    assert sorted(used_by_launch_files(str(tmp_path)).known) == ["amcl", "my_arm"]

@@ -58,7 +58,8 @@ farm, a fresh robot) the launch fails, unless something else brings the package 
 
 `--fix` adds the line to `package.xml`, below the last dependency, and proves that nothing else changes in it. What is declared for tests
 only is left alone, and so is what needs this package itself to be built: the dependency would close a ring, and catkin would build
-nothing any more. Where two packages would only need each other to run, catkin has no objection, but the fix is not called safe.
+nothing any more. Where two packages would only need each other to run, catkin has no objection, but the fix is not called safe;
+nor is one on a package of the workspace with launch files of its own, whose fix could close the ring from the other side.
 """
 
 from __future__ import annotations
@@ -161,14 +162,12 @@ _latest: list[tuple[Packages, str, dict[str, Way], dict[str, Way]]] = []
 
 
 def _ways_for(packages: Packages, name: str) -> tuple[dict[str, Way], dict[str, Way]]:
-    """Who needs package ``name``: now, and once all packages declare what their launch files use.
+    """Who needs package ``name``: now, and perhaps once other packages declare what their launch files use, too.
 
-    Files come package by package, so that the latest answer is kept; what it hangs on is noted for the cache each time.
+    Files come package by package, so that the latest answer is kept.
     """
-    if _latest and _latest[0][0] is packages and _latest[0][1] == name:
-        packages.note_launched()
-    else:
-        _latest[:] = [(packages, name, ways_to(name, packages), ways_to(name, packages, launched=True))]
+    if not _latest or _latest[0][0] is not packages or _latest[0][1] != name:
+        _latest[:] = [(packages, name, ways_to(name, packages), ways_to(name, packages, lacking=True))]
     return _latest[0][2:]
 
 
