@@ -18,6 +18,7 @@ _OPPOSITES = (
 """Words that take each other's place in two names for two different things."""
 _NEGATIONS = ("un", "non", "no", "not", "dis", "anti", "de")
 _WORD = re.compile(r"[^\W\d_]+")
+_BETWEEN = re.compile(r"[\s_-]+")
 _NUMBER = re.compile(r"\d+")
 _HUMP = re.compile(r"(?<=[a-z])(?=[A-Z])")
 _OFF = frozenset(
@@ -97,6 +98,27 @@ def one_slip(name: str, names: Iterable[str]) -> str | None:
 def surely(name: str, names: Iterable[str]) -> str | None:
     """The name that ``name`` must be a slip for: the only one that is one slip away. A name of one or two letters may be anything."""
     return one_slip(name, names) if len(name) > 2 else None
+
+
+def same_letters(name: str, names: Iterable[str]) -> str | None:
+    """The only name of ``names`` that is ``name`` but for blanks, ``_``, ``-``, letter case, and a ``_test`` or ``_node`` at its end."""
+    wanted, without = _bare(name), _bare(name, shortened=True)
+    same = {other for other in names if other != name and wanted and (wanted in _both(other) or without == _bare(other))}
+    return same.pop() if len(same) == 1 else None
+
+
+def _both(name: str) -> tuple[str, str]:
+    return _bare(name), _bare(name, shortened=True)
+
+
+def _bare(name: str, *, shortened: bool = False) -> str:
+    """``name`` in small letters alone, with its ending; ``shortened`` without a last ``_test`` or ``_node``."""
+    stem, dot, end = name.casefold().rpartition(".")
+    stem, end = (stem, dot + end) if dot else (end, "")
+    words = [word for word in _BETWEEN.split(stem) if word]
+    if shortened and len(words) > 1 and words[-1] in ("test", "node"):
+        words.pop()
+    return "".join(words) + end if words else ""
 
 
 def did_you_mean(name: str, names: Iterable[str]) -> str:

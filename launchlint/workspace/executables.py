@@ -82,6 +82,11 @@ class Executables:
         """Whether any script of the package has the executable bit."""
         return any(each.how == "file" and each.name.endswith(_SCRIPT_ENDS) for each in self.by_name.values())
 
+    @property
+    def unrunnable(self) -> list[str]:
+        """The names of the files that have no executable bit."""
+        return list(self._unrunnable)
+
     def flaw(self, name: str) -> Flaw | None:
         """What is wrong with the script called ``name``, if the package has one that cannot be started; reads its first bytes.
 

@@ -59,6 +59,7 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import Spot, fix, set_value
 from launchlint.rules.rule import Rule
+from launchlint.rules.template import is_path_to_fill_in
 from launchlint.rules.view import FileView
 from launchlint.source import Place
 from launchlint.workspace.looking import exists
@@ -115,6 +116,10 @@ def _home(text: str) -> _Fault | None:
     """A path below somebody's home directory in any text."""
     plain = re.sub(r"\$\([^()]*\)", "$", text)
     found = re.search(_HOME, plain)
+    if found is not None and is_path_to_fill_in(found[0]):
+        help = "fill it in, or make it an arg without a default"
+        note = "it is a placeholder, which each user fills in"
+        return _Fault(f"{found[0]}… is nobody's home directory", note, help, severity=Severity.INFO, cause=found[0])
     if found is not None:
         help = "name files with $(find pkg)/…, others with $(env HOME)/… or an arg that each machine sets"
         return _Fault(f"{found[0]}… is somebody's home directory", "it is there on machines of that user only", help, cause=found[0])

@@ -7,7 +7,8 @@ from a program that it knows is an error where the library lists all programs of
 may have gaps, as with packages below `/usr`, whose programs Debian distributes over several packages of its own, nothing is said but such
 a warning.
 Each program is told of once, with all places that start it. Where another package of the workspace has a program of just that name,
-the help names it; where the command that would build the program is commented out in `CMakeLists.txt`, a note says so.
+the help names it; a program or script (with the executable bit or without) of the same name but for blanks, `_`, `-` or a `_test` or
+`_node` at the end comes first. Where the command that would build the program is commented out in `CMakeLists.txt`, a note says so.
 
 ## Why it matters
 
@@ -82,7 +83,7 @@ from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
-from launchlint.spelling import closest, one_slip, surely
+from launchlint.spelling import closest, one_slip, same_letters, surely
 from launchlint.workspace.cmake_comments import CMAKE_FILE, commented_out
 from launchlint.workspace.packages import SYSTEM_SHARE
 
@@ -90,6 +91,7 @@ RULE = Rule("LL304", "unknown-executable", Severity.ERROR, roslaunch="reports", 
 
 _MOST_NAMED = 6
 _MOST_PACKAGES = 3
+_SCRIPT_ENDS = (".py", ".sh", ".bash", ".pl", ".rb")
 
 
 def check(view: GraphView) -> Iterator[Finding]:
@@ -113,7 +115,11 @@ def check(view: GraphView) -> Iterator[Finding]:
             continue
         assumed = any(condition.assumed for condition in node.conditions)
         certain = exhaustive and (known.installed or slip is not None) and not assumed
-        near = slip or closest(name, known.names)
+        scripts = [each for each in known.unrunnable if each.endswith(_SCRIPT_ENDS)]
+        same = same_letters(name, known.names) or same_letters(name, scripts)
+        if same in scripts:
+            same = f"{same}, which lacks the executable bit"
+        near = same or slip or closest(name, known.names)
         some = _some(known.names)
         notes = [f"it has: {some}" if some else "it has no executables at all"]
         line = commented_out(package.directory, package.name, name)
@@ -127,9 +133,9 @@ def check(view: GraphView) -> Iterator[Finding]:
             severity=severity,
             label="not found",
             notes=(*notes, "roslaunch loads the file and fails when it starts this node"),
-            help=_help(node, slip, near, contents(view.packages).having(name)),
+            help=_help(node, same or slip, near, contents(view.packages).having(name)),
             cause=f"{severity.word} {node.package}/{name}",
-            fix=None if slip is None else _fix(node, view, slip),
+            fix=None if slip is None or same not in (None, slip) else _fix(node, view, slip),
         )
 
 

@@ -47,6 +47,7 @@ from launchlint.rules.installed import installed_from
 from launchlint.rules.made_file import cause_of, made
 from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.rule import Rule
+from launchlint.rules.template import is_path_to_fill_in
 from launchlint.rules.view import LaunchView
 
 RULE = Rule("LL502", "param-file-missing", Severity.ERROR, roslaunch="refuses")
@@ -83,6 +84,10 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         notes.append(maker.why)
     elif path and (facts["relative"] or facts["elsewhere"]):
         severity = Severity.WARNING
+    placeholder = missing and is_path_to_fill_in(path)
+    if placeholder:
+        severity = Severity.INFO
+        notes.append("the path is a placeholder, which each user fills in")
     if not path:
         message = "the name of the file is empty"
     else:
@@ -94,8 +99,12 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         label=f"no file {name}" if missing and facts["no_directory"] else "no such file" if missing else "",
         related=problem.related,
         notes=tuple(notes),
-        help=maker.help if maker is not None else _advice(facts),
-        shared_cause=cause_of(facts["file"], maker) if look and path else "",
+        help="fill in the path, or make it an arg without a default"
+        if placeholder
+        else maker.help
+        if maker is not None
+        else _advice(facts),
+        shared_cause=cause_of(facts["file"], maker) if look and path and not placeholder else "",
     )
 
 

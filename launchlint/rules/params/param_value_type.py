@@ -1,7 +1,8 @@
 """The value of a parameter does not fit its `type`, or roslaunch does not know the type.
 
 roslaunch knows the types `str` (or `string`), `int`, `double`, `bool` (or `boolean`), `yaml` and `auto`, which is
-also what it takes where there is no `type`. The value is checked as it is after substitution.
+also what it takes where there is no `type`. The value is checked as it is after substitution. It is an info where the value plainly
+asks to be filled in (`your app id here`, `<id>`, `CHANGEME`): roslaunch refuses the file until somebody does.
 
 ## Why it matters
 
@@ -44,6 +45,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
+from launchlint.rules.template import is_to_fill_in
 from launchlint.spelling import closest, surely
 
 RULE = Rule("LL501", "param-value-type", Severity.ERROR, roslaunch="refuses", fixable="safe")
@@ -75,13 +77,17 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
             else _fix_type(problem, view, instead, sure=instead == ALSO_KNOWN_AS.get(type_, surely(type_, TYPES))),
         )
         return
+    placeholder = is_to_fill_in(value)
     yield RULE.at(
         problem.origin,
         reason,
-        label=f"no {type_}",
+        severity=Severity.INFO if placeholder else None,
+        label="to be filled in" if placeholder else f"no {type_}",
         related=problem.related,
-        notes=("roslaunch refuses the file",),
-        help=_instead(value.strip(), type_),
+        notes=("roslaunch refuses the file until the value is filled in" if placeholder else "roslaunch refuses the file",),
+        help="fill this in before the file is started, or make it an arg without a default"
+        if placeholder
+        else _instead(value.strip(), type_),
         fix=_fix_boolean(problem, view, value) if type_ in ("bool", "boolean") else None,
     )
 

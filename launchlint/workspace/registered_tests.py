@@ -1,0 +1,41 @@
+"""Which ``.test`` files the build of a package starts: those that its ``CMakeLists.txt`` names (``add_rostest`` …)."""
+
+from __future__ import annotations
+
+import os
+import re
+
+from launchlint.workspace.looking import content
+
+CMAKE_FILE = "CMakeLists.txt"
+TEST_END = ".test"
+
+_LONGEST_LINE = 1_000
+_REGISTERS = re.compile(r"\w*rostest\w*[ \t]*\(")
+_NAMES_TEST = re.compile(r"[\w.-]+\.(?:test|launch)\b")
+_ELSEWHERE = re.compile(r"(?i)\b(?:add_subdirectory|foreach|include)[ \t]*\(|\bGLOB|\*\.test|\}[\w.-]*\.test")
+"""What may register tests that cannot be seen here."""
+
+
+def why_not_started(directory: str, file: str) -> str | None:
+    """Why nothing starts the test ``file`` of the package at ``directory`` (both absolute); ``None`` where something may.
+
+    Its command is commented out in ``CMakeLists.txt``, or other tests are registered there and this one is not.
+    """
+    name = os.path.basename(file)
+    if not name.endswith(TEST_END):
+        return None
+    written = (content(os.path.join(directory, CMAKE_FILE)) or b"").decode("utf-8", "replace")
+    lines = [line[:_LONGEST_LINE].partition("#") for line in written.splitlines()]
+    active = "\n".join(code for code, _, _ in lines)
+    stem = name.removesuffix(TEST_END)
+    if re.search(rf"(?<![\w.-]){re.escape(stem)}(?![\w-])", active):
+        return None
+    for number, (_, _, comment) in enumerate(lines, 1):
+        if name in _NAMES_TEST.findall(comment) and _REGISTERS.search(comment):
+            return f"nothing starts this test: its command is commented out in {CMAKE_FILE}, line {number}"
+    if not _REGISTERS.search(active) or _ELSEWHERE.search(active):
+        return None
+    if not any(each.endswith(TEST_END) for each in _NAMES_TEST.findall(active)):
+        return None
+    return f"nothing starts this test: {CMAKE_FILE} registers others, and not this one"
