@@ -8,7 +8,6 @@ from functools import cached_property
 from itertools import islice
 from typing import NamedTuple
 
-from launchlint.check.empty_defaults import told_at_declarations
 from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, internal_error, run_rule, tell
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.verdict import judged, plainly
@@ -126,7 +125,7 @@ class EntryChecker:
             for include in evaluation.launch.includes:
                 if include.source is not None:
                     included[include.source.path] = None
-            evaluation = told_at_declarations(session, request.at, evaluation, pinned)
+            evaluation = _told_at_declarations(session, request.at, evaluation, pinned)
             first = first or evaluation
             outcomes.append((evaluation.launch.given, self._judged(evaluation, request)))
             for found in self._launch_findings(evaluation, request):
@@ -160,7 +159,7 @@ class EntryChecker:
         session.begin_entry()
         pinned = frozenset(name for name, _ in request.arguments)
         found = islice(configurations(session, request.at, request.arguments), 1 if self.options.default_only else None)
-        evaluations = (told_at_declarations(session, request.at, evaluation, pinned) for evaluation in found)
+        evaluations = (_told_at_declarations(session, request.at, evaluation, pinned) for evaluation in found)
         first, *others = ((evaluation.launch.given, self._judged(evaluation, request)) for evaluation in evaluations)
         return first[1].beside(others)
 
@@ -172,7 +171,7 @@ class EntryChecker:
         session = self.session_for(request)
         session.begin_entry()
         evaluation = evaluate(session, request.at, request.arguments)
-        launch = told_at_declarations(session, request.at, evaluation, frozenset(name for name, _ in request.arguments)).launch
+        launch = _told_at_declarations(session, request.at, evaluation, frozenset(name for name, _ in request.arguments)).launch
         refused = launch.refused
         if refused is None:
             return evaluation, None
@@ -268,6 +267,15 @@ class EntryChecker:
             summary,
             count,
         )
+
+
+def _told_at_declarations(session: Session, file: str, evaluation: Evaluation, pinned: frozenset[str]) -> Evaluation:
+    """As :func:`launchlint.check.empty_defaults.told_at_declarations`, which is not even imported where roslaunch loads the file."""
+    if evaluation.launch.refused is None:
+        return evaluation
+    from launchlint.check.empty_defaults import told_at_declarations
+
+    return told_at_declarations(session, file, evaluation, pinned)
 
 
 def _keep_plainer(findings: dict[Key, Finding], found: Finding) -> None:

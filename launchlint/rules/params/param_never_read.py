@@ -43,7 +43,7 @@ the YAML in a `<rosparam>`. Keys in YAML files are left alone.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
@@ -127,6 +127,7 @@ class _Reads:
         self._library = library
         self._declared: dict[str, Declared] = {}
         self._private: dict[str, list[str]] = {}
+        self._patterns: dict[str, list[list[str]]] = {}
         self._around: set[str] = set()
         for name in graph.readers:
             self._around.add(name)
@@ -149,24 +150,36 @@ class _Reads:
             self._private[instance.name] = [name[len(start) :] for name in self.declared(instance).names if name.startswith(start)]
         return self._private[instance.name]
 
-    def unset(self, inner: str, owner: Instance, *, apart: int) -> list[str]:
-        """Those that are not set and not ``apart`` letters longer or shorter than ``inner``; where a part may be anything it is that of
-        ``inner``.
-        """
-        found = [name for name in self.private(owner) if abs(len(name) - len(inner)) <= apart]
+    def patterns(self, instance: Instance) -> Sequence[list[str]]:
+        """As :meth:`private`, of names in which a part may be anything (``*``): their parts."""
+        if instance.name not in self._patterns:
+            start = f"{instance.name}/"
+            known = (each.pattern for each in self.declared(instance).patterns)
+            parts = (pattern[len(start) :].split("/") for pattern in known if pattern.startswith(start))
+            self._patterns[instance.name] = [each for each in parts if "*" not in each[-1]]
+        return self._patterns[instance.name]
+
+    def unset(self, inner: str, owner: Instance, is_like: Callable[[str], bool]) -> list[str]:
+        """Those that are not set and ``is_like`` holds for; where a part may be anything it is that of ``inner``."""
+        found = [name for name in self.private(owner) if is_like(name)]
         parts = inner.split("/")
-        for pattern in self.declared(owner).patterns:
-            others = pattern.pattern[len(owner.name) + 1 :].split("/")
-            if pattern.pattern.startswith(f"{owner.name}/") and len(others) == len(parts) and "*" not in others[-1]:
+        for others in self.patterns(owner):
+            if len(others) == len(parts):
                 full = "/".join(mine if other == "*" else other for mine, other in zip(parts, others, strict=True))
-                found += [full] if "*" not in full and abs(len(full) - len(inner)) <= apart else []
+                found += [full] if "*" not in full and is_like(full) else []
         return [name for name in dict.fromkeys(found) if not self._graph.parameters.is_set(f"{owner.name}/{name}")]
 
     def slip(self, inner: str, owner: Instance) -> str | None:
         """The only name that ``inner`` must be a slip for, although the node may read more than is known."""
         if max(map(len, inner.split("/"))) < _SHORTEST_SLIP:
             return None
-        near = [name for name in self.unset(inner, owner, apart=1) if _is_slip(_differing(inner, name))]
+        half = (len(inner) - 2) // 2
+        start, end = inner[:half], inner[-half:]
+
+        def is_like(name: str) -> bool:  # one slip leaves one of the halves as it is
+            return abs(len(name) - len(inner)) <= 1 and (name.startswith(start) or name.endswith(end))
+
+        near = [name for name in self.unset(inner, owner, is_like) if _is_slip(_differing(inner, name))]
         return near[0] if len(near) == 1 else None
 
     def any_of(self, name: str, owner: Instance) -> bool:
@@ -187,7 +200,7 @@ def _finding(setting: ParameterSetting, owner: Instance, reads: _Reads, view: Gr
     inner, declared = _inner(setting, owner), reads.declared(owner)
     if _is_known(owner):
         elsewhere = next((name for name in sorted(declared.names) if declared.names[name].lstrip("/") == inner), None)
-        candidates = _near(inner, reads.unset(inner, owner, apart=_FARTHEST))
+        candidates = _near(inner, reads.unset(inner, owner, lambda name: abs(len(name) - len(inner)) <= _FARTHEST))
     else:
         slip = reads.slip(inner, owner)
         elsewhere, candidates = None, [] if slip is None else [slip]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.graph.connections import Doubt, Instance
@@ -29,17 +30,17 @@ UNIVERSAL = frozenset(
 
 
 class Declared(NamedTuple):
-    """The params that a program may read: full names, and patterns of those that are made from something."""
+    """The params that a program may read: full names, all ``around`` these, and patterns of those that are made from something."""
 
     names: dict[str, str]
+    around: frozenset[str]
     patterns: tuple[Doubt, ...]
 
     def may_be(self, name: str) -> bool:
         """Whether ``name``, something around it or something below it may be one of them."""
-        below = f"{name}/"
-        if any(other == name or other.startswith(below) or name.startswith(f"{other}/") for other in self.names):
+        if name in self.names or name in self.around or any(outer in self.names for outer in _outer(name)):
             return True
-        return any(pattern.may_be(name) or pattern.may_be(f"{below}*") for pattern in self.patterns)
+        return any(pattern.may_be(name) or pattern.may_be(f"{name}/*") for pattern in self.patterns)
 
 
 def program_of(instance: Instance, library: Library) -> Program | None:
@@ -66,7 +67,15 @@ def declared_by(instance: Instance, library: Library) -> Declared:
             else:
                 full = absolute(known, instance.namer.namespace, instance.namer.node)
                 patterns[Doubt("params", full, declaration.name)] = None
-    return Declared(names, tuple(patterns))
+    return Declared(names, frozenset(outer for name in names for outer in _outer(name)), tuple(patterns))
+
+
+def _outer(name: str) -> Iterator[str]:
+    """The names around ``name``, the nearest first."""
+    outer = name.rpartition("/")[0]
+    while outer:
+        yield outer
+        outer = outer.rpartition("/")[0]
 
 
 def _pattern(template: str) -> str:
