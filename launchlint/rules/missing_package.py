@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from launchlint.finding import Severity
 from launchlint.library.shipped import is_in_library
+from launchlint.rules.stale_package import own_instead
 from launchlint.spelling import closest, distance, one_slip
 from launchlint.workspace.packages import Hidden, Package, Packages
 from launchlint.workspace.public_packages import public_names
@@ -40,8 +41,8 @@ class Judgement(NamedTuple):
     help: str
 
 
-def judge(name: str, packages: Packages, near: str) -> Judgement | None:
-    """What to say of package ``name``, which a launch file at ``near`` (a path) uses; ``None`` where there is nothing to say.
+def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | None:
+    """What to say of package ``name``, which a launch file at ``near`` with ``text`` uses; ``None`` where there is nothing to say.
 
     Error: a metapackage, any name where the picture is complete (``Packages.complete``), and a name that is one slip away from a package
     that is here or that a ``package.xml`` declares. Nothing: a package that is here, one of the public index or of the library that
@@ -54,6 +55,10 @@ def judge(name: str, packages: Packages, near: str) -> Judgement | None:
     if packages.has(name) or is_placeholder(name):
         return None
     home = packages.package_of(near)
+    own = None if packages.complete else own_instead(name, text, packages, near)
+    if own is not None:
+        why = f"what this file asks of it lies in {own.name}, its own package: {name} may be a former name"
+        return Judgement(Severity.WARNING, why, _did_you_mean(own.name))
     key = (name, "" if home is None else home.directory)
     known = _answers_for(packages)
     if key not in known:

@@ -71,7 +71,7 @@ def check(view: LaunchView) -> Iterator[Fine]:
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Judge the name; facts: ``package``, ``near`` (the entry file)."""
     name = problem.facts["package"]
-    judgement = judge(name, view.packages, problem.place.source.file)
+    judgement = judge(name, view.packages, problem.place.source.file, problem.place.source.text)
     if judgement is None:
         return
     severity = judgement.severity if problem.refused else min(judgement.severity, Severity.WARNING)

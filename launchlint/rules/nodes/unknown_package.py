@@ -86,7 +86,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
             yield from (RULE.fine(_place(each)) for each in nodes)
             continue
         node = min(nodes, key=lambda each: _place(each).span.start)
-        judgement = judge(name, view.packages, node.origin.place.source.file)
+        judgement = judge(name, view.packages, node.origin.place.source.file, node.origin.place.source.text)
         if judgement is None:
             continue
         assumed = any(condition.assumed for condition in node.conditions)

@@ -74,6 +74,7 @@ from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.package_contents import contents
 from launchlint.rules.packages.metapackages import members
 from launchlint.rules.rule import Rule
+from launchlint.rules.stale_package import own_instead
 from launchlint.rules.view import FileView
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.tree import Document, Element
@@ -127,6 +128,7 @@ def check(view: FileView) -> Iterator[Finding]:
     missing = [name for name in missing if name not in declared and (packages.has(name) or name in public_names())]
     if not missing or packages.is_hidden(home.directory) or contents(packages).installs(home).leaves_out(posixpath.abspath(file)):
         return
+    missing = [name for name in missing if own_instead(name, document.source.text, packages, file) is None]  # LL210 and LL303 tell
     place = _place(manifest, root_of(document.source))
     extra = _GENERATED_EXTRA.fullmatch(posixpath.basename(file)) is not None and is_file(posixpath.join(home.directory, SETUP_ASSISTANT))
     here = any(_is_beside(name, packages, file) for name in missing)

@@ -1,0 +1,38 @@
+"""A package that is not here, while all that a launch file asks of it lies in its own package: a name from before a split or rename."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+
+from launchlint.rules.package_contents import contents
+from launchlint.workspace.looking import exists
+from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.public_packages import public_names
+
+_STARTED = re.compile(r"<(?:node|test)\s[^<>]{1,2000}>")
+_PKG = re.compile(r"\spkg\s*=\s*[\"']([^\"']*)[\"']")
+_TYPE = re.compile(r"\stype\s*=\s*[\"']([^\"'$]*)[\"']")
+_FILE = re.compile(r"\$\(\s*find\s+([\w-]+)\s*\)/([\w.+/-]+)(\$?)")
+
+
+def own_instead(name: str, text: str, packages: Packages, near: str) -> Package | None:
+    """The package of the launch file ``near`` with content ``text``, if it holds all files and programs that are asked of ``name``.
+
+    A public package may well have files of the same names: then the own package must bear its name, and more (``camera_driver`` for
+    ``camera``). ``None`` where the package is here, or nothing is asked of it that can be told.
+    """
+    home = packages.package_of(near)
+    if home is None or not home.name or home.name == name or packages.has(name):
+        return None
+    if name in public_names() and not home.name.startswith(f"{name}_"):
+        return None
+    found = [match for match in _FILE.finditer(text) if match[1] == name]
+    started = [tag[0] for tag in _STARTED.finditer(text) if (package := _PKG.search(tag[0])) is not None and package[1] == name]
+    if (not found and not started) or any(match[3] for match in found):
+        return None
+    if not all(exists(posixpath.join(home.directory, match[2])) for match in found):
+        return None
+    programs = contents(packages).executables(home).names if started else []
+    types = [_TYPE.search(tag) for tag in started]
+    return home if all(each is not None and each[1] in programs for each in types) else None
