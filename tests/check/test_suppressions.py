@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -65,9 +66,15 @@ def test_the_finding_in_an_included_file_is_suppressed_there(make: Make) -> None
 
 def test_a_suppressed_finding_is_in_no_format_and_no_baseline(make: Make) -> None:
     directory = make({"a.launch": f"<launch>\n{NODE}\n<!-- launchlint: ignore[LL301] meant -->\n{NODE}\n</launch>\n"})
-    for name in ("text", "json", "jsonl", "sarif", "github", "gitlab", "junit"):
+    for name in ("text", "jsonl", "github", "gitlab", "junit"):
         assert "duplicate-node-name:" not in run(directory, "check", "--format", name).output
         assert "two nodes are named" not in run(directory, "check", "--format", name).output
+    # A comment does not change what roslaunch does with the file: these two say so beside the findings.
+    told = json.loads(run(directory, "check", "--format", "json").output)
+    assert told["findings"] == []
+    assert [(each["word"], each["reason"]) for each in told["verdicts"]] == [("refused", "two nodes are named /a")]
+    (sarif,) = json.loads(run(directory, "check", "--format", "sarif").output)["runs"]
+    assert sarif["results"] == []
     assert run(directory, "check", "--write-baseline", "b.json").errors.startswith("launchlint: wrote 0 findings")
 
 
