@@ -20,16 +20,21 @@ def own_instead(name: str, text: str, packages: Packages, near: str) -> Package 
     """The package of the launch file ``near`` with content ``text``, if it holds all files and programs that are asked of ``name``.
 
     A public package may well have files of the same names: then the own package must bear its name, and more (``camera_driver`` for
-    ``camera``). ``None`` where the package is here, or nothing is asked of it that can be told.
+    ``camera``), and hold a program that is asked for, too. ``None`` where the package is here or declared, where nothing is asked of it
+    that can be told, and where the file would include itself: it stands before one of the same name.
     """
     home = packages.package_of(near)
     if home is None or not home.name or home.name == name or packages.has(name):
         return None
-    if name in public_names() and not home.name.startswith(f"{name}_"):
+    if home.manifest is None or name in home.manifest.depends():
         return None
     found = [match for match in _FILE.finditer(text) if match[1] == name]
     started = [tag[0] for tag in _STARTED.finditer(text) if (package := _PKG.search(tag[0])) is not None and package[1] == name]
     if (not found and not started) or any(match[3] for match in found):
+        return None
+    if name in public_names() and not (started and home.name.startswith(f"{name}_")):
+        return None
+    if any(posixpath.join(home.directory, match[2]) == posixpath.abspath(near) for match in found):
         return None
     if not all(exists(posixpath.join(home.directory, match[2])) for match in found):
         return None
