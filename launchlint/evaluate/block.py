@@ -104,6 +104,9 @@ class LocalBranch(NamedTuple):
     reads: frozenset[str]
 
 
+Side = tuple[str, int, str, bool]
+"""One side of a condition: path, offset of the element, ``if`` or ``unless``, and whether it was taken."""
+
 Effect: TypeAlias = (
     "NodeEffect | ParameterSetting | MoreParameters | Machine | Problem | Call | Include | Clear | RunStep | LocalBranch | ScopedSetting"
     " | Argument"
@@ -127,6 +130,7 @@ class Block:
     """
 
     __slots__ = (
+        "_sides",
         "angles",
         "anonymous",
         "argument_reads",
@@ -174,3 +178,17 @@ class Block:
         self.variables: frozenset[str] = frozenset()
         self.cycle_floor = NO_CYCLE
         self.entered: set[object] = set()
+        self._sides: frozenset[Side] | None = None
+
+    @property
+    def sides(self) -> frozenset[Side]:
+        """The sides of conditions that are taken in this file and in those it includes. To be asked for when the block is complete."""
+        if self._sides is None:
+            sides: set[Side] = set()
+            for effect in self.effects:
+                if isinstance(effect, Call):
+                    sides |= effect.block.sides
+                elif isinstance(effect, LocalBranch) and effect.taken is not None:
+                    sides.add((effect.element.source.path, effect.element.span.start, effect.attribute, effect.taken))
+            self._sides = frozenset(sides)
+        return self._sides

@@ -13,7 +13,8 @@ from collections.abc import Iterator
 from itertools import islice, product
 
 from launchlint.evaluate.assemble import Evaluation
-from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.block import Side
+from launchlint.evaluate.launch import Entered, enter_entry
 from launchlint.evaluate.ros1.arg_flow import ArgFlow
 from launchlint.evaluate.session import Session
 from launchlint.model import Branch
@@ -26,7 +27,6 @@ MOST_COMBINATIONS = 24
 """Args that are changed together for one condition, and how many combinations of their values are tried."""
 
 Pairs = tuple[tuple[str, str], ...]
-Side = tuple[str, int, str, bool]
 
 
 def configurations(session: Session, file: str, given: tuple[tuple[str, str], ...] = ()) -> Iterator[Evaluation]:
@@ -35,7 +35,8 @@ def configurations(session: Session, file: str, given: tuple[tuple[str, str], ..
     Args in ``given`` stay as they are. Only configurations that show something new are yielded.
     """
     pinned = frozenset(name for name, _ in given)
-    first = evaluate(session, file, given, pinned)
+    entered = enter_entry(session, file, given, pinned)
+    first = entered.assembled() if isinstance(entered, Entered) else entered
     yield first
     found = [(first, ArgFlow(session, first))]
     seen = _sides(first)
@@ -60,7 +61,10 @@ def configurations(session: Session, file: str, given: tuple[tuple[str, str], ..
                     if evaluations >= MOST_EVALUATIONS:
                         return
                     evaluations += 1
-                    evaluation = evaluate(session, file, (*given, *changes), pinned)
+                    entered = enter_entry(session, file, (*given, *changes), pinned)
+                    if isinstance(entered, Entered) and entered.block.sides <= seen:
+                        continue
+                    evaluation = entered.assembled() if isinstance(entered, Entered) else entered
                     sides = _sides(evaluation)
                     if sides <= seen:
                         continue

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterable, Mapping
+from typing import NamedTuple
 
 from launchlint.evaluate.assemble import Evaluation, assemble, not_loadable
-from launchlint.evaluate.block import Value
+from launchlint.evaluate.block import Block, Value
 from launchlint.evaluate.names import as_namespace
 from launchlint.evaluate.ros1.entering import Entering
 from launchlint.evaluate.ros1.file import NO_DEFAULTS, Declaration, Exhausted, Progress
@@ -38,6 +39,20 @@ def command_line(pairs: Iterable[tuple[str, str]]) -> dict[str, str]:
     return arguments
 
 
+class Entered(NamedTuple):
+    """An entry file worked out in one configuration, and not yet put together."""
+
+    block: Block
+    file: str
+    arguments: Mapping[str, str]
+    given: tuple[tuple[str, str], ...]
+    pinned: frozenset[str]
+
+    def assembled(self) -> Evaluation:
+        """What it comes to."""
+        return assemble(self.block, self.file, self.arguments, self.given, self.pinned)
+
+
 def evaluate(
     session: Session,
     file: str,
@@ -50,6 +65,18 @@ def evaluate(
     ``pinned`` names args that people fixed, which therefore do not count as steering any condition. ``defaults`` are taken in place of
     empty defaults, by where the arg is declared.
     """
+    entered = enter_entry(session, file, given, pinned, defaults)
+    return entered.assembled() if isinstance(entered, Entered) else entered
+
+
+def enter_entry(
+    session: Session,
+    file: str,
+    given: tuple[tuple[str, str], ...] = (),
+    pinned: frozenset[str] = frozenset(),
+    defaults: Mapping[Declaration, Value] = NO_DEFAULTS,
+) -> Entered | Evaluation:
+    """As :func:`evaluate`, up to the dear step of putting the included files together; the whole of it where nothing can be started."""
     progress = Progress(defaults, frozenset(session.named(path) for path, _ in defaults))
     if sys.getrecursionlimit() < DEEPEST_STACK:
         sys.setrecursionlimit(DEEPEST_STACK)
@@ -73,4 +100,4 @@ def evaluate(
         block = enter(session, document, entering, file, progress)
     except Exhausted as exhausted:
         return not_loadable(document.source, document, given, exhausted.args[0])
-    return assemble(block, file, arguments, given, pinned)
+    return Entered(block, file, arguments, given, pinned)

@@ -14,11 +14,12 @@ from collections.abc import Iterator, Mapping
 class PublicPackages(Mapping[str, tuple[str, ...]]):
     """Package name → names of the distributions that released it (those of ROS 1 first), from a file of ``name<TAB>names`` lines."""
 
-    __slots__ = ("_lines", "_names", "_path")
+    __slots__ = ("_asked", "_lines", "_names", "_path")
 
     def __init__(self, path: str) -> None:
         self._path = path
         self._lines: str | None = None
+        self._asked: dict[str, tuple[str, ...] | None] = {}
         self._names: list[str] | None = None
 
     @property
@@ -29,10 +30,18 @@ class PublicPackages(Mapping[str, tuple[str, ...]]):
         return self._lines
 
     def __getitem__(self, name: str) -> tuple[str, ...]:
+        if name not in self._asked:  # going through the text takes long, and the same few names are asked for in every configuration
+            self._asked[name] = self._find(name)
+        found = self._asked[name]
+        if found is None:
+            raise KeyError(name)
+        return found
+
+    def _find(self, name: str) -> tuple[str, ...] | None:
         text = self._text
         at = -1 if not name or "\n" in name or "\t" in name or name[0] == "#" else text.find(f"\n{name}\t")
         if at < 0:
-            raise KeyError(name)
+            return None
         start = at + len(name) + 2
         return tuple(text[start : text.index("\n", start)].split(" "))
 

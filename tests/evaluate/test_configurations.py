@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from launchlint.evaluate import configurations as room
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.configurations import MOST_EVALUATIONS, configurations
-from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.launch import Entered, enter_entry, evaluate
 from tests.evaluate.comparison import MAIN, Case, case, inside, session_in, write
 
 Given = tuple[tuple[str, str], ...]
@@ -243,12 +243,12 @@ def test_what_steers_a_condition(text: str, steered_by: set[str], is_open: bool,
 def test_the_number_of_evaluations_is_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     count = 0
 
-    def counted(*arguments: object) -> Evaluation:
+    def counted(*arguments: object) -> Entered | Evaluation:
         nonlocal count
         count += 1
-        return evaluate(*arguments)  # type: ignore[arg-type]
+        return enter_entry(*arguments)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(room, "evaluate", counted)
+    monkeypatch.setattr(room, "enter_entry", counted)
     args = "".join(f'<arg name="a{number}" default="false"/>[[n{number} if="$(arg a{number})"]]' for number in range(60))
     # Of the conditions that nothing can turn, each would be tried with several values.
     dead = "".join(f'[[m{number} if="$(eval a{number} and a{number + 1} and not a{number})"]]' for number in range(50))
