@@ -12,7 +12,7 @@ from launchlint.check.given_together import judged_by_callers
 from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.options import Options
 from launchlint.check.ours import Ours
-from launchlint.check.unregistered import judged_by_registration
+from launchlint.check.unregistered import judged_by_marker, judged_by_registration
 from launchlint.finding import Finding, Key, Severity
 from launchlint.order import ordered
 from launchlint.rules.registry import RULES, find
@@ -90,6 +90,7 @@ def merge(
                 finding = finding._replace(severity=Severity.WARNING, notes=(*finding.notes, NEVER_EVALUATED))
             collected.append(finding)
     collected = list(judged_by_registration(collected, reached, packages, options.root))
+    collected = list(judged_by_marker(collected, packages, options.root))
     if workspace:
         view = RunView(tuple(result.summary for result in results), packages, options.root, tuple(map(os.path.abspath, asked)))
         for rule in RULES:

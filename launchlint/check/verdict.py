@@ -28,6 +28,9 @@ MISSING = {
 }
 """Problem kind → what is missing, and the fact that names it."""
 
+CERTAIN = frozenset(("duplicate-node",))
+"""Of these the level of the rule says whether anybody starts it so; roslaunch refuses it in any case."""
+
 
 def judged(launch: Launch, view: object) -> Verdict:
     """What roslaunch makes of a launch as it stands; ``view`` is the one that rules look at."""
@@ -42,7 +45,8 @@ def judged(launch: Launch, view: object) -> Verdict:
         if what in missing:
             continue
         told = list(tell(problem, view, ALL_RULES))
-        sure = next((finding for finding in told if finding.severity is Severity.ERROR), None)
+        certain = problem.kind in CERTAIN
+        sure = next((finding for finding in told if certain or finding.severity is Severity.ERROR), None)
         if sure is not None:
             return Verdict("refused", sure.rule, sure.message)
         if what:

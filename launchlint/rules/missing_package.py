@@ -48,8 +48,8 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
     that is here or that a ``package.xml`` declares. Nothing: a package that is here, one of the public index or of the library that
     launchlint ships, one that a ``package.xml`` of the workspaces declares, one whose repository a ``.gitmodules``, ``*.rosinstall`` or
     ``*.repos`` names, one whose ``package.xml`` is here and broken (LL704 tells of that), and a placeholder.
-    Info: one that a document of the workspace names, such as a README.
-    Warning: any other name.
+    Warning: a name that is much like one that is here, declared or public, or that is made from one that is here (``arm_tools`` beside
+    ``arm``). Info: any other: it may well lie in another repository of the same people.
     One slip from a public package is help and no more: no list holds all packages.
     """
     if packages.has(name) or is_placeholder(name):
@@ -132,7 +132,11 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
     if document is not None:
         why = f"{_shown(document, packages)} names it, and {unlisted}"
         return Judgement(Severity.INFO, why, f"declare {name} in package.xml, or list its repository in a .rosinstall or .repos")
-    return Judgement(Severity.WARNING, f"no package.xml here declares it, and {unlisted}", _did_you_mean(near) or _add(name))
+    why = f"no package.xml here declares it, and {unlisted}"
+    if near is not None:
+        return Judgement(Severity.WARNING, why, _did_you_mean(near))
+    made_from = max((each for each in known if name.startswith((f"{each}_", f"{each}-"))), key=len, default=None)
+    return Judgement(Severity.INFO if made_from is None else Severity.WARNING, why, _add(name))
 
 
 def _say_hidden(hidden: Hidden, packages: Packages, home: Package | None) -> Judgement:
@@ -184,9 +188,15 @@ def _one_slip(name: str, names: Sequence[str]) -> str | None:
 
 
 def _near(name: str, names: Iterable[str]) -> str | None:
-    """The most similar name, if that is much alike: packages of one maker share most of their letters and are no slips for each other."""
+    """The most similar name, if that is much alike: packages of one maker share most of their letters and are no slips for each other.
+
+    The first word names the maker or the robot: another one (``hero_description``, ``hsrb_description``) is no slip either.
+    """
     near = closest(name, names)
-    return near if near is not None and distance(_fold(name), _fold(near)) <= max(1, len(name) // LETTERS_FOR_A_SLIP) else None
+    if near is None or distance(_fold(name), _fold(near)) > max(1, len(name) // LETTERS_FOR_A_SLIP):
+        return None
+    first, other = _fold(name).partition("_")[0], _fold(near).partition("_")[0]
+    return near if distance(first, other, 1) <= 1 else None
 
 
 def _fold(name: str) -> str:

@@ -3,9 +3,9 @@
 A checkout does not hold what is installed on the robot, so that a package which is merely not here is nothing to tell of; nor is
 one that has the name of a repository in a `.gitmodules`, `*.rosinstall` or `*.repos` of the workspace. It is an error where the
 name is one slip away from a package that is here or that a `package.xml` here declares, or where everything is here: a ROS
-installation is set up on this machine, or the configuration says `packages: complete`. It is a warning where the name is not in
-the list of public packages that launchlint ships: no list holds all packages, so that a near name in it is help and not proof;
-and an info where a README or another document of the workspace names it.
+installation is set up on this machine, or the configuration says `packages: complete`. It is a warning where the name is
+much like that of a package that is here, declared or public (no list holds all packages, so that a near name in one is help and not proof),
+or is made from one that is here (`arm_tools` beside `arm`); else an info, since it may well lie in another repository of the same people.
 Each package is told of once, with all files that need it.
 
 ## Why it matters

@@ -2,7 +2,8 @@
 
 What it does: it compares the full names of all nodes that would start together, after namespaces, arguments and includes are
 worked out and with the conditions as they are. Nodes that exclude each other by `if` and `unless` are no duplicates. `/rosout`
-belongs to roscore, whose own file `roscore.xml` may start it.
+belongs to roscore, whose own file `roscore.xml` may start it. Where the names meet only when an arg has another value than its default
+and no launch file here gives it that one, it is a warning. What two includes of one file, or one such value, bring about is told once.
 
 ## Why it matters
 
@@ -75,6 +76,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     first: Node = problem.facts["first"]
     second: Node = problem.facts["second"]
     related = _way_to(first, second)
+    tried = _tried(view)
+    notes = (stops,) if not tried else (stops, f"only with {tried}, which is not what this launch file does by itself")
     twice = first.origin.place == second.origin.place
     if not twice:
         related = ((problem.related[0][0], "the first one"), *related)
@@ -82,11 +85,31 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         problem.origin,
         f"the node {name} is started twice" if twice else f"two nodes are named {name}",
         label="its file is included twice" if twice else "the second one",
+        severity=Severity.WARNING if tried else None,
         related=related,
-        notes=(stops,),
+        notes=notes,
+        cause=_cause(first, second, tried, view),
         help=_advice(first, second, twice),
         fix=None if twice else _fix(second, view),
     )
+
+
+def _tried(view: LaunchView) -> str:
+    """The args with a default that only the search for configurations gave another value: ``sim:=true``."""
+    launch = view.launch
+    steered: frozenset[str] = frozenset().union(*(branch.steered_by for branch in launch.branches))
+    free = {each.name for each in launch.declared if each.origin.step is None and not each.passed and each.default is not None}
+    return " ".join(f"{name}:={value}" for name, value in launch.given if name in steered and name in free)
+
+
+def _cause(first: Node, second: Node, tried: str, view: LaunchView) -> str:
+    """What all nodes that meet share: the args that are tried, or else the two includes that they come from."""
+    if tried:
+        return f"{view.launch.entry.path} {tried}"
+    if not second.origin.chain:
+        return ""
+    ways = ((place.source.path, place.span.start) for node in (first, second) for place in node.origin.chain)
+    return f"{second.origin.place.source.path} {[*ways]}"
 
 
 def _fix(second: Node, view: LaunchView) -> Fix | None:

@@ -1,7 +1,8 @@
 """A node's script cannot be run: it lacks the executable bit or the `#!` line.
 
 What it does: where the package of a node lies in the workspace or is installed, it looks at the script that `type` names.
-Programs that CMake builds or that `catkin_install_python` wraps are passed over. It is a warning where `install()` gives the script
+Programs that CMake builds are passed over, and those that `catkin_install_python` wraps (an info where the first line is missing, since
+ROS Noetic makes up for it in a devel space only). It is a warning where `install()` gives the script
 the executable bit: it runs from an install space only. It is an info where another command of `CMakeLists.txt` names the
 script, as with `execute_process(COMMAND chmod +x …)`. Each script is told of once; where no script of a package has the bit, the
 package is.
@@ -99,7 +100,8 @@ def check(view: LaunchView) -> Iterator[Finding]:
         flaw = found.flaw(node.executable)
         if flaw is None:
             continue
-        if flaw.lacks_bit and not flaw.lacks_shebang and found.by_name.get(node.executable, _NONE).how == _WRAPPED:
+        wrapped = found.by_name.get(node.executable, _NONE).how == _WRAPPED
+        if wrapped and not flaw.lacks_shebang:
             continue
         path = shown(flaw.path, root)
         wrong, help = _words(path, flaw.lacks_bit, flaw.lacks_shebang)
@@ -109,7 +111,9 @@ def check(view: LaunchView) -> Iterator[Finding]:
         made = contents(view.packages).made(package).by(flaw.path)
         installed = not flaw.lacks_shebang and contents(view.packages).installs(package).makes_runnable(flaw.path)
         none_has_it = flaw.lacks_bit and not found.has_runnable_script
-        if made is not None:
+        if wrapped:
+            notes = ["catkin_install_python makes a program that runs it, in a devel space of ROS Noetic; elsewhere it cannot be started"]
+        elif made is not None:
             notes.append(f"the build may mend it: {made}")
         elif installed:
             notes.append("CMakeLists.txt installs it with that bit: it runs from an install space, not from a devel space")
@@ -119,7 +123,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
         yield RULE.at(
             Origin(node.attributes.get("type", node.origin.place), node.origin.step),
             f"{node.executable} cannot be run: {wrong}",
-            severity=Severity.INFO if made is not None else Severity.WARNING if doubtful else None,
+            severity=Severity.INFO if wrapped or made is not None else Severity.WARNING if doubtful else None,
             label=f"{node.executable} cannot be run",
             related=((line_of(flaw.path, root), "its first line"),),
             notes=tuple(notes),
