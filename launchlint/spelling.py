@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 
 _OPPOSITES = (
     ("min", "max"), ("minimum", "maximum"), ("minimal", "maximal"), ("left", "right"), ("upper", "lower"), ("top", "bottom"),
@@ -28,6 +29,7 @@ _OFF = frozenset(
 """Words that people put to the name of a tag or attribute to switch it off."""
 
 
+@lru_cache(maxsize=8192)  # the same misspelt names come up in every configuration
 def distance(left: str, right: str, limit: int = 3) -> int:
     """Damerau-Levenshtein distance (insert, delete, replace, swap neighbours), at most ``limit`` + 1."""
     if left == right:

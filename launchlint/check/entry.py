@@ -127,8 +127,9 @@ class EntryChecker:
                     included[include.source.path] = None
             evaluation = _told_at_declarations(session, request.at, evaluation, pinned)
             first = first or evaluation
-            outcomes.append((evaluation.launch.given, self._judged(evaluation, request)))
-            for found in self._launch_findings(evaluation, request):
+            view = self._view(evaluation, request)
+            outcomes.append((evaluation.launch.given, judged(evaluation.launch, view)))
+            for found in self._launch_findings(evaluation, request, view):
                 if isinstance(found, Fine):
                     fine[found] = None
                 else:
@@ -160,11 +161,11 @@ class EntryChecker:
         pinned = frozenset(name for name, _ in request.arguments)
         found = islice(configurations(session, request.at, request.arguments), 1 if self.options.default_only else None)
         evaluations = (_told_at_declarations(session, request.at, evaluation, pinned) for evaluation in found)
-        first, *others = ((evaluation.launch.given, self._judged(evaluation, request)) for evaluation in evaluations)
+        first, *others = ((each.launch.given, judged(each.launch, self._view(each, request))) for each in evaluations)
         return first[1].beside(others)
 
-    def _judged(self, evaluation: Evaluation, request: EntryRequest) -> Verdict:
-        return judged(evaluation.launch, LaunchView(evaluation.launch, self.packages, request.declared, evaluation.documents))
+    def _view(self, evaluation: Evaluation, request: EntryRequest) -> LaunchView:
+        return LaunchView(evaluation.launch, self.packages, request.declared, evaluation.documents)
 
     def model(self, request: EntryRequest) -> tuple[Evaluation, tuple[str, str] | None]:
         """What one entry file starts as given, and why roslaunch refuses it: rule ID and message of the first reason, if it does."""
@@ -199,9 +200,8 @@ class EntryChecker:
             self._files[path] = result
         return result
 
-    def _launch_findings(self, evaluation: Evaluation, request: EntryRequest) -> Iterator[Finding | Fine]:
+    def _launch_findings(self, evaluation: Evaluation, request: EntryRequest, view: LaunchView) -> Iterator[Finding | Fine]:
         launch = evaluation.launch
-        view = LaunchView(launch, self.packages, request.declared, evaluation.documents)
         for problem in launch.problems:
             for finding in tell(problem, view, self.options.rules):
                 yield self._at_home(finding, evaluation, assumed=problem.assumed)

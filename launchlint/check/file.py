@@ -9,7 +9,7 @@ from launchlint.finding import Finding, Location
 from launchlint.problem import Problem
 from launchlint.rules.registry import Entry, by_kind
 from launchlint.rules.rule import Fine
-from launchlint.rules.view import FileView
+from launchlint.rules.view import FileView, LaunchView
 from launchlint.syntax.tree import Document, Element
 
 TYPE_CHECKING = False
@@ -70,12 +70,22 @@ def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[F
     """What the rules for this kind of problem say about it."""
     if not _KINDS:
         _KINDS.update(by_kind())
+    told = view.told if isinstance(view, LaunchView) else {}
     for rule in _KINDS.get(problem.kind, ()):
         if rule.id in selected:
-            try:
-                yield from rule.load().tell(problem, view)
-            except Exception as error:  # a rule must never take the run down
-                yield internal_error(f"rule {rule.id} {rule.name}", problem.place.source.path, error)
+            key = (id(problem), rule.id)
+            if key not in told:
+                told[key] = _told(rule, problem, view)
+            yield from told[key]
+
+
+def _told(rule: Entry, problem: Problem, view: object) -> tuple[Finding, ...]:
+    findings: list[Finding] = []
+    try:
+        findings.extend(rule.load().tell(problem, view))
+    except Exception as error:  # a rule must never take the run down
+        findings.append(internal_error(f"rule {rule.id} {rule.name}", problem.place.source.path, error))
+    return tuple(findings)
 
 
 def run_rule(rule: Entry, view: object, path: str) -> Iterator[Finding | Fine]:

@@ -18,6 +18,7 @@ from launchlint.source import Place, Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.rules.view import LaunchView
     from launchlint.syntax.tree import Document
 
 Extents = Mapping[str, Span]
@@ -54,9 +55,9 @@ class Surveyor(EntryChecker):
         self._extents.update(_extents(graph, evaluation.documents))
         return graph
 
-    def _launch_findings(self, evaluation: Evaluation, request: EntryRequest) -> Iterator[Finding | Fine]:
+    def _launch_findings(self, evaluation: Evaluation, request: EntryRequest, view: LaunchView) -> Iterator[Finding | Fine]:
         before = len(self._graphs)
-        yield from super()._launch_findings(evaluation, request)
+        yield from super()._launch_findings(evaluation, request, view)
         if len(self._graphs) == before:  # no rule asked for it
             self.connected(evaluation)
 

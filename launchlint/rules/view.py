@@ -7,7 +7,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import NamedTuple
 
-from launchlint.finding import Location
+from launchlint.finding import Finding, Location
 from launchlint.fix.format.style import Style
 from launchlint.model import Launch
 from launchlint.syntax.tree import Document
@@ -32,7 +32,8 @@ class FileView(NamedTuple):
 class LaunchView:
     """The launch view: what one entry file starts in one configuration.
 
-    ``declared_entry``: the configuration file says how it is started. ``documents`` are the launch files it reached, by path.
+    ``declared_entry``: the configuration file says how it is started. ``documents`` are the launch files it reached, by path. ``told`` is
+    what rules have said of the problems of the launch, by identity of the problem and ID of the rule.
     """
 
     def __init__(
@@ -42,6 +43,7 @@ class LaunchView:
         self.packages = packages
         self.declared_entry = declared_entry
         self.documents = documents
+        self.told: dict[tuple[int, str], tuple[Finding, ...]] = {}
 
     @cached_property
     def node_names(self) -> frozenset[str]:

@@ -419,6 +419,14 @@ class FileEvaluation:
         finally:
             self.reads |= reads
 
+    def value_and_default(self, element: Element, context: Context) -> tuple[tuple[Value | None, Value | None], frozenset[str]]:
+        """What the ``value`` and ``default`` of an ``<arg>`` resolve to, and the args that were read for them."""
+        attributes = element.attributes
+        value, default = attributes.get("value"), attributes.get("default")
+        if _is_plain(value) and _is_plain(default):
+            return (None if value is None else value.value, None if default is None else default.value), frozenset()
+        return self.traced(lambda: (self.optional(element, "value", context), self.optional(element, "default", context)))
+
     def from_environment(self, reads: frozenset[str]) -> bool:
         """Whether one of the args ``reads``, or an arg of this file that it was made from, asked for an environment variable."""
         seen: set[str] = set()
@@ -458,6 +466,11 @@ class FileEvaluation:
                     end,
                 )
             )
+
+
+def _is_plain(attribute: Attribute | None) -> bool:
+    """Whether the value of ``attribute`` is what is written, as :meth:`FileEvaluation.value` sees it."""
+    return attribute is None or ("$" not in attribute.value and "(" not in attribute.value)
 
 
 def _needs(element: Element) -> list[str]:

@@ -115,7 +115,7 @@ def _passed(
                 environment.append(setting)
             continue
         name = file.required(child, "name", own)
-        (value, default), read = file.traced(lambda: (file.optional(child, "value", own), file.optional(child, "default", own)))  # noqa: B023 - called at once
+        (value, default), read = file.value_and_default(child, own)
         file.optional(child, "doc", own)
         if isinstance(name, Unknown):
             continue

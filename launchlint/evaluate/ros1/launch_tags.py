@@ -158,7 +158,7 @@ def group(file: FileEvaluation, element: Element, context: Context, default_mach
 def arg(file: FileEvaluation, element: Element, context: Context) -> None:
     """An ``<arg>`` of a launch file or group (roslaunch.loader.LoaderContext.add_arg)."""
     name_value = file.required(element, "name", context)
-    (value, default), reads = file.traced(lambda: (file.optional(element, "value", context), file.optional(element, "default", context)))
+    (value, default), reads = file.value_and_default(element, context)
     file.optional(element, "doc", context)
     if isinstance(name_value, Unknown):
         return
