@@ -11,6 +11,7 @@ from launchlint.finding import Severity
 from launchlint.model import Launch
 from launchlint.problem import Problem
 from launchlint.rules.registry import RULES, rule_of
+from launchlint.rules.rule import shortened
 from launchlint.verdict import LOADS, Verdict
 
 ALL_RULES = frozenset(rule.id for rule in RULES)
@@ -71,4 +72,4 @@ def _missing(problem: Problem) -> str:
     name = str(problem.facts.get(fact) or "")
     if what == "the file":
         name = name.rsplit("/", 1)[-1]
-    return f"{what} {name}" if name else ""
+    return f"{what} {shortened(name)}" if name else ""

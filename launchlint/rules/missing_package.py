@@ -55,7 +55,7 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
     if packages.has(name) or is_placeholder(name):
         return None
     home = packages.package_of(near)
-    own = None if packages.complete else own_instead(name, text, packages, near)
+    own = None if packages.complete or packages.listed_in(name) is not None else own_instead(name, text, packages, near)
     if own is not None:
         why = f"what this file asks of it lies in {own.name}, its own package: {name} may be a former name"
         return Judgement(Severity.WARNING, why, _did_you_mean(own.name))

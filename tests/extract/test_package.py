@@ -230,7 +230,7 @@ def test_only_some_packages_and_more_processes(tmp_path: Path) -> None:
     root = grow(tmp_path / "ws", {**files, **{f"p{n}/talker": TALKER for n in range(9)}})
     assert extract([str(root)], jobs=2).document == extract([str(root)]).document
     assert list(extract([str(root)], ["p3"]).document["packages"]) == ["p3"]
-    with pytest.raises(UsageError, match="--package p33: there is no such package in these sources; did you mean"):
+    with pytest.raises(UsageError, match="--package p33: there is no such package in these sources; there are 9 packages: p0"):
         extract([str(root)], ["p33"])
 
 
