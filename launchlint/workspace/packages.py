@@ -18,6 +18,8 @@ from launchlint.workspace.public_packages import PublicPackages, public_names
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.workspace.arg_uses import ArgUses
+    from launchlint.workspace.container_homes import Homes
     from launchlint.workspace.environment_hooks import Hooks
     from launchlint.workspace.mentions import Mentions
     from launchlint.workspace.variables import Variables
@@ -163,6 +165,8 @@ class Packages:
         self._variables: Variables | None = None
         self._listed: Mapping[str, str] | None = None
         self._documented: Mentions | None = None
+        self._arg_uses: ArgUses | None = None
+        self._homes: Homes | None = None
 
     def get(self, name: str, near: str) -> Package | None:
         """The package called ``name`` as a launch file at ``near`` gets it; ``None`` where there is none.
@@ -279,6 +283,26 @@ class Packages:
             self._documented = read_documents(self.workspaces)
         note(self._documented.looked)
         return self._documented.known.get(name)
+
+    def arg_uses(self) -> ArgUses:
+        """Where files of the workspaces give args to launch files by name."""
+        from launchlint.workspace.arg_uses import read_arg_uses
+        from launchlint.workspace.looking import note
+
+        if self._arg_uses is None:
+            self._arg_uses = read_arg_uses(self.workspaces)
+        note(self._arg_uses.looked)
+        return self._arg_uses
+
+    def container_users(self) -> frozenset[str]:
+        """The users whose home directories the containers of the workspaces have."""
+        from launchlint.workspace.container_homes import read_homes
+        from launchlint.workspace.looking import note
+
+        if self._homes is None:
+            self._homes = read_homes(self.workspaces)
+        note(self._homes.looked)
+        return self._homes.users
 
     def duplicates(self) -> dict[str, list[Package]]:
         """Names that several packages of one workspace bear, with these packages in the order of the crawl; sorted by name.

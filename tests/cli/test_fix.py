@@ -173,6 +173,9 @@ def test_callers_count(typo: Path) -> None:
     call = '<launch>\n  <include file="$(dirname)/typo.launch">\n    <arg name="speed" value="2"/>\n  </include>\n</launch>\n'
     write(typo, {TYPO: part, "demo/launch/main.launch": call})
     words = ("--unsafe-fixes", "--select", "LL206", "--diff")
+    assert concise(typo, *words).errors == "launchlint: would fix nothing\n"
+    assert concise(typo, *words, TYPO).errors == "launchlint: would fix nothing\n"
+    write(typo, {"demo/launch/main.launch": call.replace('name="speed"', 'name="sp&#101;ed"')})  # as nobody finds it who just reads
     assert concise(typo, *words).errors == (
         f"launchlint: not fixed: {TYPO}:2:14: LL206 unused-arg (remove the arg): LL403 include-undeclared-arg would be found in line 3 of"
         " demo/launch/main.launch: demo/launch/typo.launch does not declare the arg speed\nlaunchlint: would fix nothing\n"

@@ -6,8 +6,9 @@ purpose. So is one with a fixed `value` that is an `$(eval …)`, which may be t
 of a file with `<rosparam file="…" subst_value="true"/>`: the YAML file may read it.
 
 It is an info where nobody who gives the arg a value is misled: what reads it is commented out, and may come back, or the arg has a fixed
-`value`. The same arg, declared with the same words in several files that were copied from each other, is told as one. So are the args of
-one file that have no default: whoever includes it must give all of them for nothing.
+`value`. So it is where another file names this one and gives the arg with `name:=…` (a script, a service, a document, the args of a node in
+another launch file): it belongs to an interface that is kept. All args of one file that are never read are told as one, and so are those
+that are declared with the same words in several files that were copied from each other.
 
 ## Why it matters
 
@@ -35,21 +36,27 @@ behind it: the value that was meant to use the arg uses another one.
 
 ## Fix
 
-`--unsafe-fixes` removes the arg, unless a launch file that is checked too gives it a value. It can no longer be given then.
+`--unsafe-fixes` removes the arg, unless a launch file that is here passes it in an include, or another file gives it with
+`name:=…`. It can no longer be given then.
 Not while there is an error in the file: that may be what should read it.
 """
 
 from __future__ import annotations
 
+import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.edits import fix, remove_element, spot
+from launchlint.rules.joined import joined
+from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.syntax.tree import Comment, Document, Element
 
+NO_EFFECT = "a value that is given for it has no effect"
+NAME = re.compile(r"the arg (\S+) is never read")
 RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
 
 # Whatever looks like a read counts as one, closed or not: what is wrong with it is told by other rules.
@@ -81,10 +88,18 @@ def check(view: FileView) -> Iterator[Finding]:
         return
     kept = _kept_on_purpose(document)
     in_comments = {name for comment in document.comments for name in _names_in(comment.text)}
-    for name, elements in declared.items():
-        if name in read or any(_is_check(element) or element.index in kept for element in elements):
-            continue
-        idle = name in in_comments or all(element.attributes.keys() & {"value", "default"} == {"value"} for element in elements)
+    unread = {
+        name: elements
+        for name, elements in declared.items()
+        if name not in read and not any(_is_check(element) or element.index in kept for element in elements)
+    }
+    file = posixpath.abspath(document.source.file)
+    reasons = {name: _why_idle(name, elements, in_comments, view, file) for name, elements in unread.items()}
+    for name, elements in unread.items():
+        idle = reasons[name]
+        uses = view.packages.arg_uses()
+        kept_for_others = uses.giver(file, name) is not None or uses.is_passed(file, name)
+        alike = [each for key, each in unread.items() if reasons[key] == idle]
         first, *others = (document.place(element.attributes["name"].value_span) for element in elements)
         yield RULE.at(
             first,
@@ -92,19 +107,43 @@ def check(view: FileView) -> Iterator[Finding]:
             severity=Severity.INFO if idle else None,
             label="unused",
             related=tuple((place, "declared here too") for place in others),
-            notes=(_why(name, in_comments, idle=idle),),
-            cause=_words(elements) if idle or any("default" in element.attributes for element in elements) else document.source.path,
+            notes=(idle or NO_EFFECT,),
+            cause=_cause(alike, idle, document),
             help=f"remove it here and in the includes that pass it, or use it as $(arg {name})",
             fix=None
-            if others
+            if others or kept_for_others
             else fix("remove the arg", remove_element(spot(view, first)), safe=False, changes=f"{name} can no longer be given"),
         )
 
 
-def _why(name: str, in_comments: set[str], *, idle: bool) -> str:
+def together(findings: Sequence[Finding]) -> Finding:
+    """The args of one cause, by their names."""
+    result = joined(findings)
+    names = list(dict.fromkeys(match[1] for match in map(NAME.match, (finding.message for finding in findings)) if match))
+    if len(names) < 2:
+        return result
+    more = f" and {len(names) - 4} more" if len(names) > 4 else ""
+    return result._replace(
+        message=f"{len(names)} args are never read: {', '.join(names[:4])}{more}",
+        help="remove them here and in the includes that pass them, or use them as $(arg …)",
+    )
+
+
+def _why_idle(name: str, elements: list[Element], in_comments: set[str], view: FileView, file: str) -> str:
+    """Why nobody who gives the arg a value is misled; empty where somebody may be."""
     if name in in_comments:
         return "only a comment reads it"
-    return "it has a fixed value, which nobody uses" if idle else "a value that is given for it has no effect"
+    if all(element.attributes.keys() & {"value", "default"} == {"value"} for element in elements):
+        return "it has a fixed value, which nobody uses"
+    giver = view.packages.arg_uses().giver(file, name)
+    return "" if giver is None else f"{shown(giver, root_of(view.document.source))} gives it with :=, so that it may have to be there"
+
+
+def _cause(unread: list[list[Element]], reason: str, document: Document) -> str:
+    """One for all that is unread in a file, and in its copies; an arg that must be given is a matter of its own file."""
+    if all(any("default" in each.attributes or "value" in each.attributes for each in elements) for elements in unread):
+        return "; ".join((reason, *sorted(map(_words, unread))))
+    return f"{document.source.path} {reason}"
 
 
 def _words(elements: list[Element]) -> str:

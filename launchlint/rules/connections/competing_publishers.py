@@ -3,7 +3,8 @@
 What it does: it looks for topics that command something (`cmd_vel`, `cmd`, `command` and the like) with two or more publishers of
 different nodes. Publishers that may or may not be there do not count, and neither does a second relay of the same input. Only the
 publishers of that very topic count: behind a mux there is one. Trajectories do not count, whatever the topic is called: nodes take turns
-in sending those.
+in sending those. It is an info where all but one are silent until somebody holds a button of the joystick (a dead-man
+switch): that is how a person takes over from a planner.
 
 ## Why it matters
 
@@ -38,10 +39,11 @@ commands, or does not stop when one of them says so.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.graph.connections import Channel, Endpoint
+from launchlint.graph.connections import Channel, ConnectionGraph, Endpoint, Instance
 from launchlint.rules.connections.places import Owners, acting_origin, how, node_origin, owners
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
@@ -50,8 +52,11 @@ RULE = Rule("LL616", "competing-publishers", Severity.WARNING)
 
 COMMANDS = frozenset({"cmd_vel", "cmd_vel_unstamped", "cmd_vel_stamped", "cmd", "cmd_drive", "ackermann_cmd", "command", "commands"})
 """Last parts of the names of topics that command something: a driver obeys each message on them."""
+DEAD_MAN = re.compile(r"dead_?man|(?:.*/)?enable_(?:button|axis)\Z", re.IGNORECASE)
+"""The param of the button, or axis, that must be held while a joystick commands; a negative number says that there is none."""
 TURNS = "trajectory_msgs/"
 """The package of messages that say all that is to be done: nodes take turns in sending them."""
+JOYSTICK = "sensor_msgs/Joy"
 
 
 def check(view: GraphView) -> Iterator[Finding]:
@@ -63,7 +68,7 @@ def check(view: GraphView) -> Iterator[Finding]:
         known = known or owners(view.graph)
         sources = _sources(channel, known)
         if len(sources) > 1:
-            yield _finding(channel, sources, known)
+            yield _finding(channel, sources, known, view.graph)
 
 
 def _sources(channel: Channel, known: Owners) -> list[Endpoint]:
@@ -82,15 +87,33 @@ def _sources(channel: Channel, known: Owners) -> list[Endpoint]:
     return list(found.values())
 
 
-def _finding(channel: Channel, sources: list[Endpoint], known: Owners) -> Finding:
+def _is_held(source: Instance, graph: ConnectionGraph) -> bool:
+    """Whether the node hears a joystick and commands only while somebody holds a button of it."""
+    if not any(each.role == "subscriber" and each.type == JOYSTICK for each in source.endpoints):
+        return False
+    for reading in source.readings:
+        if DEAD_MAN.search(reading.declared.lstrip("~")):
+            value = graph.parameters.value(reading.name)
+            value = reading.declaration.default if value is None else value
+            if not isinstance(value, int | float) or value >= 0:
+                return True
+    return False
+
+
+def _finding(channel: Channel, sources: list[Endpoint], known: Owners, graph: ConnectionGraph) -> Finding:
     first, *_, last = sources
+    held = [source.node for source in sources if _is_held(known[id(source)], graph)]
+    taking_over = len(sources) - len(held) <= 1
     names = ", ".join(sorted(source.node for source in sources)[:4]) + (" …" if len(sources) > 4 else "")
     heard = next((use.node for use in channel.uses if use.certain), "")
     notes = [f"{heard} obeys all of them"] if heard else []
+    if taking_over:
+        notes.append(f"{held[0]} commands only while somebody holds a button of the joystick")
     notes += [words for words in (how(source, known[id(source)]) for source in (first, last)) if words]
     return RULE.at(
         acting_origin(last, known[id(last)]),
         f"{len(sources)} nodes publish the commands on {channel.name}: {names}",
+        severity=Severity.INFO if taking_over else None,
         label="publishes it, too",
         related=((node_origin(known[id(first)]).place, f"{first.node} publishes it"),),
         notes=tuple(notes),

@@ -73,8 +73,9 @@ def acting_origin(endpoint: Endpoint, instance: Instance) -> Origin:
 
 def how(endpoint: Endpoint, instance: Instance) -> str:
     """How the name came about, in words; empty where the code says it just so."""
-    if endpoint.applied:
-        rule = endpoint.applied[-1].rule
+    effective = [each.rule for each in endpoint.applied if each.rule.source != each.rule.target]
+    if effective:
+        rule = effective[-1]
         return f"{instance.name} says {endpoint.declared}; the remap of {rule.source} to {rule.target} makes it {endpoint.name}"
     asked = asked_for(endpoint, instance)
     if asked is not None:

@@ -1,8 +1,8 @@
 """Two nodes serve one service or action name.
 
 What it does: it looks for services and actions with two servers in different processes. It is an error where some node of the launch
-calls the service, and for every action; without a client it is a warning. Names that belong to the machinery of nodes, and servers
-that may or may not be there, do not count.
+calls the service, and for every action; a warning where a node may call it, or not, and an info where none is known to. Names that
+belong to the machinery of nodes, and servers that may or may not be there, do not count.
 
 ## Why it matters
 
@@ -97,7 +97,7 @@ def _finding(shared: list[Clash], known: Owners) -> Finding:
     return RULE.at(
         acting_origin(last, known[id(last)]),
         f"the {channel.kind} {channel.name} has {len(servers)} servers: {names}",
-        severity=None if _is_called(channel) else Severity.WARNING,
+        severity=None if _is_called(channel) else Severity.WARNING if channel.uses else Severity.INFO,
         label="serves it, too",
         related=((node_origin(known[id(first)]).place, f"{first.node} serves it"),),
         notes=(effect, *also, *notes),

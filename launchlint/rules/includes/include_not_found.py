@@ -1,12 +1,13 @@
 """An included file does not exist or is no launch file.
 
 What it does: it looks for the `file` of every `<include>` whose name can be worked out. A plain relative name is looked up where
-roslaunch is started, not beside the including file. It is a warning where the answer hangs on this machine: for absolute
-names outside the workspace, for relative names that do exist beside the including file, and for files that `CMakeLists.txt` may
-install. It is an info for names made from an environment variable, whose value here says little, and for a file that is made: by a
-command of `CMakeLists.txt`, from a template that lies beside it, by a node that gets its name (or the name of the launch file that it is
-made from) in another configuration, or by what `.gitignore` keeps out of the repository; and for one in a git submodule that is not
-checked out. A directory that is missing is told once, with all files that would be in it.
+roslaunch is started, not beside the including file. It is a warning where the answer hangs on this machine: for absolute names outside
+the workspace, for relative names that do exist beside the including file, and for files that `CMakeLists.txt` may install. It is an info
+for files of the robot (below `/etc`, `/opt`, `/home` and the like, outside of the workspace), for names made from an environment
+variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a template that lies beside
+it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration, or by what `.gitignore`
+keeps out of the repository; and for one in a git submodule that is not checked out. A directory that is missing is told once, with all
+files that would be in it.
 
 ## Why it matters
 
@@ -57,6 +58,8 @@ from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.installed import installed_from
 from launchlint.rules.made_file import cause_of, made
 from launchlint.rules.other_file import is_inside, root_of, shown
+from launchlint.rules.robot_file import advice as robots_advice
+from launchlint.rules.robot_file import is_robots
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import has_placeholder
 from launchlint.rules.view import LaunchView
@@ -111,6 +114,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     advice = f'write file="$(dirname)/{file}"' if beside else _suggestion(file, source, written, view, root)
     if maker is not None:
         severity, advice = Severity.INFO, maker.help
+    elif outside and installed is None and is_robots(file, view.packages, root):
+        severity, advice = Severity.INFO, robots_advice(file)
     if environment:
         severity = Severity.INFO
         advice = "give the variable the value it has on the robot, under env: in .launchlint.yaml, or correct the path"

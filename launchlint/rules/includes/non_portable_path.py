@@ -1,10 +1,13 @@
 """A file is named in a way that works on one machine or from one directory only.
 
-What it does: it looks at the files that `<include>`, `<rosparam>`, `textfile` and `binfile` name, as they are written. It speaks
-about absolute paths of includes, about paths below a home directory or a source workspace, about `~`, which roslaunch does not
-expand, about `..` that leads out of the package, and about relative names, which count from the directory roslaunch is started
-in. Absolute names of system configuration (`/etc`, `/dev`, `/tmp` and the like) are passed over, and so is all that begins with a
-substitution other than `$(find …)` and `$(dirname)`.
+What it does: it looks at the files that `<include>`, `<rosparam>`, `textfile` and `binfile` name, as they are written. It speaks about
+absolute paths of includes, about paths below a home directory or a source workspace, about `~`, which roslaunch does not expand, about
+`..` that leads out of the package (an info where it leads just into the package beside it, since packages lie side by side once
+installed, too), and about relative names, which count from the directory roslaunch is started in. Absolute names of system configuration
+(`/etc`, `/dev`, `/tmp` and the like) are passed over, and so is all that begins with a substitution other than `$(find …)` and
+`$(dirname)`.
+
+Home directories that the containers of the workspace have (Dockerfiles, compose files, `docker run` in scripts) are passed over.
 
 In the values of args and params, and in what nodes get as `args` or `env`, it speaks about paths below the home directory of one person
 and about `..` that leads out of a package; that is an info where no package holds what is named, and so is `~`, which nodes expand or
@@ -99,7 +102,7 @@ def check(view: FileView) -> Iterator[Finding]:
         for name in _TEXTS.get(element.tag, ()):
             attribute = element.attributes.get(name)
             if attribute is not None and ("/" in attribute.value or "\\" in attribute.value):
-                fault = _home(attribute.value) or _out_of_package(attribute.value, view)
+                fault = _home(attribute.value, view) or _out_of_package(attribute.value, view)
                 if fault is not None:
                     yield _finding(fault, Spot(document, element, attribute), None)
 
@@ -112,7 +115,7 @@ def _finding(fault: _Fault, at: Spot, fix: Fix | None) -> Finding:
     )  # fmt: skip
 
 
-def _home(text: str) -> _Fault | None:
+def _home(text: str, view: FileView) -> _Fault | None:
     """A path below somebody's home directory in any text."""
     plain = re.sub(r"\$\([^()]*\)", "$", text)
     found = re.search(_HOME, plain)
@@ -120,6 +123,8 @@ def _home(text: str) -> _Fault | None:
         help = "fill it in, or make it an arg without a default"
         note = "it is a placeholder, which each user fills in"
         return _Fault(f"{found[0]}… is nobody's home directory", note, help, severity=Severity.INFO, cause=found[0])
+    if found is not None and _is_in_container(found[0], view):
+        return None
     if found is not None:
         help = "name files with $(find pkg)/…, others with $(env HOME)/… or an arg that each machine sets"
         return _Fault(f"{found[0]}… is somebody's home directory", "it is there on machines of that user only", help, cause=found[0])
@@ -128,6 +133,12 @@ def _home(text: str) -> _Fault | None:
         return None
     note = "roslaunch does not expand ~: it works only where the node does"
     return _Fault(f"{found[0]} begins with ~", note, "write $(env HOME)/…, which works for every node", Severity.INFO, "~")
+
+
+def _is_in_container(path: str, view: FileView) -> bool:
+    """Whether it lies in a home directory that a container of this workspace has: it is the same on each machine then."""
+    found = re.match(r"/home/([\w.-]+)/", path)
+    return found is not None and found[1] in view.packages.container_users()
 
 
 def _out_of_package(text: str, view: FileView) -> _Fault | None:
@@ -153,7 +164,7 @@ def _fault(value: str, tag: str, view: FileView) -> _Fault | None:
         note = "roslaunch does not expand ~, and looks for a directory of that name"
         return _Fault(f"{value} begins with ~", note, "name the file with $(find pkg)/… or $(dirname)/…")
     if re.match(r"/|[A-Za-z]:[\\/]", value):
-        return _absolute(value, tag)
+        return None if _is_in_container(value, view) else _absolute(value, tag)
     if value.startswith("$("):
         return _above(value, view)
     return _relative(value, view)
@@ -184,8 +195,17 @@ def _above(value: str, view: FileView) -> _Fault | None:
         depth += -1 if part == ".." else part not in ("", ".")
         if depth < 0:
             message = f"{value} leads out of its package"
+            if _is_sibling(match, value, view):
+                note = "it works as long as the packages lie side by side, in folders of their names"
+                return _Fault(message, note, _beside(match, view), Severity.INFO)
             return _Fault(message, "packages lie side by side in a source workspace only, not once installed", _beside(match, view))
     return None
+
+
+def _is_sibling(match: re.Match[str], value: str, view: FileView) -> bool:
+    """Whether the name leads exactly one up, into a folder that bears the name of a package that is here, or that an arg decides on."""
+    step = re.match(r"/\.\./+([^/]+)/(?!.*\.\.(?:/|\Z))", value[match.start(3) :]) if match[1] else None
+    return step is not None and ("$(arg " in step[1] or view.packages.has(step[1]))
 
 
 def _beside(match: re.Match[str], view: FileView) -> str:

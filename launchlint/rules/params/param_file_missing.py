@@ -7,7 +7,8 @@ after substitution, and the file has to be readable UTF-8 text (but for `binfile
 
 roslaunch refuses the launch file, and with it every launch file that includes it. It is a warning where the file may
 well be there on the robot: a path outside of all packages, a relative one, and one that `CMakeLists.txt` may install. It is
-an info where the path is made from an environment variable, whose value here says little, and where the file is made: by a command
+an info where a system keeps its own files (`/etc`, `/opt`, `/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the
+workspace; where the path is made from an environment variable, whose value here says little; and where the file is made: by a command
 of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, or by what `.gitignore` keeps out of the repository;
 and where it lies in a git submodule that is not checked out. A directory that is missing is told once, with all files that would be in it.
 
@@ -46,6 +47,7 @@ from launchlint.problem import Problem
 from launchlint.rules.installed import installed_from
 from launchlint.rules.made_file import cause_of, made
 from launchlint.rules.other_file import root_of, shown
+from launchlint.rules.robot_file import advice, is_robots
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import is_path_to_fill_in
 from launchlint.rules.view import LaunchView
@@ -84,6 +86,9 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         notes.append(maker.why)
     elif path and (facts["relative"] or facts["elsewhere"]):
         severity = Severity.WARNING
+    robots = missing and maker is None and look and is_robots(facts["file"], view.packages, root_of(problem.place.source))
+    if robots:
+        severity = Severity.INFO
     placeholder = missing and is_path_to_fill_in(path)
     if placeholder:
         severity = Severity.INFO
@@ -103,6 +108,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         if placeholder
         else maker.help
         if maker is not None
+        else advice(path)
+        if robots
         else _advice(facts),
         shared_cause=cause_of(facts["file"], maker) if look and path and not placeholder else "",
     )

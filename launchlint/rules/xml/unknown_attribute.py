@@ -62,9 +62,12 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
             help=f"if that is meant, remove it, or put it into a comment; else write {off}",
         )
         return
-    near = closest(name, facts["known"])
+    near, cause = closest(name, facts["known"]), ""
     belongs = f"{name} belongs to {_tags(owners)}" if owners else ""
     advice = f"did you mean {near}?" if near is not None else f"{belongs}: move it there, or remove it" if belongs else "remove it"
+    if tag == "rosparam" and name in ("name", "value") and _is_param(spot(view, problem.place)):
+        near, advice = None, "write <param>: it has a name and a value"
+        cause = f"{problem.place.source.path} {problem.place.source.position(problem.place.span.start).line} param"
     said = "roslaunch never looks at it" if silent else "roslaunch prints a warning and drops it"
     notes = (said, belongs) if belongs and near is not None else (said,)
     yield RULE.at(
@@ -73,10 +76,16 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         label="dropped",
         notes=notes,
         help=advice,
+        cause=cause,
         fix=None
         if near is None
         else _fix(name, near, sure=not owners and surely(name, facts["known"]) == near, at=spot(view, problem.place)),
     )
+
+
+def _is_param(at: Spot | None) -> bool:
+    """Whether the element has what a ``<param>`` has, and nothing to load."""
+    return at is not None and {"name", "value"} <= at.element.attributes.keys() and "file" not in at.element.attributes
 
 
 def _switched_off(tag: str, name: str, free: tuple[str, ...]) -> str | None:

@@ -1,0 +1,92 @@
+"""Where the files of a workspace give args to launch files by name: `roslaunch x.launch name:=…` anywhere, `<arg>` within an include."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from launchlint.workspace.looking import content, walk
+
+_MOST_DIRECTORIES = 2_000
+_MOST_FILES = 2_000
+_LARGEST = 200_000
+_LAUNCH_ENDS = (".launch", ".xml", ".test")
+_OTHER_ENDS = (".sh", ".bash", ".zsh", ".service", ".desktop", ".py", ".md", ".rst", ".txt", ".yml", ".yaml", ".rc", ".conf")
+_NOT_LAUNCH = frozenset(("package.xml", "CMakeLists.txt"))
+_FILE = re.compile(r"(?<![\w.-])[\w.-]{1,200}\.(?:launch|test|xml)\b")
+_GIVEN = re.compile(r"(?<![\w/~])([A-Za-z]\w{0,200}):=")
+_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+_ARGS = re.compile(r"""\bargs\s{0,20}=\s{0,20}("[^"<]*"|'[^'<]*')""")
+_INCLUDED = re.compile(r"\bfile\s*=\s*[\"']([^\"']{0,1000})[\"']")
+_PASSED = re.compile(r"<arg\b[^<>]{0,1000}?\bname\s*=\s*[\"'](\w+)[\"']")
+_ANY = ""
+
+
+class ArgUses(NamedTuple):
+    """By name of the launch file (without directories): the args given to it with ``:=``, each with the files (absolute) that do, and
+    the args that includes pass; and the places that were looked at.
+    """
+
+    given: Mapping[str, Mapping[str, tuple[str, ...]]]
+    passed: Mapping[str, frozenset[str]]
+    looked: frozenset[str]
+
+    def giver(self, file: str, name: str) -> str | None:
+        """A file other than ``file`` (absolute) itself that names it and gives the arg ``name`` with ``:=``."""
+        return next((each for each in self.given.get(os.path.basename(file), {}).get(name, ()) if each != file), None)
+
+    def is_passed(self, file: str, name: str) -> bool:
+        """Whether an include of a file of that name, or one whose name is computed, passes the arg."""
+        return any(name in self.passed.get(each, ()) for each in (os.path.basename(file), _ANY))
+
+
+def read_arg_uses(directories: Iterable[str]) -> ArgUses:
+    """The args that launch files, scripts, services and documents below ``directories`` give to launch files. Bounded; never raises."""
+    given: dict[str, dict[str, tuple[str, ...]]] = {}
+    passed: dict[str, set[str]] = {}
+    looked: set[str] = set()
+    left = _MOST_FILES
+    for top in directories:
+        for directory, listed in walk(top, _MOST_DIRECTORIES):
+            looked.add(directory)
+            for name in listed:
+                is_launch = name.endswith(_LAUNCH_ENDS)
+                if left <= 0 or name in _NOT_LAUNCH or not (is_launch or name.endswith(_OTHER_ENDS) or name.startswith("Dockerfile")):
+                    continue
+                left -= 1
+                file = os.path.join(directory, name)
+                looked.add(file)
+                text = (content(file) or b"")[:_LARGEST].decode("utf-8", "replace")
+                if is_launch:
+                    text = _COMMENT.sub("", text)
+                    _note_includes(text, passed)
+                for started, names in _starts(text, is_launch=is_launch):
+                    givers = given.setdefault(started, {})
+                    for each in names:
+                        if file not in givers.get(each, ()):
+                            givers[each] = (*givers.get(each, ()), file)[:2]
+    return ArgUses(given, {key: frozenset(value) for key, value in passed.items()}, frozenset(looked))
+
+
+def _starts(text: str, *, is_launch: bool) -> Iterator[tuple[str, set[str]]]:
+    """Launch files that the text names with the args that it gives: those of the same line; in a launch file, those of any node's args."""
+    if ":=" not in text:
+        return
+    lines = text.replace("\\\n", " ").splitlines()
+    if is_launch:
+        lines = [" ".join([*_ARGS.findall(text), *_FILE.findall(text)])]
+    for line in lines:
+        names = set(_GIVEN.findall(line)) if ":=" in line else set()
+        for started in set(_FILE.findall(line)) if names else ():
+            yield started, names
+
+
+def _note_includes(text: str, passed: dict[str, set[str]]) -> None:
+    for part in text.split("<include")[1:]:
+        inside, _, _ = part.partition("</include>")
+        file = _INCLUDED.search(inside[:2_000])
+        if file is not None:
+            name = file[1].rpartition("/")[2]
+            passed.setdefault(_ANY if "$(" in name or ")" in name else name, set()).update(_PASSED.findall(inside))
