@@ -221,10 +221,10 @@ def test_the_configuration_names_the_baseline(repository: Path) -> None:
 def test_workspace_says_where_packages_are(repository: Path, tmp_path: Path) -> None:
     write(tmp_path, {"other/arm/package.xml": PACKAGE.format(name="arm"), "other/arm/part.launch": "<launch/>\n"})
     write(repository, {"arm.launch": '<launch><include file="$(find arm)/part.launch"/></launch>'})
-    alone = run(repository, "check", "--format", "concise", "arm.launch")
+    alone = run(repository, "check", "-v", "--format", "concise", "arm.launch")
     assert alone.output.startswith("arm.launch:1:24: ")
     assert "LL210" in alone.output
-    assert concise(repository, "arm.launch", "--workspace", ".", "--workspace", "../other") == (0, "", "")
+    assert concise(repository, "-v", "arm.launch", "--workspace", ".", "--workspace", "../other") == (0, "", "")
 
 
 def test_entries_are_judged_one_by_one(repository: Path) -> None:

@@ -112,6 +112,6 @@ def test_workspace_of_the_file(repository: Path) -> None:
             ".launchlint.yaml": "workspace: [demo]\n",
         },
     )
-    assert "LL210" in run(repository, "check", "--format", "concise", "arm.launch").output
+    assert "LL210" in run(repository, "check", "-v", "--format", "concise", "arm.launch").output
     write(repository, {".launchlint.yaml": "workspace: [demo, vendor]\n"})
-    assert run(repository, "check", "--format", "concise", "arm.launch") == (0, "", "")
+    assert run(repository, "check", "-v", "--format", "concise", "arm.launch") == (0, "", "")
