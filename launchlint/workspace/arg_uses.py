@@ -7,11 +7,11 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from launchlint.workspace.looking import content, walk
+from launchlint.workspace.looking import walk
+from launchlint.workspace.texts import texts
 
 _MOST_DIRECTORIES = 2_000
 _MOST_FILES = 2_000
-_LARGEST = 200_000
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _OTHER_ENDS = (".sh", ".bash", ".zsh", ".service", ".desktop", ".py", ".md", ".rst", ".txt", ".yml", ".yaml", ".rc", ".conf")
 _NOT_LAUNCH = frozenset(("package.xml", "CMakeLists.txt"))
@@ -47,27 +47,27 @@ def read_arg_uses(directories: Iterable[str]) -> ArgUses:
     given: dict[str, dict[str, tuple[str, ...]]] = {}
     passed: dict[str, set[str]] = {}
     looked: set[str] = set()
-    left = _MOST_FILES
+    for file, text in texts(_places(directories), _MOST_FILES, looked):
+        is_launch = file.endswith(_LAUNCH_ENDS)
+        if is_launch:
+            text = _COMMENT.sub("", text)
+            _note_includes(text, passed)
+        for started, names in _starts(text, is_launch=is_launch):
+            givers = given.setdefault(started, {})
+            for each in names:
+                if file not in givers.get(each, ()):
+                    givers[each] = (*givers.get(each, ()), file)[:2]
+    return ArgUses(given, {key: frozenset(value) for key, value in passed.items()}, frozenset(looked))
+
+
+def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
     for top in directories:
         for directory, listed in walk(top, _MOST_DIRECTORIES):
-            looked.add(directory)
-            for name in listed:
-                is_launch = name.endswith(_LAUNCH_ENDS)
-                if left <= 0 or name in _NOT_LAUNCH or not (is_launch or name.endswith(_OTHER_ENDS) or name.startswith("Dockerfile")):
-                    continue
-                left -= 1
-                file = os.path.join(directory, name)
-                looked.add(file)
-                text = (content(file) or b"")[:_LARGEST].decode("utf-8", "replace")
-                if is_launch:
-                    text = _COMMENT.sub("", text)
-                    _note_includes(text, passed)
-                for started, names in _starts(text, is_launch=is_launch):
-                    givers = given.setdefault(started, {})
-                    for each in names:
-                        if file not in givers.get(each, ()):
-                            givers[each] = (*givers.get(each, ()), file)[:2]
-    return ArgUses(given, {key: frozenset(value) for key, value in passed.items()}, frozenset(looked))
+            yield directory, [name for name in listed if _may_start(name)]
+
+
+def _may_start(name: str) -> bool:
+    return name not in _NOT_LAUNCH and (name.endswith((*_LAUNCH_ENDS, *_OTHER_ENDS)) or name.startswith("Dockerfile"))
 
 
 def _starts(text: str, *, is_launch: bool) -> Iterator[tuple[str, set[str]]]:

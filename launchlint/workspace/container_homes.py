@@ -7,11 +7,11 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from launchlint.workspace.looking import content, names, walk
+from launchlint.workspace.looking import names, walk
+from launchlint.workspace.texts import texts
 
 _MOST_DIRECTORIES = 1_000
 _MOST_FILES = 300
-_LARGEST = 200_000
 _HIDDEN = ".devcontainer"
 _SCRIPT_ENDS = (".sh", ".bash", ".py", "Makefile", "justfile")
 _IN_IMAGE = re.compile(r"(?<![\w.$/-])/home/([\w.-]+)")
@@ -32,27 +32,25 @@ def read_homes(directories: Iterable[str]) -> Homes:
     """Whose home directories the containers of ``directories`` have; nothing is run. Bounded; never raises."""
     users: set[str] = set()
     looked: set[str] = set()
-    left = _MOST_FILES
-    for top in directories:
-        for directory, listed in _places(top):
-            looked.add(directory)
-            for name in listed:
-                image = name.startswith("Dockerfile") or name.lower().endswith(".dockerfile")
-                mounts = name == "devcontainer.json" or ("compose" in name and name.endswith((".yml", ".yaml")))
-                if left <= 0 or not (image or mounts or name.endswith(_SCRIPT_ENDS)):
-                    continue
-                left -= 1
-                file = os.path.join(directory, name)
-                looked.add(file)
-                text = (content(file) or b"")[:_LARGEST].decode("utf-8", "replace")
-                if image:
-                    users.update(_IN_IMAGE.findall(text), _USER.findall(text))
-                elif mounts or _DOCKER.search(text):
-                    users.update(_MOUNTED.findall(text))
+    for file, text in texts(_places(directories), _MOST_FILES, looked):
+        name = os.path.basename(file)
+        if _is_image(name):
+            users.update(_IN_IMAGE.findall(text), _USER.findall(text))
+        elif _mounts(name) or _DOCKER.search(text):
+            users.update(_MOUNTED.findall(text))
     return Homes(frozenset(users), frozenset(looked))
 
 
-def _places(top: str) -> Iterator[tuple[str, list[str]]]:
-    hidden = os.path.join(top, _HIDDEN)
-    yield hidden, names(hidden)
-    yield from walk(top, _MOST_DIRECTORIES)
+def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
+    for top in directories:
+        hidden = os.path.join(top, _HIDDEN)
+        for directory, listed in ((hidden, names(hidden)), *walk(top, _MOST_DIRECTORIES)):
+            yield directory, [name for name in listed if _is_image(name) or _mounts(name) or name.endswith(_SCRIPT_ENDS)]
+
+
+def _is_image(name: str) -> bool:
+    return name.startswith("Dockerfile") or name.lower().endswith(".dockerfile")
+
+
+def _mounts(name: str) -> bool:
+    return name == "devcontainer.json" or ("compose" in name and name.endswith((".yml", ".yaml")))

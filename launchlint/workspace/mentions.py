@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from launchlint.workspace.looking import content, walk
+from launchlint.workspace.looking import walk
+from launchlint.workspace.texts import texts
 
 _MOST_DIRECTORIES = 2_000
 _MOST_FILES = 1_000
-_LARGEST = 200_000
 _DOCUMENT_ENDS = ("", ".md", ".rst", ".txt", ".adoc", ".rdoc")
 _SHORTEST = 6
 # A word with an underscore, or one behind a slash (an address) or within back quotes: other words stand in documents for other reasons.
@@ -35,20 +35,22 @@ def read_documents(directories: Iterable[str]) -> Mentions:
     """
     found: dict[str, str] = {}
     looked: set[str] = set()
-    left = _MOST_FILES
+    for file, text in texts(_places(directories), _MOST_FILES, looked):
+        text = _HEADING.sub("", text)
+        for match in (*_WORD.finditer(text), *_QUOTED.finditer(text)):
+            if len(match[1]) >= _SHORTEST:
+                found.setdefault(match[1].removesuffix(".git"), file)
+    return Mentions(found, frozenset(looked))
+
+
+def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
     for top in directories:
         for directory, listed in walk(top, _MOST_DIRECTORIES):
-            looked.add(directory)
-            inside = {"doc", "docs"} & set(os.path.relpath(directory, top).lower().split(os.sep))
-            for name in listed:
-                start, end = os.path.splitext(name.lower())
-                if left <= 0 or end not in _DOCUMENT_ENDS or not (start == "readme" or (inside and end)) or name == "CMakeLists.txt":
-                    continue
-                left -= 1
-                file = os.path.join(directory, name)
-                looked.add(file)
-                text = _HEADING.sub("", (content(file) or b"")[:_LARGEST].decode("utf-8", "replace"))
-                for match in (*_WORD.finditer(text), *_QUOTED.finditer(text)):
-                    if len(match[1]) >= _SHORTEST:
-                        found.setdefault(match[1].removesuffix(".git"), file)
-    return Mentions(found, frozenset(looked))
+            inside = not {"doc", "docs"}.isdisjoint(os.path.relpath(directory, top).lower().split(os.sep))
+            yield directory, [name for name in listed if _is_document(name, inside=inside)]
+
+
+def _is_document(name: str, *, inside: bool) -> bool:
+    """Whether a file is a ``README``, or any text ``inside`` a directory of documents."""
+    start, end = os.path.splitext(name.lower())
+    return end in _DOCUMENT_ENDS and (start == "readme" or (inside and bool(end))) and name != "CMakeLists.txt"

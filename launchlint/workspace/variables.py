@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from launchlint.workspace.looking import content, walk
+from launchlint.workspace.looking import walk
+from launchlint.workspace.texts import texts
 
 _MOST_DIRECTORIES = 400
 _MOST_FILES = 600
-_LARGEST = 200_000
 _SHELL_ENDS = (".sh", ".bash", ".zsh", ".env", ".service", ".rc", ".bashrc", ".zshrc")
 _SOURCE_ENDS = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
 _COMPOSE_ENDS = (".yml", ".yaml")
@@ -32,20 +32,17 @@ def read_variables(directories: Iterable[str]) -> Variables:
     """The variables that files below ``directories`` set or read; values are not looked at. Bounded; never raises."""
     found: dict[str, str] = {}
     looked: set[str] = set()
-    left = _MOST_FILES
+    for file, text in texts(_places(directories), _MOST_FILES, looked):
+        pattern = _pattern(os.path.basename(file))
+        for match in () if pattern is None else pattern.finditer(text):
+            found.setdefault(match[1], file)
+    return Variables(found, frozenset(looked))
+
+
+def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
     for top in directories:
         for directory, listed in walk(top, _MOST_DIRECTORIES):
-            looked.add(directory)
-            for name in listed:
-                pattern = _pattern(name)
-                if pattern is None or left <= 0:
-                    continue
-                left -= 1
-                file = os.path.join(directory, name)
-                looked.add(file)
-                for match in pattern.finditer((content(file) or b"")[:_LARGEST].decode("utf-8", "replace")):
-                    found.setdefault(match[1], file)
-    return Variables(found, frozenset(looked))
+            yield directory, [name for name in listed if _pattern(name) is not None]
 
 
 def _pattern(name: str) -> re.Pattern[str] | None:
