@@ -37,6 +37,10 @@ class ArgUses(NamedTuple):
         """A file other than ``file`` (absolute) itself that names it and gives the arg ``name`` with ``:=``."""
         return next((each for each in self.given.get(os.path.basename(file), {}).get(name, ()) if each != file), None)
 
+    def may_be_passed(self, name: str) -> bool:
+        """Whether an include of which the file name is computed passes the arg: it may enter any of several files that are alike."""
+        return name in self.passed.get(_ANY, ())
+
     def is_passed(self, file: str, name: str) -> bool:
         """Whether an include of a file of that name, or one whose name is computed, passes the arg."""
         return any(name in self.passed.get(each, ()) for each in (os.path.basename(file), _ANY))

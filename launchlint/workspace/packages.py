@@ -20,6 +20,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.workspace.arg_uses import ArgUses
     from launchlint.workspace.container_homes import Homes
+    from launchlint.workspace.distributions import Distributions
     from launchlint.workspace.environment_hooks import Hooks
     from launchlint.workspace.mentions import Mentions
     from launchlint.workspace.variables import Variables
@@ -166,6 +167,7 @@ class Packages:
         self._listed: Mapping[str, str] | None = None
         self._documented: Mentions | None = None
         self._arg_uses: ArgUses | None = None
+        self._distributions: Distributions | None = None
         self._homes: Homes | None = None
 
     def get(self, name: str, near: str) -> Package | None:
@@ -283,6 +285,17 @@ class Packages:
             self._documented = read_documents(self.workspaces)
         note(self._documented.looked)
         return self._documented.known.get(name)
+
+    def is_older_than(self, distribution: str) -> bool:
+        """Whether the workspaces name distributions of ROS 1 (in a README, a workflow, an image …), and only older ones than this."""
+        from launchlint.workspace.distributions import read_distributions
+        from launchlint.workspace.looking import note
+
+        if self._distributions is None:
+            self._distributions = read_distributions(self.workspaces)
+        note(self._distributions.looked)
+        # They are named in the order of the alphabet.
+        return bool(self._distributions.named) and max(self._distributions.named) < distribution.lower()
 
     def arg_uses(self) -> ArgUses:
         """Where files of the workspaces give args to launch files by name."""

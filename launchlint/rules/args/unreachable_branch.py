@@ -9,14 +9,14 @@ What stands in it is not started in any configuration, and nobody notices when i
 `default` in place of a `value`.
 
 A literal `if="false"` (or `if="0"`, `unless="true"`, `unless="1"`) is a switch: somebody put the element away and means to
-have it back. That is told as information only.
+have it back. So is an arg whose value in this file is a literal `true` or `false`. Both are told as information only.
 
 ## Example
 
 ```xml
 <launch>
-  <arg name="sim" value="false"/>
-  <node pkg="gazebo_ros" type="gzserver" name="gazebo" if="$(arg sim)"/>
+  <arg name="robot" value="turtlebot"/>
+  <node pkg="husky_base" type="husky_node" name="base" if="$(eval robot == 'husky')"/>
 </launch>
 ```
 
@@ -24,34 +24,38 @@ have it back. That is told as information only.
 
 ```xml
 <launch>
-  <arg name="sim" default="false"/>
-  <node pkg="gazebo_ros" type="gzserver" name="gazebo" if="$(arg sim)"/>
+  <arg name="robot" default="turtlebot"/>
+  <node pkg="husky_base" type="husky_node" name="base" if="$(eval robot == 'husky')"/>
 </launch>
 ```
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.model import Branch
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
+from launchlint.source import Place
 
 RULE = Rule("LL213", "unreachable-branch", Severity.WARNING)
+_ARG = re.compile(r"\$\(arg\s+(\S+)\s*\)")
+_BOOLEANS = ("true", "false", "1", "0")
 
 
 def check(view: LaunchView) -> Iterator[Finding | Fine]:
     """Every condition that keeps its element out and cannot be changed; one that is taken anywhere is in order."""
     for branch in view.launch.branches:
         if branch.taken is False and not branch.open:
-            yield _finding(branch)
+            yield _finding(branch, view)
         else:
             yield RULE.fine(branch.origin)
 
 
-def _finding(branch: Branch) -> Finding:
+def _finding(branch: Branch, view: LaunchView) -> Finding:
     tag = branch.element.text.removeprefix("<").split(None, 1)[0].rstrip("/>")
     shown = " ".join(branch.text.split())[:60]
     if "$(" not in branch.text:
@@ -62,10 +66,27 @@ def _finding(branch: Branch) -> Finding:
             label="never taken",
             help="put an arg with a default into the condition to switch it on without an edit, or remove the element",
         )
+    switch = _switch(branch, view)
     return RULE.at(
         branch.origin,
         f"this <{tag}> is never evaluated: nothing can change {branch.attribute}={shown!r}",
+        severity=None if switch is None else Severity.INFO,
         label="never taken",
-        notes=("all args that it depends on have a fixed value in this file",),
+        related=() if switch is None else ((switch, "the switch"),),
+        notes=("all args that it depends on have a fixed value in this file",)
+        if switch is None
+        else ("its arg has a literal value, which people change in the file itself",),
         help="write default instead of value where the arg is declared, or remove the element",
     )
+
+
+def _switch(branch: Branch, view: LaunchView) -> Place | None:
+    """The value of the one arg that the condition is, where that stands in the same file as a literal ``true`` or ``false``."""
+    arg = _ARG.fullmatch(branch.text.strip())
+    document = view.documents.get(branch.element.source.path)
+    if arg is None or document is None:
+        return None
+    declared = [each for each in document.elements if each.tag == "arg" and each.get("name") == arg[1] and "value" in each.attributes]
+    if len(declared) != 1 or (declared[0].get("value") or "").strip().lower() not in _BOOLEANS:
+        return None
+    return document.place(declared[0].attributes["value"].value_span)

@@ -135,8 +135,11 @@ def _why_idle(name: str, elements: list[Element], in_comments: set[str], view: F
         return "only a comment reads it"
     if all(element.attributes.keys() & {"value", "default"} == {"value"} for element in elements):
         return "it has a fixed value, which nobody uses"
-    giver = view.packages.arg_uses().giver(file, name)
-    return "" if giver is None else f"{shown(giver, root_of(view.document.source))} gives it with :=, so that it may have to be there"
+    uses = view.packages.arg_uses()
+    giver = uses.giver(file, name)
+    if giver is not None:
+        return f"{shown(giver, root_of(view.document.source))} gives it with :=, so that it may have to be there"
+    return "an include with a computed file name passes it, so that files like this one have to take it" if uses.may_be_passed(name) else ""
 
 
 def _cause(unread: list[list[Element]], reason: str, document: Document) -> str:

@@ -68,7 +68,15 @@ RULE = Rule("LL404", "include-missing-arg", Severity.ERROR, roslaunch="refuses",
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``include-missing-arg`` (roslaunch.xmlloader._include_tag)."""
-    name, file, passed = problem.facts["name"], problem.facts["file"], problem.facts["passed"]
+    file, passed = problem.facts["file"], problem.facts["passed"]
+    together = [each for each in view.launch.problems if each.kind == problem.kind and each.origin == problem.origin]
+    names = list(dict.fromkeys(each.facts["name"] for each in together)) or [problem.facts["name"]]
+    if problem.facts["name"] != names[0]:
+        return  # told with the first
+    if len(names) > 1:
+        yield _several(names, together, view)
+        return
+    name = names[0]
     empty = problem.facts.get("empty", False)
     near = closest(name, passed)
     help = f'add <arg name="{name}" value="…"/> inside the include, or give it a default in {file}'
@@ -89,6 +97,27 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         topic=name,
         shared_cause=broken_call(file, name),
         fix=_fix(problem, view, name) if near is None and not given else None,
+    )
+
+
+def _several(names: list[str], problems: list[Problem], view: LaunchView) -> Finding:
+    """All that one include leaves out."""
+    first = problems[0]
+    file, passed = first.facts["file"], first.facts["passed"]
+    listed = ", ".join(names)
+    slips = [f"{near} to be {name}" for name in names if (near := closest(name, passed)) is not None]
+    given = first.facts["pass_all"] and not view.declared_entry and _all_pass_on(first.origin, view)
+    add = f'add <arg name="…" value="…"/> for each inside the include, or give them defaults in {file}'
+    return RULE.at(
+        first.origin,
+        f"{file} needs the args {listed}, which are not passed",
+        severity=Severity.INFO if given and not slips else None,
+        label="included without them",
+        related=tuple(dict.fromkeys(each for problem in problems for each in problem.related)),
+        notes=(f"roslaunch stops at one of them with: included file [{file}] requires the '…' arg to be set",),
+        help=f"is {', and '.join(slips)} meant? Else {add}" if slips else add,
+        topic=listed,
+        shared_cause=broken_call(file, listed),
     )
 
 

@@ -5,8 +5,8 @@ The `<master>` tag (roslaunch starts a master by itself), the `ros-root`, `ros-p
 `param` now), and the program `xacro.py`, which ROS Noetic does not have. So are programs and params of which the library knows that a
 distribution removed them (`robot_state_publisher/state_publisher`, `use_gui` of joint_state_publisher), where the package is not in the
 workspace. A param that is set to what was its default is an info: it changed nothing when it was still read. One that is shadowed by the
-node's own private param is left alone. Each such program or param,
-`<master>` and `ns` are told of once, with all places.
+node's own private param is left alone. What a distribution removed is an info, too, where the workspace itself (a README, a workflow, an
+image, a script) names older distributions only. Each such program or param, `<master>` and `ns` are told of once, with all places.
 
 ## Why it matters
 
@@ -47,9 +47,9 @@ from launchlint.rules.edits import LOADS, fix, is_literal, remove_attribute, rem
 from launchlint.rules.other_file import is_inside
 from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import GraphView
+from launchlint.rules.view import FileView, GraphView, LaunchView
 from launchlint.source import Origin
-from launchlint.workspace.packages import SYSTEM_SHARE
+from launchlint.workspace.packages import SYSTEM_SHARE, Packages
 
 RULE = Rule("LL111", "deprecated-construct", Severity.WARNING, fixable="safe")
 
@@ -99,7 +99,8 @@ def check(view: GraphView) -> Iterator[Finding]:
             continue  # which version that is nobody knows
         default = reading.declaration.default
         as_default = default is not None and setting.value == default
-        severity = Severity.INFO if as_default else RULE.severity
+        old = view.packages.is_older_than(removed["in"])
+        severity = Severity.INFO if as_default or old else RULE.severity
         yield RULE.at(
             setting.origin,
             f"{program} has no param {reading.declared} in ROS {removed['in'].title()} any more",
@@ -107,7 +108,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             label="out of date",
             notes=("it is set to what was its default, and changed nothing when it was still read",)
             if as_default
-            else ("nothing reads it there",),
+            else ("nothing reads it there", *_for_older(removed["in"], view.packages)),
             help="remove it" if as_default else _instead(removed, "remove it"),
             topic=f"removed {reading.declared}",
             cause=f"{severity.word} {program} {reading.declared.lstrip('~')}",
@@ -137,13 +138,18 @@ def _program(instance: Instance, view: GraphView) -> Iterator[Finding]:
     yield RULE.at(
         Origin(place, node.origin.step),
         f"ROS {removed['in'].title()} has no {name} in {package} any more",
+        severity=Severity.INFO if view.packages.is_older_than(removed["in"]) else None,
         label="out of date",
-        notes=("roslaunch loads the file there and fails when it starts this node",),
+        notes=("roslaunch loads the file there and fails when it starts this node", *_for_older(removed["in"], view.packages)),
         help=_instead(removed, "remove the node"),
         fix=change,
         topic="removed",
         cause=f"{package}/{name}",
     )
+
+
+def _for_older(distribution: str, packages: Packages) -> tuple[str, ...]:
+    return ("the workspace names only older distributions of ROS",) if packages.is_older_than(distribution) else ()
 
 
 def _lies_here(package: str, view: GraphView) -> bool:
@@ -169,7 +175,7 @@ def _of(node: str, view: GraphView) -> str:
     return next((instance.program for instance in view.graph.instances if instance.name == node), node)
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
+def tell(problem: Problem, view: FileView | LaunchView) -> Iterator[Finding]:
     """Say what has taken its place; facts: ``construct``, ``instead``."""
     construct: str = problem.facts["construct"]
     attribute = construct.partition(" ")[2]
@@ -177,13 +183,14 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     message, note, advice = WORDS.get(construct, machine)
     if construct.startswith("machine") and not problem.refused:
         note = "not supported since ROS Fuerte"
-    severity = Severity.ERROR if problem.refused else Severity.INFO if construct == "rosparam ns" else Severity.WARNING
+    older = _for_older("noetic", view.packages) if construct == "xacro.py" else ()
+    severity = Severity.ERROR if problem.refused else Severity.INFO if older or construct == "rosparam ns" else Severity.WARNING
     yield RULE.at(
         problem.origin,
         message,
         severity=severity,
         label="out of date",
-        notes=(note,),
+        notes=(note, *older),
         help=advice,
         fix=_fix(construct, problem, view),
         cause=construct if construct in ONE_HABIT and not problem.refused else "",
