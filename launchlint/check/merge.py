@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from launchlint.check.entry import EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult, run_rule
+from launchlint.check.given_elsewhere import judged_by_givers
 from launchlint.check.given_together import judged_by_callers
 from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.options import Options
@@ -91,6 +92,7 @@ def merge(
             collected.append(finding)
     collected = list(judged_by_registration(collected, reached, packages, options.root))
     collected = list(judged_by_marker(collected, packages, options.root))
+    collected = list(judged_by_givers(collected, packages, options.root))
     if workspace:
         view = RunView(tuple(result.summary for result in results), packages, options.root, tuple(map(os.path.abspath, asked)))
         for rule in RULES:

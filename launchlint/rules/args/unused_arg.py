@@ -43,20 +43,20 @@ Not while there is an error in the file: that may be what should read it.
 
 from __future__ import annotations
 
-import posixpath
 import re
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.edits import fix, remove_element, spot
 from launchlint.rules.joined import joined
-from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.syntax.tree import Comment, Document, Element
 
 NO_EFFECT = "a value that is given for it has no effect"
 NAME = re.compile(r"the arg (\S+) is never read")
+_MOST_ALIKE = 40
+"""Args by which copies of a file are recognised; each finding carries them."""
 RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
 
 # Whatever looks like a read counts as one, closed or not: what is wrong with it is told by other rules.
@@ -93,13 +93,13 @@ def check(view: FileView) -> Iterator[Finding]:
         for name, elements in declared.items()
         if name not in read and not any(_is_check(element) or element.index in kept for element in elements)
     }
-    file = posixpath.abspath(document.source.file)
-    reasons = {name: _why_idle(name, elements, in_comments, view, file) for name, elements in unread.items()}
+    reasons = {name: _why_idle(name, elements, in_comments) for name, elements in unread.items()}
+    causes = {
+        reason: _cause([unread[name] for name, each in reasons.items() if each == reason], reason, document)
+        for reason in dict.fromkeys(reasons.values())
+    }
     for name, elements in unread.items():
         idle = reasons[name]
-        uses = view.packages.arg_uses()
-        kept_for_others = uses.giver(file, name) is not None or uses.is_passed(file, name)
-        alike = [each for key, each in unread.items() if reasons[key] == idle]
         first, *others = (document.place(element.attributes["name"].value_span) for element in elements)
         yield RULE.at(
             first,
@@ -108,10 +108,10 @@ def check(view: FileView) -> Iterator[Finding]:
             label="unused",
             related=tuple((place, "declared here too") for place in others),
             notes=(idle or NO_EFFECT,),
-            cause=_cause(alike, idle, document),
+            cause=causes[idle],
             help=f"remove it here and in the includes that pass it, or use it as $(arg {name})",
             fix=None
-            if others or kept_for_others
+            if others
             else fix("remove the arg", remove_element(spot(view, first)), safe=False, changes=f"{name} can no longer be given"),
         )
 
@@ -129,22 +129,20 @@ def together(findings: Sequence[Finding]) -> Finding:
     )
 
 
-def _why_idle(name: str, elements: list[Element], in_comments: set[str], view: FileView, file: str) -> str:
+def _why_idle(name: str, elements: list[Element], in_comments: set[str]) -> str:
     """Why nobody who gives the arg a value is misled; empty where somebody may be."""
     if name in in_comments:
         return "only a comment reads it"
     if all(element.attributes.keys() & {"value", "default"} == {"value"} for element in elements):
         return "it has a fixed value, which nobody uses"
-    uses = view.packages.arg_uses()
-    giver = uses.giver(file, name)
-    if giver is not None:
-        return f"{shown(giver, root_of(view.document.source))} gives it with :=, so that it may have to be there"
-    return "an include with a computed file name passes it, so that files like this one have to take it" if uses.may_be_passed(name) else ""
+    return ""
 
 
 def _cause(unread: list[list[Element]], reason: str, document: Document) -> str:
     """One for all that is unread in a file, and in its copies; an arg that must be given is a matter of its own file."""
-    if all(any("default" in each.attributes or "value" in each.attributes for each in elements) for elements in unread):
+    if len(unread) <= _MOST_ALIKE and all(
+        any("default" in each.attributes or "value" in each.attributes for each in elements) for elements in unread
+    ):
         return "; ".join((reason, *sorted(map(_words, unread))))
     return f"{document.source.path} {reason}"
 
