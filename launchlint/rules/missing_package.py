@@ -55,8 +55,8 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
     if packages.has(name) or is_placeholder(name):
         return None
     home = packages.package_of(near)
-    own = None if packages.complete or packages.listed_in(name) is not None else own_instead(name, text, packages, near)
-    if own is not None:
+    own = None if packages.complete else own_instead(name, text, packages, near)
+    if own is not None and packages.listed_in(name) is None:
         why = f"what this file asks of it lies in {own.name}, its own package: {name} may be a former name"
         return Judgement(Severity.WARNING, why, _did_you_mean(own.name))
     key = (name, "" if home is None else home.directory)
@@ -94,8 +94,8 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
             why = f"{name} is a metapackage: it only lists others, and rospack finds nothing under its name"
             return Judgement(Severity.ERROR, why, "name the package of it that holds the file or node")
     public = public_names()
-    hidden = packages.hidden(name)
-    if hidden is not None and (packages.complete or name not in public):
+    hidden = packages.hidden(name) if packages.complete or name not in public else None
+    if hidden is not None:
         return _say_hidden(hidden, packages, home)
     if home is not None and home.name == name and name not in public:
         outer = packages.package_of(posixpath.dirname(home.directory))

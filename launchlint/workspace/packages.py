@@ -11,7 +11,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from launchlint.workspace.crawl import CATKIN_IGNORE, Crawled, crawl_all, examine
+from launchlint.workspace.crawl import CATKIN_IGNORE, NO_SUBDIRECTORIES, Crawled, crawl_all, examine
 from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE, Manifest, read_manifest
 from launchlint.workspace.prefixes import Prefix, prefixes
 from launchlint.workspace.public_packages import PublicPackages, public_names
@@ -226,9 +226,8 @@ class Packages:
         return None if self.has(name) else self._all_hidden().get(name)
 
     def is_hidden(self, directory: str) -> bool:
-        """Whether ``directory`` (absolute) is or lies in one that a ``CATKIN_IGNORE`` hides."""
-        ignored = (each for place in self.places[: len(self.workspaces)] for each in place.ignored)
-        return any(f"{directory}/".startswith(f"{each}/") for each in ignored)
+        """Whether ``directory`` (absolute) is or lies in one that a ``CATKIN_IGNORE`` hides; below a package nobody looks for one."""
+        return any(_is_hidden(directory, workspace.rstrip("/")) for workspace in self.workspaces if _is_below(directory, workspace))
 
     def _all_hidden(self) -> dict[str, Hidden]:
         if self._hidden is None:
@@ -447,3 +446,20 @@ class Packages:
 def is_executable(path: str) -> bool:
     """Whether ``path`` is a file that this user may execute."""
     return os.path.isfile(path) and os.access(path, os.X_OK)
+
+
+def _is_below(directory: str, workspace: str) -> bool:
+    """Whether ``directory`` is ``workspace`` or lies in it; both are absolute."""
+    return f"{directory}/".startswith(f"{workspace.rstrip('/')}/")
+
+
+def _is_hidden(directory: str, workspace: str) -> bool:
+    """As :func:`launchlint.workspace.crawl.crawl_all` would find it, without looking at what lies beside the way."""
+    at = workspace
+    for part in ("", *directory[len(workspace) :].strip("/").split("/")):
+        at = f"{at}/{part}" if part else at
+        if os.path.isfile(f"{at}/{CATKIN_IGNORE}"):
+            return True
+        if any(os.path.isfile(f"{at}/{name}") for name in (PACKAGE_FILE, MANIFEST_FILE, NO_SUBDIRECTORIES)):
+            return False
+    return False
