@@ -10,6 +10,8 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Location
 from launchlint.fix.format.style import Style
 from launchlint.model import Launch
+from launchlint.problem import Problem
+from launchlint.source import Place
 from launchlint.syntax.tree import Document
 from launchlint.workspace.packages import Packages
 
@@ -49,6 +51,25 @@ class LaunchView:
     def node_names(self) -> frozenset[str]:
         """The names of all nodes and tests, without their namespaces."""
         return frozenset(node.name for node in (*self.launch.nodes, *self.launch.tests))
+
+    @cached_property
+    def tried(self) -> str:
+        """The args with a default that only the search for configurations gave another value: ``sim:=true``."""
+        launch = self.launch
+        steered: frozenset[str] = frozenset().union(*(branch.steered_by for branch in launch.branches))
+        free = {each.name for each in launch.declared if each.origin.step is None and not each.passed and each.default is not None}
+        return " ".join(f"{name}:={value}" for name, value in launch.given if name in steered and name in free)
+
+    @cached_property
+    def _problems(self) -> Mapping[tuple[str, Place], list[Problem]]:
+        found: dict[tuple[str, Place], list[Problem]] = {}
+        for problem in self.launch.problems:
+            found.setdefault((problem.kind, problem.place), []).append(problem)
+        return found
+
+    def beside(self, problem: Problem) -> list[Problem]:
+        """The problems of the same kind and origin, in order; ``problem`` is one of them."""
+        return [each for each in self._problems.get((problem.kind, problem.place), ()) if each.origin == problem.origin]
 
     @cached_property
     def started_in(self) -> Mapping[tuple[str, int], bool]:

@@ -69,7 +69,7 @@ RULE = Rule("LL404", "include-missing-arg", Severity.ERROR, roslaunch="refuses",
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``include-missing-arg`` (roslaunch.xmlloader._include_tag)."""
     file, passed = problem.facts["file"], problem.facts["passed"]
-    together = [each for each in view.launch.problems if each.kind == problem.kind and each.origin == problem.origin]
+    together = view.beside(problem)
     names = list(dict.fromkeys(each.facts["name"] for each in together)) or [problem.facts["name"]]
     if problem.facts["name"] != names[0]:
         return  # told with the first

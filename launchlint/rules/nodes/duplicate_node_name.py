@@ -76,7 +76,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     first: Node = problem.facts["first"]
     second: Node = problem.facts["second"]
     related = _way_to(first, second)
-    tried = _tried(view)
+    tried = view.tried
     notes = (stops,) if not tried else (stops, f"only with {tried}, which is not what this launch file does by itself")
     twice = first.origin.place == second.origin.place
     if not twice:
@@ -92,14 +92,6 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         help=_advice(first, second, twice),
         fix=None if twice else _fix(second, view),
     )
-
-
-def _tried(view: LaunchView) -> str:
-    """The args with a default that only the search for configurations gave another value: ``sim:=true``."""
-    launch = view.launch
-    steered: frozenset[str] = frozenset().union(*(branch.steered_by for branch in launch.branches))
-    free = {each.name for each in launch.declared if each.origin.step is None and not each.passed and each.default is not None}
-    return " ".join(f"{name}:={value}" for name, value in launch.given if name in steered and name in free)
 
 
 def _cause(first: Node, second: Node, tried: str, view: LaunchView) -> str:
