@@ -14,11 +14,11 @@ from typing import NamedTuple
 
 from launchlint.extract.fact import Plugin
 from launchlint.extract.template import Template, filled, template_of
+from launchlint.workspace import looking
 from launchlint.workspace.cmake_facts import read_cmake
 from launchlint.workspace.cmake_targets import CMakeFacts, Target
 from launchlint.workspace.nodelets import NodeletClass, plugin_classes
 from launchlint.workspace.packages import Package
-from launchlint.workspace.reading import read_bytes
 
 CPP_ENDINGS = (".cpp", ".cc", ".cxx", ".c++", ".C", ".cu")
 MOST_SOURCES = 400
@@ -49,12 +49,12 @@ class Parts:
 
     def __init__(self, package: Package) -> None:
         self.package = package
-        self.files = files_below(package.directory)
-        self.cmake: CMakeFacts = read_cmake(package.directory, lambda: self.files)
+        looking.note_tree(package.directory)
+        looking.note((os.path.abspath(package.manifest_path),))
+        self.cmake: CMakeFacts = read_cmake(package.directory, lambda: files_below(package.directory))
         self.by_output = {target.output: target for target in self.cmake.targets.values() if target.is_library}
         self.own_includes = tuple(each for each in self.cmake.include_directories if os.path.isdir(each))
         self._libraries: tuple[str, ...] | None = None
-        self._plugins: tuple[NodeletClass, ...] | None = None
 
     @property
     def library_sources(self) -> tuple[str, ...]:
@@ -63,19 +63,6 @@ class Parts:
             libraries = (target for target in self.cmake.targets.values() if target.is_library and "nodelet" not in target.output)
             self._libraries = tuple(dict.fromkeys(path for target in libraries for path in cpp_sources(target)))
         return self._libraries
-
-    @property
-    def plugins(self) -> tuple[NodeletClass, ...]:
-        """The classes of all plugin descriptions that ``package.xml`` exports, of nodelets and others."""
-        if self._plugins is None:
-            found: list[NodeletClass] = []
-            exported = _EXPORTED.findall(text_of(self.package.manifest_path))
-            for each in dict.fromkeys(exported[:_MOST_DESCRIPTIONS]):
-                path = os.path.realpath(os.path.join(self.package.directory, each.replace("${prefix}/", "", 1)))
-                if path.startswith(os.path.realpath(self.package.directory) + os.sep):
-                    found += plugin_classes(path)[0]
-            self._plugins = tuple(found)
-        return self._plugins
 
     def library(self, name: str) -> Target | None:
         """The target that makes a library, by the path in a plugin description: ``lib/libfoo``, ``foo.so``."""
@@ -88,15 +75,26 @@ class Workspace:
 
     def __init__(self, packages: Iterable[Package]) -> None:
         self.packages = {package.name: package for package in packages if not package.broken}
-        self._parts: dict[str, Parts] = {}
-        self._includes: dict[str, tuple[str, ...]] = {}
+        self._parts: dict[str, tuple[Parts, frozenset[str]]] = {}
+        self._includes: dict[str, tuple[tuple[str, ...], frozenset[str]]] = {}
+        self._plugins: dict[str, tuple[tuple[NodeletClass, ...], frozenset[str]]] = {}
         self._by_directory = {os.path.abspath(package.directory): package.name for package in self.packages.values()}
 
     def parts(self, name: str) -> Parts:
         """What a package builds, read once."""
         if name not in self._parts:
-            self._parts[name] = Parts(self.packages[name])
-        return self._parts[name]
+            self._parts[name] = looking.watched(lambda: Parts(self.packages[name]))
+        parts, looked = self._parts[name]
+        looking.note(looked)
+        return parts
+
+    def plugins(self, name: str) -> tuple[NodeletClass, ...]:
+        """The classes of all plugin descriptions that ``package.xml`` of a package exports, of nodelets and others."""
+        if name not in self._plugins:
+            self._plugins[name] = looking.watched(lambda: _plugins(self.packages[name]))
+        found, looked = self._plugins[name]
+        looking.note(looked)
+        return found
 
     def package_of(self, path: str) -> str:
         """The package that a file lies in; empty where it lies in none."""
@@ -112,8 +110,13 @@ class Workspace:
 
     def includes(self, name: str) -> tuple[str, ...]:
         """Where headers are: of a package, and of those it depends on that are here."""
-        if name in self._includes:
-            return self._includes[name]
+        if name not in self._includes:
+            self._includes[name] = looking.watched(lambda: self._find_includes(name))
+        found, looked = self._includes[name]
+        looking.note(looked)
+        return found
+
+    def _find_includes(self, name: str) -> tuple[str, ...]:
         found: dict[str, None] = {}
         pending, seen = [name], {name}
         while pending:
@@ -127,8 +130,7 @@ class Workspace:
                 if each in self.packages and each not in seen:
                     seen.add(each)
                     pending.append(each)
-        self._includes[name] = tuple(found)
-        return self._includes[name]
+        return tuple(found)
 
     def assemble(self, name: str, target: Target, root: str) -> Assembled:
         """The files of a target of the package ``name``; none of them lies outside ``root``."""
@@ -223,18 +225,28 @@ class _Assembly:
             return False
         before = len(self.plugins)
         for package in self.workspace.packages:
-            parts = self.workspace.parts(package)
-            for each in parts.plugins:
+            for each in self.workspace.plugins(package):
                 is_nodelet = "odelet" in each.base or not each.base
                 wanted = self.loads_nodelets and each.name in self.words if is_nodelet else self.loads_classes and each.base in self.words
                 plugin = Plugin(each.name, each.type or each.name.replace("/", "::"), each.base)
-                target = parts.library(each.library) if wanted else None
-                if target is not None and plugin not in self.plugins:
+                parts = self.workspace.parts(package) if wanted else None
+                target = None if parts is None else parts.library(each.library)
+                if parts is not None and target is not None and plugin not in self.plugins:
                     self.plugins[plugin] = None
                     self.packages.add(package)
                     self.includes.update(dict.fromkeys(self.workspace.includes(package)))
                     self._add_target(target, parts)
         return len(self.plugins) > before
+
+
+def _plugins(package: Package) -> tuple[NodeletClass, ...]:
+    found: list[NodeletClass] = []
+    exported = _EXPORTED.findall(text_of(package.manifest_path))
+    for each in dict.fromkeys(exported[:_MOST_DESCRIPTIONS]):
+        path = os.path.realpath(os.path.join(package.directory, each.replace("${prefix}/", "", 1)))
+        if path.startswith(os.path.realpath(package.directory) + os.sep):
+            found += plugin_classes(path)[0]
+    return tuple(found)
 
 
 def cpp_sources(target: Target) -> list[str]:
@@ -265,19 +277,38 @@ def found_header(name: str, quoted: bool, includer: str, directories: Sequence[s
     return None
 
 
-@lru_cache(maxsize=4096)
 def included_names(path: str) -> frozenset[str]:
     """The last parts of the names of the headers that a file includes."""
-    return frozenset(os.path.basename(name) for _, name in _INCLUDE.findall(text_of(path)))
+    looking.note((os.path.abspath(path),))
+    return _included_names(path, _stamp(path))
+
+
+@lru_cache(maxsize=4096)
+def _included_names(path: str, stamp: object) -> frozenset[str]:
+    return frozenset(os.path.basename(name) for _, name in _INCLUDE.findall(_text(path, stamp)))
+
+
+def text_of(path: str) -> str:
+    """The text of a file; empty where it cannot be read."""
+    looking.note((os.path.abspath(path),))
+    return _text(path, _stamp(path))
 
 
 @lru_cache(maxsize=512)
-def text_of(path: str) -> str:
-    """The text of a file; empty where it cannot be read."""
+def _text(path: str, stamp: object) -> str:
     try:
-        return read_bytes(path).decode("utf-8", "replace")
+        return looking.read_bytes(path).decode("utf-8", "replace")
     except OSError:
         return ""
+
+
+def _stamp(path: str) -> object:
+    """Another one where the file is another."""
+    try:
+        status = os.stat(path)
+    except (OSError, ValueError):
+        return None
+    return (status.st_mtime_ns, status.st_size, status.st_ino)
 
 
 def files_below(directory: str) -> list[str]:

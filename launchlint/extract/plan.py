@@ -16,9 +16,9 @@ from launchlint.extract.template import Template
 from launchlint.spelling import did_you_mean
 from launchlint.workspace.cmake_targets import CMakeFacts, Target
 from launchlint.workspace.executables import Executables, executables
+from launchlint.workspace.looking import read_bytes
 from launchlint.workspace.nodelets import NodeletClass
 from launchlint.workspace.packages import Package, Packages
-from launchlint.workspace.reading import read_bytes
 
 _PYTHON = re.compile(rb"#![^\n]*\bpython")
 _NO_PROGRAMS = ("setup.py", "conf.py", "__init__.py")
@@ -85,7 +85,7 @@ def plan(sources: Sequence[str], wanted: Sequence[str] = ()) -> Plan:
         if package.broken:
             skipped.append(Skipped(package.name, "", package.manifest_path, f"the package cannot be read: {package.broken}"))
         elif not package.is_metapackage and (not wanted or package.name in wanted):
-            reader = _Reader(package, origin_of(package.directory, given), workspace)
+            reader = PackageReader(package, origin_of(package.directory, given), workspace)
             reader.read()
             origins[reader.origin] = None
             tasks += reader.tasks
@@ -120,7 +120,7 @@ def _packages(sources: Sequence[str]) -> list[tuple[Package, str]]:
     return first
 
 
-class _Reader:
+class PackageReader:
     """The programs of one package."""
 
     def __init__(self, package: Package, origin: Origin, workspace: Workspace) -> None:
@@ -148,6 +148,27 @@ class _Reader:
         for class_name, described in self.programs.nodelet_classes.items():
             if "odelet" in described.base or not described.base:
                 self._nodelet(class_name, described)
+
+    def one(self, table: str, name: str) -> Task | Skipped | None:
+        """One program by the name that launch files give it, nothing else being read; None where this package has none of that name.
+
+        A script that lacks the executable bit is read like any other: that it cannot be started yet is told elsewhere.
+        """
+        self.tasks, self.skipped = [], []
+        if table == "nodelets":
+            described = self.programs.nodelet_classes.get(name)
+            if described is not None and ("odelet" in described.base or not described.base):
+                self._nodelet(name, described)
+        elif not any(each == name and self._script(each, path) for each, path in self._scripts()):
+            for target_name, target in sorted(self.cmake.targets.items()):
+                if target.output == name and (has_main(target) if target.assumed else not target.is_library):
+                    self._executable(target_name, target)
+                    break
+            else:
+                flaw = self.programs.flaw(name)
+                if flaw is not None:
+                    self._script(name, flaw.path)
+        return next(iter((*self.tasks, *self.skipped)), None)
 
     def _scripts(self) -> Iterable[tuple[str, str]]:
         """Name and file of everything that is installed to be run, or has the executable bit."""

@@ -12,7 +12,7 @@ from launchlint.extract.plan import Task
 from launchlint.extract.python.modules import ModuleFinder
 from launchlint.extract.python.program import python_program
 from launchlint.extract.python.source import SourceError
-from launchlint.workspace.reading import read_bytes
+from launchlint.workspace.looking import read_bytes
 
 CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 LONGEST_NAME = 1_000

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from launchlint.workspace.cmake_targets import Generated
-from launchlint.workspace.reading import read_bytes
+from launchlint.workspace.looking import read_bytes
 
 _LARGEST = 1 << 18
 _PLACE = re.compile(r"@([A-Za-z_][\w./+-]{0,99})@|\$\{([A-Za-z_][\w./+-]{0,99})\}")

@@ -18,7 +18,7 @@ from launchlint.workspace.cmake_made import MAKING
 from launchlint.workspace.cmake_scope import Scope, Value, together
 from launchlint.workspace.cmake_targets import CMakeFacts, Generated, Target
 from launchlint.workspace.cmake_words import CATKIN_WORDS, HARMLESS, HARMLESS_PREFIXES
-from launchlint.workspace.reading import read_bytes
+from launchlint.workspace.looking import read_bytes
 
 CMAKE_FILE = "CMakeLists.txt"
 

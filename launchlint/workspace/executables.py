@@ -15,13 +15,13 @@ from typing import NamedTuple
 from launchlint.workspace.cmake_facts import CMAKE_FILE, read_cmake
 from launchlint.workspace.cmake_made import Made
 from launchlint.workspace.cmake_targets import CMakeFacts, Install
+from launchlint.workspace.listing import files_of
 from launchlint.workspace.looking import start
 from launchlint.workspace.manifest import PACKAGE_FILE
 from launchlint.workspace.nodelets import NodeletClass, read_nodelet_classes
 from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.prefixes import Prefix
 
-_MOST_FILES = 20_000
 _SCRIPT_ENDS = (".py", ".sh", ".bash", ".pl", ".rb", ".lua")
 _EXECUTABLE = stat.S_IRUSR | stat.S_IXUSR
 
@@ -146,7 +146,7 @@ def executables(package: Package, prefixes: Iterable[Prefix] = ()) -> Executable
     The search is that of roslib.packages.find_node: a file of that name with the executable bit, at any depth, in the libexec directories
     of the devel and install spaces or in the package itself. Never raises.
     """
-    files, complete = _files(package.directory)
+    files, complete = files_of(package.directory)
     installed = _is_installed(package)
     facts = CMakeFacts() if installed else read_cmake(package.directory, lambda: list(files))
     found: dict[str, Executable] = {}
@@ -169,13 +169,13 @@ def executables(package: Package, prefixes: Iterable[Prefix] = ()) -> Executable
 
 def launch_install_directories(package: Package) -> InstalledFiles:
     """Which files the package's ``install(DIRECTORY …)``, ``install(FILES …)`` and ``install(PROGRAMS …)`` take. Never raises."""
-    facts = read_cmake(package.directory, lambda: list(_files(package.directory)[0]))
+    facts = read_cmake(package.directory, lambda: list(files_of(package.directory)[0]))
     return InstalledFiles(tuple(facts.installs), tuple(dict.fromkeys(facts.installs_reasons)))
 
 
 def made_files(package: Package) -> Made:
     """What files the CMake files of ``package`` make. Never raises."""
-    return read_cmake(package.directory, lambda: list(_files(package.directory)[0])).made
+    return read_cmake(package.directory, lambda: list(files_of(package.directory)[0])).made
 
 
 class ExecutableIndex:
@@ -221,45 +221,6 @@ class ExecutableIndex:
         return self._made[package.directory]
 
 
-def _files(directory: str) -> tuple[dict[str, int], bool]:
-    """All files below ``directory`` (relative, with ``/``, sorted by directory) with their mode bits, and whether that is all of them.
-
-    Hidden directories are left out and links to directories followed, as in roslib.packages.
-    """
-    found: dict[str, int] = {}
-    pending = [""]
-    seen: set[tuple[int, int]] = set()
-    try:
-        status = os.stat(directory)
-        seen.add((status.st_dev, status.st_ino))
-    except OSError:
-        return {}, False
-    while pending:
-        relative = pending.pop()
-        below: list[str] = []
-        try:
-            with os.scandir(os.path.join(directory, relative)) as scan:
-                entries = sorted(scan, key=lambda entry: entry.name)
-        except OSError:
-            continue
-        for entry in entries:
-            name = f"{relative}/{entry.name}" if relative else entry.name
-            try:
-                if entry.is_dir():
-                    status = entry.stat()
-                    if entry.name[0] != "." and (status.st_dev, status.st_ino) not in seen:
-                        seen.add((status.st_dev, status.st_ino))
-                        below.append(name)
-                else:
-                    found[name] = entry.stat().st_mode if entry.is_file() else 0
-            except OSError:
-                continue
-            if len(found) > _MOST_FILES:
-                return found, False
-        pending += reversed(below)
-    return found, True
-
-
 def _is_installed(package: Package) -> bool:
     """An installed package stands in ``<prefix>/share`` and has no ``CMakeLists.txt``."""
     parent = os.path.dirname(package.directory)
@@ -278,7 +239,7 @@ def _libexec(package: Package, prefixes: Iterable[Prefix], installed: bool) -> l
     if installed:
         prefix = os.path.dirname(os.path.dirname(package.directory))
         directories += Prefix(prefix, False, False).libexec(package.name)
-    return [(each, _files(each)[0]) for each in dict.fromkeys(directories)]
+    return [(each, files_of(each)[0]) for each in dict.fromkeys(directories)]
 
 
 def _takes(install: Install, path: str) -> bool:

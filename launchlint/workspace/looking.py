@@ -6,10 +6,17 @@ What rules look at beside launch files passes through here and is noted, since t
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from typing import TypeVar
 
 MOST_NAMES = 2_000
 """Directory entries that are looked at: a directory may be of any size, and all of this is only for hints."""
+
+LARGEST_FILE = 1 << 20
+"""Bytes: as :data:`launchlint.workspace.reading.LARGEST_FILE`."""
+_ALL_BELOW = "**"
+
+T = TypeVar("T")
 
 _noted: set[str] = set()
 
@@ -73,11 +80,35 @@ def content(path: str) -> bytes | None:
         return None
 
 
+def read_bytes(path: str, largest: int = LARGEST_FILE) -> bytes:
+    """As :func:`launchlint.workspace.reading.read_bytes`."""
+    from launchlint.workspace import reading
+
+    return reading.read_bytes(_note(path), largest)
+
+
+def note_tree(directory: str) -> None:
+    """Note that which files there are below ``directory``, and which of them can be run, matters."""
+    _noted.add(os.path.join(os.path.abspath(directory), _ALL_BELOW))
+
+
 def noted() -> frozenset[str]:
     """What was looked at since this was called last; absolute paths."""
     taken = frozenset(_noted)
     _noted.clear()
     return taken
+
+
+def watched(work: Callable[[], T]) -> tuple[T, frozenset[str]]:
+    """What ``work`` gives, and what it looked at; that stays noted."""
+    before = noted()
+    try:
+        result = work()
+    finally:
+        looked = noted()
+        note(before)
+        note(looked)
+    return result, looked
 
 
 def note(paths: Iterable[str]) -> None:
@@ -92,6 +123,8 @@ def state(path: str) -> str:
     from launchlint.workspace.reading import read_bytes
 
     try:
+        if path.endswith(os.sep + _ALL_BELOW):
+            return f"tree {sha1(_tree(path[: -len(_ALL_BELOW)]), usedforsecurity=False).hexdigest()}"
         if os.path.isdir(path):
             listed = "\0".join(sorted(os.listdir(path))).encode("utf-8", "surrogateescape")
             return f"directory {sha1(listed, usedforsecurity=False).hexdigest()}"
@@ -100,6 +133,13 @@ def state(path: str) -> str:
         return f"file {sha1(read_bytes(path), usedforsecurity=False).hexdigest()}"
     except (OSError, ValueError) as error:
         return f"{type(error).__name__} {getattr(error, 'errno', '')} {error.args[-1] if error.args else ''}"
+
+
+def _tree(directory: str) -> bytes:
+    from launchlint.workspace.listing import files_of
+
+    files, complete = files_of(directory)
+    return "\0".join([f"{name} {mode & 0o111}" for name, mode in files.items()] + [str(complete)]).encode("utf-8", "surrogateescape")
 
 
 def _note(path: str) -> str:

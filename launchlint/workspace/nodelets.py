@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from pyexpat import ExpatError, ParserCreate
 from typing import NamedTuple
 
+from launchlint.workspace.looking import read_bytes
 from launchlint.workspace.packages import Package
-from launchlint.workspace.reading import read_bytes
 
 _DECLARATION = re.compile(r"\A\s*<\?xml[^>]*\?>")
 

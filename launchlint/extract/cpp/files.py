@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from launchlint.extract.assembly import found_header
 from launchlint.extract.cpp.syntax import Node, parse
 from launchlint.extract.template import Template, filled
-from launchlint.workspace.reading import LARGEST_FILE, read_bytes
+from launchlint.workspace.looking import LARGEST_FILE, read_bytes
 
 _MOST_FILES = 600
 _MOST_BYTES = 8 << 20

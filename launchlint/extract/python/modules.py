@@ -9,7 +9,7 @@ import os
 import re
 from collections.abc import Mapping
 
-from launchlint.workspace.reading import read_bytes
+from launchlint.workspace import looking
 
 _PACKAGE_DIR = re.compile(r"""package_dir\s*=\s*\{\s*['"]{2}\s*:\s*['"]([\w./-]*)['"]""")
 _GENERATED = frozenset(("msg", "srv", "cfg"))
@@ -26,8 +26,8 @@ class ModuleFinder:
 
     def __init__(self, packages: Mapping[str, str]) -> None:
         self._packages = dict(packages)
-        self._roots: dict[str, tuple[str, ...]] = {each: _roots(each) for each in packages}
-        self._found: dict[tuple[str, str], str | None] = {}
+        self._roots: dict[str, tuple[tuple[str, ...], frozenset[str]]] = {}
+        self._found: dict[tuple[str, str], tuple[str | None, frozenset[str]]] = {}
 
     def find(self, name: str, beside: str, package: str) -> str | None:
         """The file of module ``name`` (dotted) for a script in directory ``beside`` of the package at ``package``, or None.
@@ -38,15 +38,15 @@ class ModuleFinder:
         if not all(part.isidentifier() for part in parts) or len(parts) > 20:
             return None
         relative = os.path.join(*parts)
-        own = self._roots.get(package) or (_roots(package) if package else ())
+        own = self._roots_of(package) if package else ()
         for root in dict.fromkeys((beside, *own)):
             found = self._look(root, relative)
             if found is not None:
                 return found
         if len(parts) > 1 and parts[1] in _GENERATED:
             return None
-        for roots in self._roots.values():
-            for root in roots:
+        for directory in self._packages:
+            for root in self._roots_of(directory):
                 found = self._look(root, relative)
                 if found is not None:
                     return found
@@ -57,34 +57,46 @@ class ModuleFinder:
         for directory, owner in self._packages.items():
             for below in ("cfg", "") if owner == package else ():
                 path = os.path.join(directory, below, f"{name}.cfg")
-                if os.path.isfile(path):
+                if looking.is_file(path):
                     return path
         return None
+
+    def _roots_of(self, directory: str) -> tuple[str, ...]:
+        """Directories of a package that are on Python's path, looked for once."""
+        if directory not in self._roots:
+            self._roots[directory] = looking.watched(lambda: _roots(directory))
+        roots, looked = self._roots[directory]
+        looking.note(looked)
+        return roots
 
     def _look(self, root: str, relative: str) -> str | None:
         key = (root, relative)
         if key not in self._found:
-            path = os.path.join(root, relative)
-            candidates = (os.path.join(path, "__init__.py"), path + ".py")
-            self._found[key] = next((each for each in candidates if os.path.isfile(each)), None)
-            if self._found[key] is None and os.path.isdir(path) and os.sep not in relative and _has_python(path):
-                self._found[key] = path + os.sep
-        return self._found[key]
+            self._found[key] = looking.watched(lambda: _module(root, relative))
+        found, looked = self._found[key]
+        looking.note(looked)
+        return found
+
+
+def _module(root: str, relative: str) -> str | None:
+    path = os.path.join(root, relative)
+    for each in (os.path.join(path, "__init__.py"), path + ".py"):
+        if looking.is_file(each):
+            return each
+    return path + os.sep if os.sep not in relative and looking.is_directory(path) and _has_python(path) else None
 
 
 def _has_python(directory: str) -> bool:
     """Whether a directory without ``__init__.py`` may be meant as a package."""
-    try:
-        return any(name.endswith(".py") for name in os.listdir(directory)) and not os.path.isfile(os.path.join(directory, "package.xml"))
-    except OSError:
-        return False
+    names = looking.names(directory)
+    return any(name.endswith(".py") for name in names) and "package.xml" not in names
 
 
 def _roots(directory: str) -> tuple[str, ...]:
     """Directories of a package that are on Python's path."""
     roots = ["src"]
     try:
-        match = _PACKAGE_DIR.search(read_bytes(os.path.join(directory, "setup.py")).decode("utf-8", "replace"))
+        match = _PACKAGE_DIR.search(looking.read_bytes(os.path.join(directory, "setup.py")).decode("utf-8", "replace"))
     except OSError:
         match = None
     if match is not None:
@@ -92,6 +104,6 @@ def _roots(directory: str) -> tuple[str, ...]:
     found = []
     for each in dict.fromkeys(roots):
         path = os.path.normpath(os.path.join(directory, each))
-        if os.path.isdir(path) and (path + os.sep).startswith(directory.rstrip(os.sep) + os.sep):
+        if looking.is_directory(path) and (path + os.sep).startswith(directory.rstrip(os.sep) + os.sep):
             found.append(path)
     return tuple(found)

@@ -17,7 +17,7 @@ from launchlint.extract.python.source import SourceError, parse
 from launchlint.extract.python.statements import Statements
 from launchlint.extract.python.text import joined, ros_name
 from launchlint.extract.python.values import MISSING, UNKNOWN, Bound, Class, External, Function, Instance, Module, Scope, Value
-from launchlint.workspace.reading import read_bytes
+from launchlint.workspace.looking import read_bytes
 
 MOST_MODULES = 200
 

@@ -8,7 +8,7 @@ import re
 import warnings
 
 from launchlint.extract.python.python2 import rewritten
-from launchlint.workspace.reading import read_bytes
+from launchlint.workspace.looking import read_bytes
 
 LARGEST_FILE = 1 << 20
 """In bytes."""

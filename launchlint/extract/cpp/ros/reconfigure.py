@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from launchlint.extract.cpp.naming import template
 from launchlint.extract.cpp.values import Handle, Value, choices
-from launchlint.workspace.reading import read_bytes
+from launchlint.workspace import looking
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ class Settings(NamedTuple):
 def read_settings(path: str) -> Settings:
     """The params that a .cfg file declares; the file is never run. Never raises."""
     try:
-        text = read_bytes(path).decode("utf-8", "replace")
+        text = looking.read_bytes(path).decode("utf-8", "replace")
         tree = ast.parse(text)
     except OSError as error:
         return Settings("", (), f"cannot be read: {error.strerror or error}")
@@ -168,10 +168,7 @@ def _file(root: str, path: str, package: str, name: str) -> tuple[str, Settings]
         directory = os.path.dirname(directory)
     looked = 0
     for each in directories:
-        try:
-            files = sorted(file for file in os.listdir(each) if file.endswith(".cfg"))
-        except OSError:
-            continue
+        files = [file for file in looking.names(each) if file.endswith(".cfg")]
         files.sort(key=lambda file: file != f"{name}.cfg")
         for file in files:
             looked += 1
