@@ -1,7 +1,8 @@
 """A param names a frame with a `/` before it, and its node hands the name to tf2, which refuses that.
 
 What it does: it looks at the params of which the library knows that the node gives their value to tf2 as it is. tf took the `/` off, and
-many nodes do so themselves: they are not told.
+many nodes do so themselves: they are not told. It is an info where the workspace names only distributions of ROS that are older than
+Melodic, whose nodes mostly use tf. All such params of one node are told as one.
 
 ## Why it matters
 
@@ -39,6 +40,9 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
 RULE = Rule("LL623", "frame-leading-slash", Severity.WARNING)
+WITH_TF2 = "melodic"
+"""The distribution in which the nodes of the navigation stack, the last of the widely used ones, left tf for tf2."""
+OLDER = "the workspace names only older distributions of ROS"
 
 
 def check(view: GraphView) -> Iterator[Finding]:
@@ -49,13 +53,15 @@ def check(view: GraphView) -> Iterator[Finding]:
             setting = graph.parameters.setting(frame.parameter) if frame.parameter else None
             if frame.through != "tf2" or not frame.name.startswith("/") or not frame.certain or setting is None or not is_certain(setting):
                 continue
-            place = setting.origin.place
+            old = view.packages.is_older_than(WITH_TF2)
+            node = instance.node.origin.place
             yield RULE.at(
                 setting.origin,
                 f"{instance.program} gives the frame {frame.name} to tf2, which refuses names that begin with a /",
+                severity=Severity.INFO if old else None,
                 label=f"write {frame.name.lstrip('/')}",
-                notes=(f"it is the value of {frame.parameter}; tf, which older releases of many nodes use, takes the / off",),
+                notes=(f"it is the value of {frame.parameter}; tf, which older releases of many nodes use, takes the / off", *([OLDER] if old else [])),
                 help=f"write {frame.name.lstrip('/')}",
                 topic=frame.name,
-                cause=f"{instance.program} {place.source.path}",
+                cause=f"{node.source.path} {node.span.start} {instance.name} {instance.program}",
             )

@@ -1,6 +1,6 @@
 """Two tests of one launch have the same `test-name`.
 
-What it does: it compares the `test-name` of all tests that rostest would run together, includes counted in.
+What it does: it compares the `test-name` of all tests that rostest would run together, includes counted in. All that share one name are told as one.
 
 ## Why it matters
 
@@ -26,52 +26,71 @@ rostest tells tests apart by their `test-name` alone. Where two share one it run
 
 ## Fix
 
-`--unsafe-fixes` puts a number behind the second `test-name`: rostest runs both then.
+`--unsafe-fixes` gives each test but the first its `name` as `test-name` where these differ, and else a number behind it: rostest runs them
+all then.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Node
-from launchlint.rules.edits import fix, is_literal, set_value, spot
+from launchlint.rules.edits import Edits, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
-from launchlint.source import Origin
+from launchlint.source import Origin, Place
 
 RULE = Rule("LL311", "duplicate-test-name", Severity.WARNING, fixable="unsafe")
+MOST_NAMED = 4
 
 
 def check(view: LaunchView) -> Iterator[Finding]:
-    """Yield one finding for each test whose test-name an earlier one has (rostest.runner.createUnitTest)."""
-    first_of: dict[str, Node] = {}
+    """Yield one finding for each test-name that several tests have, at the second of them (rostest.runner.createUnitTest)."""
+    known: dict[str, list[Node]] = {}
     for test in view.launch.tests:
         name = test.test_name
-        if not name or "test-name" in test.unknown or any(condition.assumed for condition in test.conditions):
-            continue
-        first = first_of.setdefault(name, test)
-        if first is test:
-            continue
-        place = test.attributes.get("test-name", test.origin.place)
-        here = first.origin.place == test.origin.place
-        related = () if here else ((first.attributes.get("test-name", first.origin.place), "the first one"),)
-        yield RULE.at(
-            Origin(place, test.origin.step),
-            f"two tests have the test-name {name}",
-            label="its file is included twice" if here else "the second one",
-            related=related,
-            notes=(f"rostest runs neither and fails with: Duplicate tests named [{name}] in rostest suite",),
-            help="give each test a test-name of its own",
-            fix=None if here else _fix(test, name, view),
-        )
+        if name and "test-name" not in test.unknown and not any(condition.assumed for condition in test.conditions):
+            known.setdefault(name, []).append(test)
+    for name, tests in known.items():
+        if len(tests) > 1:
+            yield _finding(name, tests, view)
 
 
-def _fix(test: Node, name: str, view: LaunchView) -> Fix | None:
-    """The second test gets a number behind its test-name, the first one that no test here has."""
-    place = test.attributes.get("test-name")
-    if place is None or not is_literal(place, name):
+def _finding(name: str, tests: Sequence[Node], view: LaunchView) -> Finding:
+    first, second, *_ = tests
+    here = _place(second)
+    words = {_place(test): "another one" for test in tests[2:]} | {_place(first): "the first one"}
+    words.pop(here, None)
+    return RULE.at(
+        Origin(here, second.origin.step),
+        f"{'two' if len(tests) == 2 else len(tests)} tests have the test-name {name}",
+        label="its file is included twice" if here == _place(first) else "the second one",
+        related=tuple(sorted(words.items(), key=lambda item: item[1], reverse=True)),
+        notes=(f"rostest runs none of them and fails with: Duplicate tests named [{name}] in rostest suite",),
+        help="give each test a test-name of its own",
+        fix=_fix(name, tests, view),
+    )
+
+
+def _place(test: Node) -> Place:
+    return test.attributes.get("test-name", test.origin.place)
+
+
+def _fix(name: str, tests: Sequence[Node], view: LaunchView) -> Fix | None:
+    """All but the first get other test-names; none where one element stands for two of them, or its test-name is computed."""
+    places = [_place(test) for test in tests]
+    if len(set(places)) < len(places) or not all(is_literal(place, name) for place in places[1:]):
         return None
     taken = {each.test_name for each in view.launch.tests}
-    new = next(each for number in range(2, len(taken) + 3) if (each := f"{name}_{number}") not in taken)
-    return fix(f"call the second {new}", set_value(spot(view, place), new), safe=False, changes=f"rostest runs both, the second as {new}")
+    new = [test.name for test in tests[1:]]
+    if not all(new) or len({tests[0].name, *new}) < len(tests) or taken.intersection(new):
+        numbered = (f"{name}_{number}" for number in range(2, len(taken) + len(tests) + 2))
+        free = (each for each in numbered if each not in taken)
+        new = [next(free) for _ in tests[1:]]
+    changed: list[Edits] = [set_value(spot(view, place), each) for place, each in zip(places[1:], new, strict=True)]
+    if not all(changed):
+        return None
+    listed = ", ".join(new[:MOST_NAMED]) + (" …" if len(new) > MOST_NAMED else "")
+    who = "the second" if len(tests) == 2 else "the others"
+    return fix(f"call {who} {listed}", tuple(edit for edits in changed for edit in edits), safe=False, changes=f"rostest runs all of them, {who} as {listed}")

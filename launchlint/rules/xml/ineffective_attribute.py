@@ -1,7 +1,8 @@
 """Something that is accepted and does nothing.
 
 A `respawn_delay` without `respawn="true"` or below zero, `required` on a `<test>`, `if` or `unless` on `<launch>`, a
-`<group>` without anything in it, and a `<rosparam>` with neither a file nor text.
+`<group>` without anything in it, and a `<rosparam>` with neither a file nor text. A group in which everything is commented out is an
+info: somebody keeps it as a place for that.
 
 ## Why it matters
 
@@ -31,11 +32,12 @@ is done.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
-from launchlint.rules.edits import fix, remove_attribute, remove_element, spot
+from launchlint.rules.edits import Spot, fix, remove_attribute, remove_element, spot
 from launchlint.rules.rule import Rule
 
 RULE = Rule("LL113", "ineffective-attribute", Severity.WARNING, fixable="safe")
@@ -59,19 +61,43 @@ WORDS = {
         "nothing in it",
         "remove it; if it is meant to close a scope, move the elements it is for into it",
     ),
+    "commented-out-group": (
+        "all that this <group> holds is commented out",
+        "nothing that counts",
+        "nothing needs to be done while it is to come back; else remove the group, too",
+    ),
     "empty-rosparam": ("this <rosparam> loads nothing", "neither file nor text", 'add file="…" or YAML text, or remove it'),
 }
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
     """Say why it does nothing; facts: ``tag``, ``attribute``, ``reason``."""
-    message, label, advice = (words.format(attribute=problem.facts["attribute"]) for words in WORDS[problem.facts["reason"]])
-    yield RULE.at(problem.origin, message, label=label, help=advice, topic=problem.facts["reason"], fix=_fix(problem, view))
-
-
-def _fix(problem: Problem, view: object) -> Fix | None:
-    reason = problem.facts["reason"]
     at = spot(view, problem.place)
+    reason: str = problem.facts["reason"]
+    kept = reason == "empty-group" and _is_commented_out(at)
+    message, label, advice = (
+        words.format(attribute=problem.facts["attribute"]) for words in WORDS["commented-out-group" if kept else reason]
+    )
+    yield RULE.at(
+        problem.origin,
+        message,
+        severity=Severity.INFO if kept else None,
+        label=label,
+        help=advice,
+        topic=reason,
+        fix=_fix(reason, at),
+    )
+
+
+def _is_commented_out(at: Spot | None) -> bool:
+    """Whether a comment of an element without children holds XML."""
+    if at is None:
+        return False
+    inside = at.document.place(at.element.span).text[at.element.start_span.end - at.element.span.start :]
+    return re.search(r"<[A-Za-z]", inside) is not None
+
+
+def _fix(reason: str, at: Spot | None) -> Fix | None:
     if reason == "required-on-test":
         return fix("remove required", remove_attribute(at), safe=True)
     if reason == "empty-group" and at is not None and "<!--" not in at.document.place(at.element.span).text:
