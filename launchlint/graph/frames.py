@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from launchlint.graph.names import Namer
+from launchlint.graph.names import Namer, absolute
 from launchlint.graph.situation import Start
 from launchlint.library.condition import holds
 from launchlint.library.program import Program
@@ -23,6 +23,7 @@ class Frame(NamedTuple):
         through: ``tf`` or ``tf2`` where the name goes there just as it is.
         urdf: full name of the param whose URDF says the names; then ``name`` is empty.
         certain: whether it is so whenever the node runs.
+        upon: of a child, the topic (full name, before remapping) after whose messages alone the transform is published; else empty.
     """
 
     role: str
@@ -32,6 +33,7 @@ class Frame(NamedTuple):
     through: str = ""
     urdf: str = ""
     certain: bool = True
+    upon: str = ""
 
 
 def frames(program: Program, start: Start, namer: Namer, *, certain: bool) -> Iterator[Frame]:
@@ -55,6 +57,7 @@ def frames(program: Program, start: Start, namer: Namer, *, certain: bool) -> It
                 declared.through,
                 namer.resolve(declared.urdf).name if declared.urdf else "",
                 certain and known is True and len(variants) == 1,
+                absolute(declared.upon, namer.namespace, namer.node) if declared.upon else "",
             )
 
 

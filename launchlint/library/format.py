@@ -93,7 +93,7 @@ _QUEUE: Mapping[str, Shape] = {"queue": Number(), "transport": Text(("image",))}
 _VALUE_TYPES = ("*", "bool", "int", "double", "str", "list", "dict")
 
 INTERFACES: Mapping[str, Keys] = {
-    "publishers": Keys("a publisher", {**_TYPED, "latched": Flag(), **_QUEUE, **_WHEN}, ("name",)),
+    "publishers": Keys("a publisher", {**_TYPED, "latched": Flag(), "by_hand": Flag(), **_QUEUE, **_WHEN}, ("name",)),
     "subscribers": Keys("a subscriber", {**_TYPED, **_QUEUE, **_WHEN}, ("name",)),
     "services": Keys("a service", {**_TYPED, **_WHEN}, ("name",)),
     "clients": Keys("a service client", {**_TYPED, **_WHEN}, ("name",)),
@@ -110,6 +110,7 @@ INTERFACES: Mapping[str, Keys] = {
             "role": Text(("child", "used", "label")),
             "parent": Text(syntax="frame"),
             "urdf": Text(syntax="name"),
+            "upon": Text(syntax="name"),
             "through": Text(("tf", "tf2")),
             "condition": Rule("condition"),
             "evidence": Items(EVIDENCE),

@@ -31,6 +31,7 @@ class Declaration(NamedTuple):
     default: Any = None
     evidence: tuple[Mapping[str, str], ...] = ()
     removed: Mapping[str, str] | None = None
+    by_hand: bool = False
 
 
 class FrameDeclaration(NamedTuple):
@@ -45,6 +46,7 @@ class FrameDeclaration(NamedTuple):
     urdf: str = ""
     through: str = ""
     condition: Any = None
+    upon: str = ""
 
 
 class Variant(NamedTuple):
@@ -95,7 +97,7 @@ def _variant(name: str, data: Mapping[str, Any]) -> Variant:
 
 def _frame(entry: Mapping[str, Any]) -> FrameDeclaration:
     parent, urdf, through = (entry.get(key, "") for key in ("parent", "urdf", "through"))
-    return FrameDeclaration(entry["name"], entry["role"], parent, urdf, through, entry.get("condition"))
+    return FrameDeclaration(entry["name"], entry["role"], parent, urdf, through, entry.get("condition"), entry.get("upon", ""))
 
 
 def _declaration(category: str, entry: Mapping[str, Any]) -> Declaration:
@@ -113,4 +115,5 @@ def _declaration(category: str, entry: Mapping[str, Any]) -> Declaration:
         entry.get("default"),
         tuple(entry.get("evidence", ())),
         entry.get("removed"),
+        entry.get("by_hand", False),
     )

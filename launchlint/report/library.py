@@ -149,12 +149,16 @@ def notes(category: str, entry: Mapping[str, Any]) -> Iterator[str]:
         yield entry["role"]
     if entry.get("latched"):
         yield "latched"
+    if entry.get("by_hand"):
+        yield "while a person acts"
     if "transport" in entry:
         yield "by image_transport"
     if "parent" in entry:
         yield f"under {entry['parent']}"
     if "urdf" in entry:
         yield f"each link of the URDF in {entry['urdf']}"
+    if "upon" in entry:
+        yield f"upon a message on {entry['upon']}"
     if "through" in entry:
         yield f"through {entry['through']}"
     if "default" in entry:

@@ -3,8 +3,8 @@
 What it does: it looks for topics that command something (`cmd_vel`, `cmd`, `command` and the like) with two or more publishers of
 different nodes. Publishers that may or may not be there do not count, and neither does a second relay of the same input. Only the
 publishers of that very topic count: behind a mux there is one. Trajectories do not count, whatever the topic is called: nodes take turns
-in sending those. It is an info where all but one are silent until somebody holds a button of the joystick (a dead-man
-switch): that is how a person takes over from a planner.
+in sending those. It is an info where all but one are silent until a person acts, who takes over from a planner so: by holding a button of
+the joystick (a dead-man switch), or by pressing a key, for programs of which the library says that they send nothing else.
 
 ## Why it matters
 
@@ -16,7 +16,9 @@ commands, or does not stop when one of them says so.
 ```xml
 <launch>
   <node pkg="turtlesim" type="turtlesim_node" name="turtle"/>
-  <node pkg="turtlesim" type="turtle_teleop_key" name="teleop"/>
+  <node pkg="turtlebot3_teleop" type="turtlebot3_teleop_key" name="teleop">
+    <remap from="cmd_vel" to="turtle1/cmd_vel"/>
+  </node>
   <node pkg="turtlesim" type="draw_square" name="square"/>
 </launch>
 ```
@@ -26,8 +28,8 @@ commands, or does not stop when one of them says so.
 ```xml
 <launch>
   <node pkg="turtlesim" type="turtlesim_node" name="turtle"/>
-  <node pkg="turtlesim" type="turtle_teleop_key" name="teleop">
-    <remap from="turtle1/cmd_vel" to="teleop/cmd_vel"/>
+  <node pkg="turtlebot3_teleop" type="turtlebot3_teleop_key" name="teleop">
+    <remap from="cmd_vel" to="teleop/cmd_vel"/>
   </node>
   <node pkg="turtlesim" type="draw_square" name="square">
     <remap from="turtle1/cmd_vel" to="square/cmd_vel"/>
@@ -87,6 +89,13 @@ def _sources(channel: Channel, known: Owners) -> list[Endpoint]:
     return list(found.values())
 
 
+def _by_hand(source: Endpoint, instance: Instance, graph: ConnectionGraph) -> str:
+    """What a person does while the node commands; empty where it does so on its own."""
+    if source.declaration.by_hand:
+        return "presses keys"
+    return "holds a button of the joystick" if _is_held(instance, graph) else ""
+
+
 def _is_held(source: Instance, graph: ConnectionGraph) -> bool:
     """Whether the node hears a joystick and commands only while somebody holds a button of it."""
     if not any(each.role == "subscriber" and each.type == JOYSTICK for each in source.endpoints):
@@ -102,13 +111,14 @@ def _is_held(source: Instance, graph: ConnectionGraph) -> bool:
 
 def _finding(channel: Channel, sources: list[Endpoint], known: Owners, graph: ConnectionGraph) -> Finding:
     first, *_, last = sources
-    held = [source.node for source in sources if _is_held(known[id(source)], graph)]
-    taking_over = len(sources) - len(held) <= 1
+    ways = {source.node: way for source in sources if (way := _by_hand(source, known[id(source)], graph))}
+    taking_over = len(sources) - len(ways) <= 1
     names = ", ".join(sorted(source.node for source in sources)[:4]) + (" …" if len(sources) > 4 else "")
     heard = next((use.node for use in channel.uses if use.certain), "")
     notes = [f"{heard} obeys all of them"] if heard else []
     if taking_over:
-        notes.append(f"{held[0]} commands only while somebody holds a button of the joystick")
+        node, way = next(iter(ways.items()))
+        notes.append(f"{node} commands only while somebody {way}")
     notes += [words for words in (how(source, known[id(source)]) for source in (first, last)) if words]
     return RULE.at(
         acting_origin(last, known[id(last)]),

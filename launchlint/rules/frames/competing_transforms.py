@@ -3,7 +3,8 @@
 What it does: it compares the frames whose transforms the nodes publish, as far as that is known for certain: those of the
 `static_transform_publisher`s of tf and tf2_ros, of localizers and SLAM nodes that the library knows (map → odom), and of the fixed
 joints of a plain URDF that a `robot_state_publisher` gets. It is an error where two static publishers hang one frame below two parents,
-an info where they say the same twice, and a warning elsewhere. Nodes whose `/tf` is remapped apart do not meet, and with a `tf_prefix` in
+an info where they say the same twice, or where one of the two is published upon a message that nothing in the launch sends, and a warning
+elsewhere. Nodes whose `/tf` is remapped apart do not meet, and with a `tf_prefix` in
 the launch the rule is silent.
 
 ## Why it matters
@@ -35,7 +36,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.graph.connections import Instance
+from launchlint.graph.connections import ConnectionGraph, Instance
 from launchlint.rules.frames.published import STATIC, Published, has_prefix, published
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
@@ -57,10 +58,17 @@ def check(view: GraphView) -> Iterator[Finding]:
         first = group[0]
         for other in group[1:]:
             if other.instance is not first.instance:
-                yield _finding(first, other)
+                yield _finding(first, other, _unheard(first, graph) or _unheard(other, graph))
 
 
-def _finding(first: Published, other: Published) -> Finding:
+def _unheard(one: Published, graph: ConnectionGraph) -> str:
+    """What the transform waits for, where nothing that is known to be in the launch sends it."""
+    channel = graph.channels.get(("topic", one.upon)) if one.upon else None
+    waits = one.upon and (channel is None or not channel.offers)
+    return f"{one.instance.name} publishes it only upon a message on {one.upon}, which nothing here sends" if waits else ""
+
+
+def _finding(first: Published, other: Published, unheard: str) -> Finding:
     static = {first.instance.program, other.instance.program} <= STATIC
     severity, effect = Severity.WARNING, f"both say where {other.child} is in {other.parent}, and the one heard last wins"
     if first.parent != other.parent:
@@ -68,13 +76,15 @@ def _finding(first: Published, other: Published) -> Finding:
         effect = f"{first.instance.name} puts it below {first.parent}, {other.instance.name} below {other.parent}: a frame has one parent"
     elif static and first.instance.node.arguments.split() == other.instance.node.arguments.split():
         severity, effect = Severity.INFO, "they say the same: one of them is enough"
+    if unheard and severity is Severity.WARNING:
+        severity = Severity.INFO
     return RULE.at(
         _place(other.instance),
         f"{first.instance.name} publishes the transform of the frame {other.child}, too",
         severity=severity,
         label=f"publishes {other.parent} → {other.child}",
         related=((_place(first.instance).place, f"publishes {first.parent} → {first.child}"),),
-        notes=(effect,),
+        notes=(effect, *([unheard] if unheard else [])),
         help="start only one of them, or give each a frame of its own",
         topic=other.child,
     )

@@ -24,7 +24,7 @@ TOPICS = ("/tf", "/tf_static")
 class Published(NamedTuple):
     """A transform that ``instance`` publishes. ``topic`` is where, without ``_static``; frames have no ``/`` before them.
 
-    ``certain``: it is published whenever the node runs and has what it needs.
+    ``certain``: it is published whenever the node runs and has what it needs. ``upon``: the topic without whose messages it is not.
     """
 
     instance: Instance
@@ -32,6 +32,7 @@ class Published(NamedTuple):
     parent: str
     child: str
     certain: bool
+    upon: str = ""
 
 
 def bare(frame: str) -> str:
@@ -56,7 +57,13 @@ def published(graph: ConnectionGraph) -> Iterator[Published]:
                 for child, joint in (description(graph, frame) or {}).items():
                     yield Published(instance, topic(instance), bare(joint.parent), bare(child), frame.certain and joint.fixed)
             elif frame.name and frame.parent:
-                yield Published(instance, topic(instance), bare(frame.parent), bare(frame.name), frame.certain)
+                yield Published(instance, topic(instance), bare(frame.parent), bare(frame.name), frame.certain, _heard(instance, frame))
+
+
+def _heard(instance: Instance, frame: Frame) -> str:
+    """The topic after whose messages a transform is published, after remapping."""
+    heard = (each.name for each in instance.endpoints if each.role == "subscriber" and each.unremapped == frame.upon)
+    return next(heard, "") if frame.upon else ""
 
 
 def topic(instance: Instance) -> str:
