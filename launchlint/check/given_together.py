@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from launchlint.finding import Finding, Key, Severity
+from launchlint.check.known import Known
+from launchlint.finding import Finding, Severity
 from launchlint.rules.view import EntrySummary
 
 BOOLEANS = ("true", "false", "1", "0")
@@ -22,15 +23,12 @@ if TYPE_CHECKING:
     Calls: TypeAlias = dict[str, list[tuple[str, Mapping[str, str]]]]
 
 
-def judged_by_callers(findings: Iterable[Finding], by_default: set[Key], entries: Sequence[EntrySummary]) -> Iterator[Finding]:
-    """``findings``, those as information that only a combination of args shows which no launch file here gives.
-
-    ``by_default`` are the findings that some entry file shows as it is.
-    """
+def judged_by_callers(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
+    """``findings``, those as information that only a combination of args shows which no launch file here gives."""
     calls: Calls | None = None
     for finding in findings:
-        if finding.severity is Severity.ERROR and finding.key not in by_default and _has_text(finding):
-            calls = _calls(entries) if calls is None else calls
+        if finding.severity is Severity.ERROR and finding.key not in known.by_default and _has_text(finding):
+            calls = _calls(known.entries) if calls is None else calls
             caller = _caller(finding, calls)
             if caller is not None:
                 given = " ".join(f"{name}:={value}" for name, value in finding.arguments)

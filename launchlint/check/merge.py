@@ -8,12 +8,11 @@ from typing import NamedTuple
 
 from launchlint.check.entry import EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult, run_rule
-from launchlint.check.given_elsewhere import judged_by_givers
-from launchlint.check.given_together import judged_by_callers
 from launchlint.check.ignores import PerFileIgnores
+from launchlint.check.judges import judged
+from launchlint.check.known import Known
 from launchlint.check.options import Options
 from launchlint.check.ours import Ours
-from launchlint.check.unregistered import judged_by_marker, judged_by_registration
 from launchlint.finding import Finding, Key, Severity
 from launchlint.order import ordered
 from launchlint.rules.registry import RULES, find
@@ -79,7 +78,6 @@ def merge(
         for key, finding in findings.items()
         if Fine(finding.rule, finding.location.path, finding.location.start) not in fine
     ]
-    collected = list(judged_by_callers(collected, by_default, [result.summary for result in entries]))
     own = {finding.key for finding in collected}
     for file in files.values():
         evaluated = visited.get(file.path, set())
@@ -90,9 +88,7 @@ def merge(
             if guard is not None and guard not in evaluated and finding.severity is Severity.ERROR:
                 finding = finding._replace(severity=Severity.WARNING, notes=(*finding.notes, NEVER_EVALUATED))
             collected.append(finding)
-    collected = list(judged_by_registration(collected, reached, packages, options.root))
-    collected = list(judged_by_marker(collected, packages, options.root))
-    collected = list(judged_by_givers(collected, packages, options.root))
+    collected = judged(collected, Known(packages, options.root, reached, by_default, tuple(result.summary for result in entries)))
     if workspace:
         view = RunView(tuple(result.summary for result in results), packages, options.root, tuple(map(os.path.abspath, asked)))
         for rule in RULES:

@@ -12,7 +12,7 @@ from launchlint.library.inspection import inspect
 from tests.library.samples import publishers
 
 TOP = '{"format": "launchlint-library", "version": 1, "packages": '
-KEYS_OF_A_PUBLISHER = "name, type, md5, latched, queue, transport, when, condition, each, evidence"
+KEYS_OF_A_PUBLISHER = "name, type, md5, latched, by_hand, queue, transport, when, condition, each, evidence"
 
 
 def told(marked: str) -> tuple[str, str]:

@@ -54,7 +54,6 @@ from launchlint.rules.view import FileView
 from launchlint.syntax.tree import Comment, Document, Element
 
 NO_EFFECT = "a value that is given for it has no effect"
-NAME = re.compile(r"the arg (\S+) is never read")
 _MOST_ALIKE = 40
 """Args by which copies of a file are recognised; each finding carries them."""
 RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
@@ -119,7 +118,7 @@ def check(view: FileView) -> Iterator[Finding]:
 def together(findings: Sequence[Finding]) -> Finding:
     """The args of one cause, by their names."""
     result = joined(findings)
-    names = list(dict.fromkeys(match[1] for match in map(NAME.match, (finding.message for finding in findings)) if match))
+    names = list(dict.fromkeys(map(name_of, findings)))
     if len(names) < 2:
         return result
     more = f" and {len(names) - 4} more" if len(names) > 4 else ""
@@ -127,6 +126,11 @@ def together(findings: Sequence[Finding]) -> Finding:
         message=f"{len(names)} args are never read: {', '.join(names[:4])}{more}",
         help="remove them here and in the includes that pass them, or use them as $(arg …)",
     )
+
+
+def name_of(finding: Finding) -> str:
+    """The arg that a finding of this rule is about: it stands at the name."""
+    return finding.element
 
 
 def _why_idle(name: str, elements: list[Element], in_comments: set[str]) -> str:

@@ -60,7 +60,10 @@ def check(view: GraphView) -> Iterator[Finding]:
                 f"{instance.program} gives the frame {frame.name} to tf2, which refuses names that begin with a /",
                 severity=Severity.INFO if old else None,
                 label=f"write {frame.name.lstrip('/')}",
-                notes=(f"it is the value of {frame.parameter}; tf, which older releases of many nodes use, takes the / off", *([OLDER] if old else [])),
+                notes=(
+                    f"it is the value of {frame.parameter}; tf, which older releases of many nodes use, takes the / off",
+                    *([OLDER] if old else []),
+                ),
                 help=f"write {frame.name.lstrip('/')}",
                 topic=frame.name,
                 cause=f"{node.source.path} {node.span.start} {instance.name} {instance.program}",

@@ -1,6 +1,7 @@
 """Two tests of one launch have the same `test-name`.
 
-What it does: it compares the `test-name` of all tests that rostest would run together, includes counted in. All that share one name are told as one.
+What it does: it compares the `test-name` of all tests that rostest would run together, includes counted in. All that share one name are
+told as one.
 
 ## Why it matters
 
@@ -93,4 +94,5 @@ def _fix(name: str, tests: Sequence[Node], view: LaunchView) -> Fix | None:
         return None
     listed = ", ".join(new[:MOST_NAMED]) + (" …" if len(new) > MOST_NAMED else "")
     who = "the second" if len(tests) == 2 else "the others"
-    return fix(f"call {who} {listed}", tuple(edit for edits in changed for edit in edits), safe=False, changes=f"rostest runs all of them, {who} as {listed}")
+    edits = tuple(edit for each in changed for edit in each)
+    return fix(f"call {who} {listed}", edits, safe=False, changes=f"rostest runs all of them, {who} as {listed}")

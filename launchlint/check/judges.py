@@ -1,0 +1,27 @@
+"""The judges: each looks at the findings of a whole run, and lowers the level of those that matter less than a single file shows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+from launchlint.check.given_elsewhere import judged_by_givers
+from launchlint.check.given_together import judged_by_callers
+from launchlint.check.known import Known
+from launchlint.check.retired import judged_by_place
+from launchlint.check.unregistered import judged_by_marker, judged_by_registration
+from launchlint.finding import Finding
+
+JUDGES: tuple[Callable[[Iterable[Finding], Known], Iterator[Finding]], ...] = (
+    judged_by_callers,
+    judged_by_registration,
+    judged_by_marker,
+    judged_by_place,
+    judged_by_givers,
+)
+
+
+def judged(findings: Iterable[Finding], known: Known) -> list[Finding]:
+    """``findings`` in the same order, at the levels that all judges leave them."""
+    for judge in JUDGES:
+        findings = judge(findings, known)
+    return list(findings)

@@ -1,0 +1,62 @@
+"""Which directories are for what somebody put aside, and what becomes of findings in them."""
+
+import pytest
+
+from launchlint.check.known import Known
+from launchlint.check.retired import judged_by_place
+from launchlint.finding import Finding, Location, Severity
+from launchlint.rules.view import EntrySummary
+from launchlint.workspace.packages import Packages
+
+
+def severity(path: str, *, included: tuple[str, ...] = (), entry: str = "launch/robot.launch", seen_by: str = "") -> Severity:
+    """The level of an error in ``path`` after it has been judged; ``entry`` includes ``included``, and ``seen_by`` shows the error."""
+    finding = Finding("LL101", "malformed-xml", Severity.ERROR, Location(path, 1, 1, 1, 2, 0, 1, "x"), "broken")
+    reached = {finding.key: {seen_by}} if seen_by else {}
+    known = Known(Packages((), {}, explicit=True), "", reached, set(), (EntrySummary(entry, False, included, (), ()),))
+    (judged,) = judged_by_place([finding], known)
+    assert bool(judged.notes) == (judged.severity is not finding.severity)
+    return judged.severity
+
+
+@pytest.mark.parametrize(
+    "directory",
+    [
+        "old",
+        "Deprecated",
+        "launch/obsolete",
+        "src/archive",
+        "backup",
+        "worlds_backup",
+        "launch.bak",
+        "unused",
+        "old_launch_files",
+        "x-deprecated",
+    ],
+)
+def test_directories_for_what_was_put_aside(directory: str) -> None:
+    assert severity(f"{directory}/robot.launch") is Severity.INFO
+
+
+@pytest.mark.parametrize("directory", ["launch", "backup_camera", "archive_tools", "household", "oldenburg", "threshold", "robot.old.d"])
+def test_directories_for_what_is_used(directory: str) -> None:
+    assert severity(f"{directory}/robot.launch") is Severity.ERROR
+
+
+def test_a_file_called_old_lies_in_no_such_directory() -> None:
+    assert severity("launch/old") is Severity.ERROR
+
+
+def test_what_others_include_is_used() -> None:
+    assert severity("old/part.launch", included=("old/part.launch",)) is Severity.ERROR
+    assert severity("old/part.launch", included=("old/part.launch",), entry="old/all.launch") is Severity.INFO
+
+
+def test_what_an_entry_elsewhere_shows_matters() -> None:
+    assert severity("old/params.yaml", seen_by="launch/robot.launch") is Severity.ERROR
+    assert severity("old/params.yaml", seen_by="old/robot.launch") is Severity.INFO
+
+
+def test_a_package_is_used_where_a_file_of_it_is() -> None:
+    assert severity("old/robot/package.xml", included=("old/robot/launch/a.launch",)) is Severity.ERROR
+    assert severity("old/robot/package.xml", included=("old/robots/launch/a.launch",)) is Severity.INFO
