@@ -34,7 +34,8 @@ The remap does nothing, nobody says so, and the node goes on talking under the n
 
 ## Fix
 
-`--unsafe-fixes` swaps `from` and `to`, or writes the name of the node that the help proposes.
+`--unsafe-fixes` removes the remap where the node uses the name in `to` anyhow, or where another remap does already what was meant; it swaps
+`from` and `to` where some other node of the launch uses the name in `from`; else it writes the name of the node that the help proposes.
 """
 
 from __future__ import annotations
@@ -47,7 +48,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, kind
 from launchlint.model import Remap
-from launchlint.rules.edits import fix, set_value, spot
+from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.remaps.own_names import OwnNames, own_names
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
@@ -57,6 +58,7 @@ from launchlint.spelling import closest, one_slip
 RULE = Rule("LL601", "remap-matches-nothing", Severity.WARNING, fixable="unsafe")
 UNIVERSAL = ("~get_loggers", "~set_logger_level", "/rosout", "/clock", "/use_sim_time", "/statistics")
 """Names that every node has (roscpp, rospy)."""
+REMOVE = "remove it"
 _PROPOSED = re.compile(r'from="([^"]+)"(?: to="([^"]+)")?')
 _MOST_NAMES = 6
 _MOST_CANDIDATES = 300
@@ -164,8 +166,10 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
 
 
 def _fix(origin: Origin, help_: str, view: GraphView) -> Fix | None:
-    """The names that :func:`_help` proposes for ``from``, or for both sides."""
+    """What :func:`_help` proposes: the remap goes, or ``from`` gets another name, or both sides do."""
     at = spot(view, origin.place)
+    if at is not None and help_.startswith(REMOVE) and at.element.tag.lower() == "remap":
+        return fix("remove the remap", remove_element(at), safe=False, changes="the same, without a remap that matches nothing")
     match = _PROPOSED.search(help_)
     if match is None or at is None or at.element.tag.lower() != "remap" or any("$" in each.raw for each in at.element.attributes.values()):
         return None
@@ -232,23 +236,34 @@ def _help(miss: _Miss, written: str) -> str:
     spelled = names.spelled
     turned = _reversed(miss)
     if turned is not None and source not in HUBS:
-        return f'if from and to are swapped, write from="{turned}" to="{written}"; else remove it, since {turned} is the name in the code'
+        swapped = f'write from="{turned}" to="{written}"'
+        if any((kind_, source) in miss.graph.channels for kind_ in ("topic", "service", "action")):
+            return f"if from and to are swapped, {swapped}; else remove it, since {turned} is the name in the code"
+        return f"{REMOVE}: {turned} is the name in the code, which the node uses anyhow; if from and to are swapped, {swapped}"
     inside = sorted(spelled[full] for full in spelled if full.startswith(f"{source}/"))
     if inside:
         return f"a remap does not reach below a name: remap {_listed(inside)} one by one"
     if _is_harmless(miss):
         anyhow = miss.applied.target if miss.applied.target in names.used else _as_wanted(miss)
-        return "remove it" if anyhow is None else f"remove it: {anyhow} is the name that the node uses anyhow"
+        return REMOVE if anyhow is None else f"{REMOVE}: {anyhow} is the name that the node uses anyhow"
     bare, namer = written.lstrip("~/"), miss.instance.namer
     for other, what in ((f"~{bare}", "private"), (bare, "relative"), (f"/{bare}", "global")):
         found = spelled.get(absolute(other, namer.namespace, namer.node)) if bare else None
         if found is not None:
-            return f'the name of the node is {what}: write from="{found}"'
+            full = absolute(other, namer.namespace, namer.node)
+            return _done_by_another(miss, full) or f'the name of the node is {what}: write from="{found}"'
     if len(spelled) > _MOST_CANDIDATES:
         return ""
     own = {full: name for full, name in spelled.items() if full not in names.derived}
     near = closest(source, own) or _same_end(source, own)
-    return "" if near is None else f'did you mean from="{spelled[near]}"?'
+    return "" if near is None else _done_by_another(miss, near) or f'did you mean from="{spelled[near]}"?'
+
+
+def _done_by_another(miss: _Miss, name: str) -> str:
+    """What to do where another remap of the node acts on ``name`` (full), which this one would act on once it is corrected; else empty."""
+    others = miss.instance.namer.remappings.values()
+    other = next((each for each in others if each is not miss.applied and each.source == name), None)
+    return "" if other is None else f"{REMOVE}: another remap leads {miss.names.spelled[name]} to {other.target} already"
 
 
 def _same_end(source: str, spelled: Mapping[str, str]) -> str | None:
