@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from launchlint.workspace.container_homes import Homes
     from launchlint.workspace.distributions import Distributions
     from launchlint.workspace.environment_hooks import Hooks
+    from launchlint.workspace.launch_files import LaunchFiles
     from launchlint.workspace.mentions import Mentions
     from launchlint.workspace.variables import Variables
 
@@ -169,6 +170,7 @@ class Packages:
         self._arg_uses: ArgUses | None = None
         self._distributions: Distributions | None = None
         self._homes: Homes | None = None
+        self._launch_files: LaunchFiles | None = None
 
     def get(self, name: str, near: str) -> Package | None:
         """The package called ``name`` as a launch file at ``near`` gets it; ``None`` where there is none.
@@ -305,6 +307,16 @@ class Packages:
             self._arg_uses = read_arg_uses(self.workspaces)
         note(self._arg_uses.looked)
         return self._arg_uses
+
+    def launch_files(self, name: str) -> tuple[str, ...]:
+        """The launch files (absolute) of the workspaces that are called ``name``, whatever directory they lie in."""
+        from launchlint.workspace.launch_files import read_launch_files
+        from launchlint.workspace.looking import note
+
+        if self._launch_files is None:
+            self._launch_files = read_launch_files(self.workspaces)
+        note(self._launch_files.looked)
+        return self._launch_files.known.get(name, ())
 
     def container_users(self) -> frozenset[str]:
         """The users whose home directories the containers of the workspaces have."""

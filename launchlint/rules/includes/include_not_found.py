@@ -44,7 +44,8 @@ roslaunch reads every include before it starts the first node, and stops at one 
 ## Fix
 
 `--fix` writes `$(dirname)/` before a plain name that exists beside the including file: roslaunch finds it then wherever it is started.
-`--unsafe-fixes` writes the similar name that the help proposes.
+`--unsafe-fixes` writes the name that the help proposes: a similar one beside it or in its package, or the file of that very name in another
+package, where there is only one. A file that is included there anyhow is never proposed.
 """
 
 from __future__ import annotations
@@ -72,6 +73,8 @@ RULE = Rule("LL401", "include-not-found", Severity.ERROR, roslaunch="refuses", f
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _MOST_DIRECTORIES = 300
 _MOST_FILES = 5_000
+_MOST_NAMED = 3
+_CORRECT = "correct the name, or create the file"
 
 
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
@@ -145,22 +148,32 @@ def _fix(problem: Problem, view: LaunchView, written: str, name: str, *, sure: b
 
 
 def _suggestion(file: str, source: Source, written: str, view: LaunchView, root: str) -> str:
-    """A launch file of that or a similar name: in the same directory, else in the same package, else beside the including file."""
+    """A launch file of that or a similar name: in the same directory, else in the same package; else one of that name elsewhere.
+
+    Not one that the same file includes anyhow.
+    """
     absolute = posixpath.abspath(file) if posixpath.isabs(file) else posixpath.join(posixpath.dirname(posixpath.abspath(source.file)), file)
     directory, base = posixpath.split(absolute)
-    itself = posixpath.abspath(source.file)
-    near = _close(base, [name for name in _launch_files(directory) if posixpath.join(directory, name) != itself])
+    inside = (each.source for each in view.launch.includes if each.origin.place.source is source)
+    taken = {posixpath.abspath(each.file) for each in (source, *inside) if each is not None}
+    near = _close(base, [name for name in _launch_files(directory) if posixpath.join(directory, name) not in taken])
     package = view.packages.package_of(directory)
-    found = [] if package is None else [each for each in _below(package.directory) if each != itself]
+    found = [] if package is None else [each for each in _below(package.directory) if each not in taken]
     same = [each for each in found if posixpath.basename(each) == base]
     if near is not None and not same and written.endswith(base):
         return f"did you mean {written[: -len(base)]}{near}?"
     if not same:
         nearest = _close(base, sorted({posixpath.basename(each) for each in found}))
         same = [each for each in found if posixpath.basename(each) == nearest]
-    if len(same) != 1 or package is None:
-        return "correct the name, or create the file"
-    if package.name and view.packages.find(package.name, source.file) == package.directory:
+    if not same:
+        same = [each for each in view.packages.launch_files(base) if each not in taken]
+        package = view.packages.package_of(same[0]) if len(same) == 1 else None
+    if len(same) > 1:
+        listed = ", ".join(shown(each, root) for each in same[:_MOST_NAMED]) + (" …" if len(same) > _MOST_NAMED else "")
+        return _CORRECT if posixpath.basename(same[0]) != base else f"{_CORRECT}; there are {listed}"
+    if not same:
+        return _CORRECT
+    if package is not None and package.name and view.packages.find(package.name, source.file) == package.directory:
         return f"did you mean $(find {package.name})/{posixpath.relpath(same[0], package.directory)}?"
     return f"did you mean {shown(same[0], root)}?"
 
