@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, internal_error, run_rule, tell
 from launchlint.check.options import EntryRequest, Options
+from launchlint.check.stops import put_right, stops_everybody
 from launchlint.check.verdict import judged, plainly
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.configurations import configurations
@@ -202,9 +203,13 @@ class EntryChecker:
 
     def _launch_findings(self, evaluation: Evaluation, request: EntryRequest, view: LaunchView) -> Iterator[Finding | Fine]:
         launch = evaluation.launch
+        before: Problem | None = None
         for problem in launch.problems:
             for finding in tell(problem, view, self.options.rules):
-                yield self._at_home(finding, evaluation, assumed=problem.assumed)
+                said = put_right(finding, problem, before, launch, request.arguments)
+                yield self._at_home(said, evaluation, assumed=problem.assumed)
+            if before is None and stops_everybody(problem, view):
+                before = problem
         for rule in self.launch_rules:
             for found in run_rule(rule, view, launch.entry.path):
                 yield found if isinstance(found, Fine) else self._at_home(found, evaluation, assumed=False)

@@ -62,7 +62,9 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
             help=f"if that is meant, remove it, or put it into a comment; else write {off}",
         )
         return
-    near, cause = closest(name, facts["known"]), ""
+    near = closest(name, facts["known"])
+    sure = near is not None and not owners and surely(name, facts["known"]) == near
+    cause = f"{tag} {name} {near} {sure}"
     belongs = f"{name} belongs to {_tags(owners)}" if owners else ""
     advice = f"did you mean {near}?" if near is not None else f"{belongs}: move it there, or remove it" if belongs else "remove it"
     if tag == "rosparam" and name in ("name", "value") and _is_param(spot(view, problem.place)):
@@ -77,9 +79,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         notes=notes,
         help=advice,
         cause=cause,
-        fix=None
-        if near is None
-        else _fix(name, near, sure=not owners and surely(name, facts["known"]) == near, at=spot(view, problem.place)),
+        fix=None if near is None else _fix(name, near, sure=sure, at=spot(view, problem.place)),
     )
 
 

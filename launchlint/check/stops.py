@@ -1,0 +1,37 @@
+"""Where roslaunch really stops: a note that says so is put right where an earlier line, or only another configuration, brings it about."""
+
+from __future__ import annotations
+
+from launchlint.check.file import tell
+from launchlint.check.verdict import ALL_RULES
+from launchlint.finding import Finding, Location, Severity
+from launchlint.model import Launch
+from launchlint.problem import Problem
+
+STOPS, WOULD = "roslaunch stops", "roslaunch would stop"
+
+
+def stops_everybody(problem: Problem, view: object) -> bool:
+    """Whether roslaunch stops at ``problem`` wherever the file is started, and not only for want of something that this machine lacks."""
+    return problem.refused and any(finding.severity is Severity.ERROR for finding in tell(problem, view, ALL_RULES))
+
+
+def put_right(finding: Finding, problem: Problem, before: Problem | None, launch: Launch, asked: tuple[tuple[str, str], ...]) -> Finding:
+    """``finding`` about ``problem`` of ``launch``, where ``before`` is an earlier one that stops everybody.
+
+    ``asked`` are the args it is started with in any case; others are what the search tries.
+    """
+    if not problem.refused or not any(note.startswith(STOPS) for note in finding.notes):
+        return finding
+    if before is not None and before.origin != problem.origin:
+        at = Location.of(before.place)
+        return _with(finding, WOULD, (f"{at.path}:{at.line} stops it before that",))
+    if launch.given and launch.given != asked:
+        given = " ".join(f"{name}:={value}" for name, value in launch.given)
+        return _with(finding, f"with {given} {STOPS}", ())
+    return finding
+
+
+def _with(finding: Finding, words: str, more: tuple[str, ...]) -> Finding:
+    notes = (words + note.removeprefix(STOPS) if note.startswith(STOPS) else note for note in finding.notes)
+    return finding._replace(notes=(*notes, *more))
