@@ -35,13 +35,17 @@ _CLASS_LOADER = re.compile(r"\bClassLoader\s*<")
 
 
 class Assembled(NamedTuple):
-    """The files of a program and which are templates, where their headers are, the plugins it can load, and why there may be more."""
+    """The files of a program and which are templates, where their headers are, the plugins it can load, and why there may be more.
+
+    ``packages`` are those that the packages of its files depend on, and that are not here.
+    """
 
     sources: tuple[str, ...]
     templates: tuple[Template, ...]
     includes: tuple[str, ...]
     plugins: tuple[Plugin, ...]
     doubts: tuple[str, ...]
+    packages: tuple[str, ...]
 
 
 class Parts:
@@ -132,6 +136,11 @@ class Workspace:
                     pending.append(each)
         return tuple(found)
 
+    def absent(self, name: str) -> tuple[str, ...]:
+        """The packages that a package depends on and that are not here."""
+        manifest = self.packages[name].manifest
+        return tuple(each for each in manifest.depends() if each not in self.packages) if manifest is not None else ()
+
     def assemble(self, name: str, target: Target, root: str) -> Assembled:
         """The files of a target of the package ``name``; none of them lies outside ``root``."""
         return _Assembly(self, name, root).of(target)
@@ -160,7 +169,10 @@ class _Assembly:
         self._scan()
         while self._add_plugins():
             self._scan()
-        return Assembled(tuple(self.sources), tuple(self.templates.values()), tuple(self.includes), tuple(self.plugins), tuple(self.doubts))
+        packages = tuple(sorted({each for name in self.packages for each in self.workspace.absent(name)}))
+        return Assembled(
+            tuple(self.sources), tuple(self.templates.values()), tuple(self.includes), tuple(self.plugins), tuple(self.doubts), packages
+        )
 
     def _add_target(self, target: Target, parts: Parts) -> None:
         """A target with the libraries of its package that are linked to it."""

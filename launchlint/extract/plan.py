@@ -28,7 +28,7 @@ class Task(NamedTuple):
     """One program to be read: what a worker needs to know of it.
 
     ``plugins`` are the classes that it can load and whose sources are among its own; ``templates`` are those of its sources that the build
-    fills in.
+    fills in; ``packages`` those that its package depends on, and that are not here.
     """
 
     package: str
@@ -43,6 +43,7 @@ class Task(NamedTuple):
     doubts: tuple[str, ...]
     plugins: tuple[Plugin, ...] = ()
     templates: tuple[Template, ...] = ()
+    packages: tuple[str, ...] = ()
 
 
 class Skipped(NamedTuple):
@@ -207,7 +208,14 @@ class PackageReader:
             return
         task = self._task(kind, name, client, made.sources)
         self.tasks.append(
-            task._replace(entry=entry, includes=made.includes, plugins=made.plugins, doubts=made.doubts, templates=made.templates)
+            task._replace(
+                entry=entry,
+                includes=made.includes,
+                plugins=made.plugins,
+                doubts=made.doubts,
+                templates=made.templates,
+                packages=made.packages,
+            )
         )
 
     def _task(self, kind: str, name: str, client: str, sources: tuple[str, ...]) -> Task:

@@ -78,7 +78,7 @@ def read(task: Task, finder: ModuleFinder) -> Reading:
 def _cpp(task: Task) -> tuple[Sequence[Fact], tuple[Doubt, ...]]:
     from launchlint.extract.cpp import cpp_program
 
-    return cpp_program(task.sources, task.includes, task.origin.root, task.entry or None, task.plugins, task.templates)
+    return cpp_program(task.sources, task.includes, task.origin.root, task.entry or None, task.plugins, task.templates, task.packages)
 
 
 def _bytes(path: str) -> bytes:

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from launchlint.extract.cpp import classes, overloads, ros, standard
-from launchlint.extract.cpp.declarations import Class, Function, joined, without_arguments
+from launchlint.extract.cpp.declarations import Class, Function, joined
+from launchlint.extract.cpp.declarators import without_arguments
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import UNKNOWN_SPACE
 from launchlint.extract.cpp.ros import loading
@@ -23,6 +24,7 @@ from launchlint.extract.cpp.values import (
     Handle,
     Items,
     Null,
+    Number,
     Text,
     Thing,
     Unknown,
@@ -39,6 +41,8 @@ _LONGEST_MACRO = 4_000
 _HARMLESS = re.compile(
     r"^(?:ROS_|NODELET_|ASSERT|EXPECT|assert|DCHECK|CHECK|LOG|VLOG|printf|fprintf|std::cout|TIME|Q_)|(?:_DEBUG|_INFO|_WARN|_ERROR)\b"
 )
+_OF_PARAMS = re.compile(r"[Pp]arams?(?:eters?)?(?![a-z])|PARAM|rosparam|param_utils")
+"""Functions that are called after params read them, and do nothing else with a node handle."""
 
 
 class Call(NamedTuple):
@@ -145,8 +149,23 @@ def _of_template(machine: Machine, node: Node, function: Node, name: str, frame:
             known = dict(zip(declared.template, resolved.arguments, strict=False)) if declared else {}
             return machine.call(chosen, None, given, known)
         answer = ros.function(Call(machine, f"{resolved.name}::{owner.member}", resolved.arguments, given, node, frame))
-        return unanswered(machine, name, given, node, frame) if answer is None else answer
+        if answer is None:
+            _from_elsewhere(machine, f"{resolved.name}::{owner.member}", given, node, frame)
+            return unanswered(machine, name, given, node, frame)
+        return answer
     return classes.construct(machine, owner, given, node, frame)
+
+
+def _from_elsewhere(machine: Machine, name: str, given: Sequence[Argument], node: Node, frame: Frame) -> None:
+    """A function of a header of a ROS package that is not here: it may make names of its own."""
+    header = ros.header_of_function(machine, name, given, frame)
+    if header is None:
+        return
+    reason = f"{name} is of {header}, which is not in these sources"
+    if _OF_PARAMS.search(name):
+        machine.doubt("params", reason, node, frame)
+    else:
+        machine.doubt_all(reason, frame.path, node.line)
 
 
 def _named(machine: Machine, node: Node, name: str, types: tuple[Type, ...], frame: Frame) -> Value:
@@ -158,7 +177,7 @@ def _named(machine: Machine, node: Node, name: str, types: tuple[Type, ...], fra
     if "::" not in name and frame.this is not None:
         found = classes.methods(machine, frame.this, name)
         if found:
-            return _called(machine, found, frame.this, given, types, frame)
+            return _called(machine, found, frame.this, given, types, node, frame)
         cell = classes.member(machine, frame.this, name)
         if cell is not None and isinstance(cell.value, (Callable, Closure)):
             return machine.invoke(cell.value, given)
@@ -175,7 +194,7 @@ def _named(machine: Machine, node: Node, name: str, types: tuple[Type, ...], fra
     if found:
         owner = found[0].owner
         this = frame.this if owner and frame.this is not None and classes.is_a(machine, frame.this, owner) else None
-        return _called(machine, found, this, given, types, frame)
+        return _called(machine, found, this, given, types, node, frame)
     resolved = machine.names.resolve(Type(name, types), frame)
     if machine.names.declared(resolved) is not None or ros.is_made(machine, resolved):
         return classes.construct(machine, Type(name, types), given, node, frame)
@@ -184,21 +203,37 @@ def _named(machine: Machine, node: Node, name: str, types: tuple[Type, ...], fra
     if frame.this is not None and machine.when and frame.this.serial < 0:
         overridden = classes.overriders(machine, frame.this, name)
         if overridden:
-            return _overridden(machine, overridden, frame.this, given, types, frame)
+            return _overridden(machine, overridden, frame.this, given, types, node, frame)
     for each in types:
         declared = machine.names.declared(machine.names.resolve(each, frame))
         if declared is not None and overloads.talks(machine, declared):
             machine.doubt_all(f"{name} is not in these sources, and may make a {declared.name}", frame.path, node.line)
+    if "::" in name:
+        _from_elsewhere(machine, resolved.name, given, node, frame)
     return unanswered(machine, name, given, node, frame)
 
 
+def _unread(machine: Machine, name: str, this: Thing | None, given: Sequence[Argument], node: Node, frame: Frame) -> None:
+    """A function of the program whose body is not in these sources."""
+    declared = machine.declarations.classes.get(name.rpartition("::")[0]) or (this.declared if this is not None else None)
+    if classes.is_unread(machine, name, declared, given):
+        machine.doubt_all(f"{name} is declared, and its source is not here", frame.path, node.line)
+
+
 def _called(
-    machine: Machine, found: Sequence[Function], this: Thing | None, given: Sequence[Argument], types: tuple[Type, ...], frame: Frame
+    machine: Machine,
+    found: Sequence[Function],
+    this: Thing | None,
+    given: Sequence[Argument],
+    types: tuple[Type, ...],
+    node: Node,
+    frame: Frame,
 ) -> Value:
     if any(isinstance(each.value, Either) and any(isinstance(one, Handle) for _, one in each.value.choices) for each in given):
-        return _each_handle(machine, found, this, given, types, frame)
+        return _each_handle(machine, found, this, given, types, node, frame)
     chosen = overloads.chosen(machine, found, given, this)
     if chosen is None:
+        _unread(machine, found[0].name, this, given, node, frame)
         return UNKNOWN
     resolved = tuple(machine.names.resolve(each, frame) for each in types)
     known = dict(zip(chosen.template, resolved, strict=False))
@@ -221,7 +256,13 @@ def _deduce(machine: Machine, type_: Type, argument: Argument, template: tuple[s
 
 
 def _each_handle(
-    machine: Machine, found: Sequence[Function], this: Thing | None, given: Sequence[Argument], types: tuple[Type, ...], frame: Frame
+    machine: Machine,
+    found: Sequence[Function],
+    this: Thing | None,
+    given: Sequence[Argument],
+    types: tuple[Type, ...],
+    node: Node,
+    frame: Frame,
 ) -> Value:
     """A function that is given one of several node handles is followed with each of them."""
     position = next(at for at, each in enumerate(given) if isinstance(each.value, Either))
@@ -231,7 +272,7 @@ def _each_handle(
         one = [*given[:position], given[position]._replace(value=each, cell=None), *given[position + 1 :]]
         machine.conditions.append(condition)
         try:
-            results.append((condition, _called(machine, found, this, one, types, frame)))
+            results.append((condition, _called(machine, found, this, one, types, node, frame)))
         finally:
             machine.conditions.pop()
     return either(results)
@@ -243,6 +284,7 @@ def _overridden(
     this: Thing,
     given: Sequence[Argument],
     types: tuple[Type, ...],
+    node: Node,
     frame: Frame,
 ) -> Value:
     """A virtual function of an object whose class is not known is followed in each class that has it."""
@@ -252,7 +294,7 @@ def _overridden(
         other.fields = this.fields
 
         def run(candidates: list[Function] = candidates, other: Thing = other) -> str:
-            results.append(("", _called(machine, candidates, other, given, types, frame)))
+            results.append(("", _called(machine, candidates, other, given, types, node, frame)))
             return ""
 
         machine.branch([(f"it is a {declared.name}" if len(found) > 1 else "", run)])
@@ -308,7 +350,7 @@ def _method(machine: Machine, node: Node, function: Node, frame: Frame) -> Value
 def _bare(machine: Machine, cell: Cell, frame: Frame) -> Value | None:
     """A value for a variable of a ROS class that was never seen to be made."""
     resolved = machine.names.resolve(cell.type, frame)
-    if resolved.name in ros.BARE:
+    if resolved.name in ros.BARE or (resolved.name in ros.WITH_METHODS and not resolved.member):
         return Thing(resolved, None, -1)
     return None
 
@@ -326,18 +368,20 @@ def _on(asked: Call, value: Value, cell: Cell | None) -> Value:
     asked = loading.told_its_name(value, asked)
     found = classes.methods(machine, value, asked.name)
     if found:
-        return _called(machine, found, value, asked.arguments, asked.types, frame)
+        return _called(machine, found, value, asked.arguments, asked.types, asked.node, frame)
     if value.declared is not None:
         if value.serial < 0:
             overridden = classes.overriders(machine, value, asked.name)
             if overridden:
-                return _overridden(machine, overridden, value, asked.arguments, asked.types, frame)
+                return _overridden(machine, overridden, value, asked.arguments, asked.types, asked.node, frame)
         held = classes.member(machine, value, asked.name)
         if held is not None and isinstance(held.value, (Callable, Closure)):
             return machine.invoke(held.value, asked.arguments)
         answer = ros.own_method(value, asked)
         if answer is not None:
             return answer
+        for declared in classes.chain(machine, value):
+            _unread(machine, joined(declared.name, asked.name), value, asked.arguments, asked.node, frame)
     answer = ros.method(value, asked)
     if answer is None:
         answer = standard.thing_method(value, asked)
@@ -345,12 +389,18 @@ def _on(asked: Call, value: Value, cell: Cell | None) -> Value:
 
 
 def _on_unknown(asked: Call, cell: Cell | None) -> Value:
+    from launchlint.extract.cpp.machine import shortened
+
     machine, frame = asked.machine, asked.frame
+    machine.unseen.blind.setdefault(asked.name)
     category = ros.TELLING_METHODS.get(asked.name)
-    if category and asked.arguments and (asked.types or category in ("params", "services")) and ros.may_be_handle(machine, cell, frame):
-        answer = ros.handle_method(Handle(UNKNOWN_SPACE), asked)
-        if answer is not None:
-            return answer
+    if category and asked.arguments:
+        if ros.may_be_handle(machine, cell, frame):
+            answer = ros.handle_method(Handle(UNKNOWN_SPACE), asked)
+            if answer is not None:
+                return answer
+        elif asked.types and category != "params" and (cell is None or not cell.type.name):
+            machine.doubt(category, f"{asked.name} is called of what may be a node handle: {shortened(asked.node.text)}", asked.node, frame)
     return (
         standard.method(UNKNOWN, asked, cell)
         if asked.name in standard.CHANGING
@@ -361,11 +411,17 @@ def _on_unknown(asked: Call, cell: Cell | None) -> Value:
 def unanswered(machine: Machine, name: str, given: Sequence[Argument], node: Node, frame: Frame) -> Value:
     """A function that is not in these sources: functions it is given may be called; with a node handle it may do anything."""
     for each in given:
+        if each.cell is not None and not _HARMLESS.search(name) and isinstance(each.value, (Number, Null, Text)):
+            each.cell.changing = True  # by reference or pointer: what it holds from here on is not certain
         for _, value in choices(each.value):
             if isinstance(value, (Callable, Closure)):
                 machine.later(value, machine.when)
             elif isinstance(value, Handle) and not _HARMLESS.search(name):
-                machine.doubt_all(f"{name} is given a node handle, and is not in these sources", frame.path, node.line)
+                reason = f"{name} is given a node handle, and is not in these sources"
+                if _OF_PARAMS.search(name):
+                    machine.doubt("params", reason, node, frame)
+                else:
+                    machine.doubt_all(reason, frame.path, node.line)
     return UNKNOWN
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from launchlint.extract.cpp import overloads
 from launchlint.extract.cpp.declarations import Class, Field, Function, joined
 from launchlint.extract.cpp.frame import Frame
-from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, LISTS, POINTERS, TEXTS, UNTYPED, Type
+from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, LISTS, MAPPINGS, POINTERS, TEXTS, UNTYPED, Type
 from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import (
     MOST_ITEMS,
@@ -79,6 +79,8 @@ def construct(machine: Machine, type_: Type, given: Sequence[Argument], node: No
         return first if isinstance(first, (Text, Either)) else UNKNOWN
     if name in DOUBLES or name in INTEGERS or name == "bool":
         return converted(machine, given[0].value, resolved, frame) if given else UNKNOWN
+    if name in LISTS or name in MAPPINGS:
+        contain(machine, type_ if type_.name == name else resolved, frame)
     if name in LISTS:
         if len(given) == 1 and isinstance(given[0].value, Items):
             return given[0].value
@@ -89,6 +91,14 @@ def construct(machine: Machine, type_: Type, given: Sequence[Argument], node: No
     if len(given) == 1 and isinstance(given[0].value, Thing) and is_a(machine, given[0].value, declared.name):
         return given[0].value
     return make(machine, declared, resolved, given, node, frame)
+
+
+def contain(machine: Machine, type_: Type, frame: Frame) -> None:
+    """Note the classes of which a container may make objects by itself: of those that it holds, and does not point to."""
+    for each in type_.arguments[:2]:
+        declared = None if is_pointer_type(machine, each, frame) else machine.names.declared(machine.names.resolve(each, frame))
+        if declared is not None:
+            machine.unseen.contained.setdefault(declared)
 
 
 def _filled_list(type_: Type, given: Sequence[Argument]) -> Value:
@@ -105,6 +115,7 @@ def make(machine: Machine, declared: Class, type_: Type, given: Sequence[Argumen
     """Make an object of a class of the program."""
     machine.serial += 1
     thing = Thing(type_, declared, machine.serial, dict(zip(declared.template, type_.arguments, strict=False)))
+    machine.unseen.made.setdefault(declared, thing)
     if not machine.step() or declared in machine.making:
         return thing
     machine.depth += 2
@@ -127,14 +138,27 @@ def begin(machine: Machine, thing: Thing, declared: Class, given: Sequence[Argum
         machine.call(chosen_one, thing, given)
         return
     name = joined(declared.name, declared.name.rpartition("::")[2])
-    if machine.declarations.functions.get(name) and _talks(declared, given):
+    if is_unread(machine, name, declared, given):
         machine.doubt_all(f"the constructor of {declared.name} is not in these sources", frame.path, node.line)
     inner = Frame(declared.path, declared.name, thing, dict(bindings_in(machine, thing, declared)))
     _members(machine, thing, declared, {}, inner, node)
 
 
-def _talks(declared: Class, given: Sequence[Argument]) -> bool:
+def is_unread(machine: Machine, name: str, declared: Class | None, given: Sequence[Argument]) -> bool:
+    """Whether a function is declared, its body is not in these sources, and it may have to do with names of ROS.
+
+    It may if its class has members of ROS, if its header includes headers of ROS, or if it is given a node handle.
+    """
+    found = machine.declarations.functions.get(name, [])
+    if not found or any(each.body is not None for each in found) or not any(each.absent for each in found):
+        return False
+    return found[0].path in machine.declarations.of_ros or _talks(declared, given)
+
+
+def _talks(declared: Class | None, given: Sequence[Argument]) -> bool:
     """Whether a class may have to do with names of ROS, by its members and what it is given."""
+    if declared is None:
+        return any(isinstance(value, Handle) for each in given for _, value in choices(each.value))
     return any(isinstance(value, Handle) for each in given for _, value in choices(each.value)) or any(
         inner.name.startswith(_OF_ROS) for field in declared.fields.values() for inner in (field.type, *field.type.arguments)
     )
@@ -181,6 +205,8 @@ def _members(machine: Machine, this: Thing, declared: Class, listed: dict[str, N
             value = initial_value(machine, field, frame)
         elif field.pointer or field.array:
             value = UNKNOWN
+            if field.array and not field.pointer:
+                contain(machine, Type("", (type_,)), frame)
         else:
             value = default(machine, type_, node, frame)
         cell = this.fields.get(name)
@@ -213,7 +239,7 @@ def _base(machine: Machine, this: Thing, base: Type, given: Sequence[Argument], 
         if declared.name != (this.declared.name if this.declared else ""):
             begin(machine, this, declared, given, node, frame)
         return
-    value = ros.make(machine, resolved, given, node, frame)
+    value = ros.base(machine, resolved, given, node, frame)
     if isinstance(value, Handle):
         this.fields["<handle>"] = machine.cell(value)
     elif isinstance(value, Thing):

@@ -6,6 +6,14 @@ import re
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from launchlint.extract.cpp.declarators import (
+    function_declarator,
+    is_array,
+    is_pointer,
+    is_pointer_to_function,
+    name_of,
+    without_arguments,
+)
 from launchlint.extract.cpp.spelled_type import UNTYPED, Type, parse_type
 from launchlint.extract.cpp.syntax import Node
 
@@ -13,17 +21,12 @@ _SCOPES = frozenset(
     """translation_unit declaration_list linkage_specification preproc_if preproc_ifdef preproc_else preproc_elif preproc_elifdef ERROR
     access_specifier field_declaration_list friend_declaration""".split()
 )
-_WRAPPERS = (
-    "pointer_declarator",
-    "reference_declarator",
-    "parenthesized_declarator",
-    "array_declarator",
-    "init_declarator",
-    "attributed_declarator",
-)
 _DEEPEST = 60
 _ASSIGNED = re.compile(r"\b([A-Za-z_]\w*)\s*(?:=(?!=)|\+\+|--|[-+*/|&]=)|(?:\+\+|--)\s*([A-Za-z_]\w*)")
 _MESSAGE = re.compile(r"(\w+)/(\w+)\.h")
+_MADE = re.compile(r"(?:=\s*(?:0|default|delete)|\{\s*\})\s*;?\s*$")
+_VIRTUAL = re.compile(r"\b(?:virtual|override|final)\b")
+_OF_ROS = re.compile(r"(?:ros|nodelet|tf|tf2_ros|actionlib|image_transport|\w+_msgs|\w+_srvs)/")
 
 
 class Parameter(NamedTuple):
@@ -38,10 +41,14 @@ class Parameter(NamedTuple):
 class Function:
     """A function with its body, or without one where only its prototype is known.
 
-    ``name`` is qualified; ``scope`` is the namespace or class that names in it are looked up from.
+    ``name`` is qualified; ``scope`` is the namespace or class that names in it are looked up from. ``absent`` is a prototype whose body
+    stands elsewhere, other than of a pure virtual function or one that the compiler makes. ``overrides``: it is virtual, or overrides one.
     """
 
-    __slots__ = ("body", "initialisers", "line", "name", "owner", "parameters", "path", "relevant", "returns", "scope", "template")
+    __slots__ = (
+        "absent", "body", "initialisers", "line", "name", "overrides", "owner", "parameters", "path", "relevant", "returns", "scope",
+        "template",
+    )  # fmt: skip
 
     def __init__(
         self, name: str, scope: str, parameters: tuple[Parameter, ...], returns: Type, node: Node, path: str, template: tuple[str, ...]
@@ -51,6 +58,8 @@ class Function:
         self.parameters = parameters
         self.returns = returns
         self.body = node.field("body")
+        self.absent = self.body is None and _MADE.search(node.text) is None
+        self.overrides = _VIRTUAL.search(node.until(self.body)) is not None
         self.initialisers = node.child("field_initializer_list")
         self.path = path
         self.line = node.line
@@ -107,11 +116,14 @@ class Declarations:
         self.calls: dict[str, tuple[tuple[str, ...], str]] = {}
         self.constants: dict[str, tuple[Node | None, int]] = {}
         self.messages: dict[str, None] = {}
+        self.of_ros: set[str] = set()
+        """Files that include headers of ROS."""
         self._owned: list[Function] = []
         self._unnamed = 0  # namespaces without a name around what is being read
         self._local: set[str] = set()  # classes in those: nothing of another file belongs to them
         self._strange: set[tuple[str, str]] = set()  # second classes of a name, of which one is local, with their files
         self._assigned: set[str] | None = None
+        self._members: dict[str, list[tuple[str, list[Function]]]] | None = None
 
     # -- reading ------------------------------------------------------------------------------------------------------
 
@@ -179,6 +191,8 @@ class Declarations:
         elif kind == "preproc_include":
             where = node.field("path")
             match = _MESSAGE.fullmatch(where.text.strip('<>"')) if where else None
+            if where is not None and _OF_ROS.match(where.text.strip('<>"')):
+                self.of_ros.add(path)
             if match:
                 self.messages[f"{match[1]}/{match[2]}"] = None
         elif kind in _SCOPES:
@@ -259,7 +273,7 @@ class Declarations:
         for declarator in declarators:
             function = function_declarator(declarator)
             if function is not None:
-                if declarator.kind == "init_declarator" or _is_pointer_to_function(function):
+                if declarator.kind == "init_declarator" or is_pointer_to_function(function):
                     self._variable(declarator, parse_type(shared), None, scope, path, constant)
                 else:
                     self._function(node, declarator, scope, path, template)
@@ -279,7 +293,7 @@ class Declarations:
         if not type_.name and joined(scope, name) in self.classes:
             type_ = Type(joined(scope, name))
         qualified = joined(scope, name)
-        array = _is_array(declarator)
+        array = is_array(declarator)
         found = Field(type_, initial, scope, path, constant, array, is_pointer(declarator))
         owner = self.classes.get(scope)
         if owner is not None:
@@ -323,6 +337,14 @@ class Declarations:
             self.functions.setdefault(function.name, []).append(function)
         self._owned = []
 
+    def members(self, owner: str) -> list[tuple[str, list[Function]]]:
+        """The functions of a class, by name."""
+        if self._members is None:
+            self._members = {}
+            for name, functions in self.functions.items():
+                self._members.setdefault(name.rpartition("::")[0], []).append((name.rpartition("::")[2], functions))
+        return self._members.get(owner, [])
+
     def is_assigned(self, name: str) -> bool:
         """Whether a function, other than constructors, assigns a variable of that name; told by the text alone."""
         if self._assigned is None:
@@ -350,31 +372,6 @@ def joined(scope: str, name: str) -> str:
     return f"{scope}::{name}" if scope and name else scope or name
 
 
-def name_of(declarator: Node | None) -> str:
-    """The name that a declarator declares."""
-    for _ in range(_DEEPEST):
-        if declarator is None:
-            return ""
-        inner = declarator.field("declarator")
-        if inner is None and declarator.kind in _WRAPPERS and declarator.children:
-            inner = declarator.children[-1]
-        if inner is None:
-            return without_arguments(declarator.text).replace(" ", "") if declarator.kind in _NAMES else ""
-        declarator = inner
-    return ""
-
-
-_NAMES = (
-    "identifier",
-    "field_identifier",
-    "type_identifier",
-    "qualified_identifier",
-    "destructor_name",
-    "operator_name",
-    "template_function",
-)
-
-
 def parameters_of(node: Node | None) -> tuple[Parameter, ...]:
     """The parameters of a parameter list."""
     found: list[Parameter] = []
@@ -400,43 +397,6 @@ def parameters_of(node: Node | None) -> tuple[Parameter, ...]:
     return tuple(found)
 
 
-def function_declarator(declarator: Node | None) -> Node | None:
-    """The part of a declarator that has parameters; None where it declares no function."""
-    for _ in range(_DEEPEST):
-        if declarator is None or declarator.kind == "function_declarator":
-            return declarator
-        if declarator.kind not in _WRAPPERS or declarator.kind == "init_declarator":
-            return None
-        declarator = declarator.field("declarator") or (declarator.children[-1] if declarator.children else None)
-    return None
-
-
-def _is_pointer_to_function(function: Node) -> bool:
-    inner = function.field("declarator")
-    return inner is not None and inner.kind == "parenthesized_declarator"
-
-
-def is_pointer(declarator: Node | None) -> bool:
-    """Whether it declares a pointer or a reference."""
-    for _ in range(_DEEPEST):
-        if declarator is None:
-            return False
-        if declarator.kind in ("pointer_declarator", "reference_declarator"):
-            return True
-        declarator = declarator.field("declarator")
-    return False
-
-
-def _is_array(declarator: Node | None) -> bool:
-    for _ in range(_DEEPEST):
-        if declarator is None:
-            return False
-        if declarator.kind == "array_declarator":
-            return True
-        declarator = declarator.field("declarator")
-    return False
-
-
 def _between(node: Node, declarator: Node, initial: Node) -> bool:
     """Whether ``initial`` is the first thing behind ``declarator``."""
     children = node.children
@@ -457,22 +417,6 @@ def _type_text(node: Node) -> str:
         name = node.field("name")
         return name.text if name else ""
     return node.text
-
-
-def without_arguments(text: str) -> str:
-    """``a::B<T>::c`` as ``a::B::c``."""
-    if "<" not in text:
-        return text
-    level = 0
-    kept: list[str] = []
-    for char in text:
-        if char == "<":
-            level += 1
-        elif char == ">":
-            level -= 1
-        elif level == 0:
-            kept.append(char)
-    return "".join(kept)
 
 
 def _spelled(node: Node) -> str:

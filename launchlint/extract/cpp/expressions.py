@@ -83,7 +83,7 @@ def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
         types = tuple(machine.names.resolve(each, frame) for each in calls.template_arguments(node))
         return Callable(tuple(functions), types=types) if functions else UNKNOWN
     if kind == "lambda_expression":
-        return Closure(node, frame)
+        return machine.unseen.taken(Closure(node, frame), frame)
     if kind == "new_expression":
         type_, given = node.field("type"), node.field("arguments")
         if type_ is None:
@@ -120,7 +120,7 @@ def _named(machine: Machine, node: Node, frame: Frame) -> Value:
     name = node.text.replace(" ", "").removeprefix("::")
     functions = calls.functions(machine, name, frame)
     if functions:
-        return Callable(tuple(functions))
+        return machine.unseen.taken(Callable(tuple(functions)), frame)
     return constant(machine, name, frame)
 
 
@@ -306,7 +306,7 @@ def _pointer(machine: Machine, node: Node, frame: Frame) -> Value:
         name = argument.text.replace(" ", "").removeprefix("::")
         functions = calls.functions(machine, name, frame)
         if functions and frame.variable(name) is None:
-            return Callable(tuple(functions))
+            return machine.unseen.taken(Callable(tuple(functions)), frame)
     return machine.evaluate(argument, frame)
 
 

@@ -32,9 +32,12 @@ class File:
 
 def read_files(
     sources: Sequence[str], include_directories: Sequence[str], root: str, templates: Sequence[Template] = ()
-) -> tuple[list[File], list[str]]:
-    """The files, included ones before those that include them, templates filled in; and what could not be read, each with the reason."""
+) -> tuple[list[File], list[str], list[tuple[str, bool]]]:
+    """The files, included ones before those that include them, templates filled in; what could not be read, each with the reason; and the
+    headers that are not here, each with whether it stands in quotes.
+    """
     found: list[File] = []
+    missing: dict[tuple[str, bool], None] = {}
     problems: list[str] = []
     seen: set[str] = set()
     total = 0
@@ -62,8 +65,9 @@ def read_files(
         pending.append((path, _tree(path, data)))
         spelled = [(match[2].decode("utf-8", "replace"), match[1] == b'"') for match in _INCLUDE.finditer(data)]
         included = [found_header(name, quoted, path, include_directories) for name, quoted in spelled]
+        missing.update((each, None) for each, header in zip(spelled, included, strict=True) if header is None)
         pending += [(each, None) for each in reversed(included) if each is not None]
-    return found, problems
+    return found, problems, list(missing)
 
 
 def _tree(path: str, data: bytes) -> Node:

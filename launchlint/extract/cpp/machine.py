@@ -12,10 +12,12 @@ from typing import NamedTuple
 
 from launchlint.extract.cpp import classes, expressions, overloads, places, statements
 from launchlint.extract.cpp.declarations import Class, Declarations, Function, Parameter, parameters_of
+from launchlint.extract.cpp.foreign import Foreign
 from launchlint.extract.cpp.frame import Frame
-from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, Instance, Names, finished
+from launchlint.extract.cpp.naming import ANY, LOOSE, UNKNOWN_SPACE, Instance, Names, finished, is_anchored
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, UNTYPED, Type
 from launchlint.extract.cpp.syntax import Node
+from launchlint.extract.cpp.unseen import Unseen
 from launchlint.extract.cpp.values import (
     UNKNOWN,
     Callable,
@@ -43,6 +45,7 @@ _DEEPEST_CALL = 22
 _MOST_PENDING = 2_000
 _MOST_FACTS = 5_000
 _MOST_LOOPS = 1
+_MOST_ROUNDS = 4
 _MOST_NUMBERED = 10
 _MOST_STEPS_OF_NUMBERED = 4_000
 _LONGEST_CONDITION = 160
@@ -72,8 +75,9 @@ class Pending(NamedTuple):
 class Machine:
     """One run over one program."""
 
-    def __init__(self, declarations: Declarations, root: str = ".", plugins: Sequence[Plugin] = ()) -> None:
+    def __init__(self, declarations: Declarations, root: str = ".", plugins: Sequence[Plugin] = (), foreign: Foreign | None = None) -> None:
         self.declarations = declarations
+        self.foreign = foreign or Foreign()
         self.plugins = plugins
         self.instance: Instance | None = None
         self.root = root
@@ -94,6 +98,7 @@ class Machine:
         self.pending: list[Pending] = []
         self.queued: set[object] = set()
         self.globals: dict[str, Cell] = {}
+        self.unseen = Unseen(self)
         self.temporary = Frame("", "", None, {})
 
     # -- following ----------------------------------------------------------------------------------------------------
@@ -131,7 +136,15 @@ class Machine:
         return self.steps < _MOST_STEPS and self.depth < _DEEPEST
 
     def finish(self) -> None:
-        """Follow the functions that are called later, until there are no more."""
+        """Follow the functions that are called later, until there are no more; then those that only other code calls."""
+        self.unseen.variables()
+        self._follow_later()
+        for _ in range(_MOST_ROUNDS):
+            if not self.unseen.queue():
+                break
+            self._follow_later()
+
+    def _follow_later(self) -> None:
         while self.pending and self.steps < _MOST_STEPS:
             later = self.pending.pop(0)
             if isinstance(later.function, Callable) and not any(overloads.is_relevant(self, each) for each in later.function.functions):
@@ -207,9 +220,10 @@ class Machine:
                 more = {key: each for key, each in unknown.items() if key not in first}
                 if self.steps - steps < _MOST_STEPS_OF_NUMBERED and any(ANY in each.name for each in more.values()):
                     self.doubts = doubts
-                    self._numbered(run, condition, after, {key: each for key, each in first.items() if key not in unknown})
+                    loose = {(each.category, each.path, each.line) for each in more.values() if _is_loose(each.name)}
+                    self._numbered(run, condition, after, {key: each for key, each in first.items() if key not in unknown}, loose)
                     first = {key: each for key, each in first.items() if key in unknown}
-                    unknown = {key: each for key, each in unknown.items() if key in first or ANY not in each.name}
+                    unknown = {key: each for key, each in unknown.items() if key in first or not _is_loose(each.name)}
                 first.update(unknown)
             finally:
                 self.loops -= 1
@@ -220,8 +234,13 @@ class Machine:
             self.write(cell, statements.after_loop(before.get(cell, cell.value), value))
         return signal
 
-    def _numbered(self, run: Does[[], str], condition: str, after: dict[Cell, Value], first: dict[str, Fact]) -> None:
-        """Further turns of a loop that makes numbered names: each of them is there where the loop comes so far."""
+    def _numbered(
+        self, run: Does[[], str], condition: str, after: dict[Cell, Value], first: dict[str, Fact], loose: set[tuple[str, str, int]]
+    ) -> None:
+        """Further turns of a loop that makes numbered names: each of them is there where the loop comes so far.
+
+        ``loose`` are the places whose names have no known beginning, which would tell that there are more of them.
+        """
         for key, fact in first.items():
             both_ = both(fact.condition, condition)
             self.facts[key] = fact._replace(condition=both_ if len(both_) <= 3 * _LONGEST_CONDITION else fact.condition)
@@ -232,9 +251,9 @@ class Machine:
                 self.write(cell, value)
             _, _, state = self._turn(run)
         self.conditions.pop()
-        for fact in list(self.facts.values()):
+        for category, path, line in loose:
             reason = f"names are numbered, and only {_MOST_NUMBERED} of them listed: {condition}"
-            self.doubts[Doubt(fact.category, reason, fact.path, fact.line)] = None
+            self.doubts[Doubt(category, reason, path, line)] = None
 
     def _turn(self, run: Does[[], str]) -> tuple[str, dict[Cell, Value], dict[Cell, Value]]:
         """One turn of a loop, undone: where it ends, and the variables that it writes with their values before and after."""
@@ -291,7 +310,12 @@ class Machine:
 
     def call(self, function: Function, this: Thing | None, arguments: Sequence[Argument], bindings: dict[str, Type] | None = None) -> Value:
         """Follow a function of the program with these arguments."""
-        if function.body is None or len(self.calls) >= _DEEPEST_CALL or self.depth > _DEEPEST - 20 or self.calls.count(function) > 1:
+        if function.body is None or self.calls.count(function) > 1:
+            return UNKNOWN
+        self.unseen.visited.add(function)
+        if len(self.calls) >= _DEEPEST_CALL or self.depth > _DEEPEST - 20:
+            if overloads.tells(function):
+                self.doubt_all(f"calls are nested too deeply to follow {function.name}", function.path, function.line)
             return UNKNOWN
         if function.body.size > _LARGEST_IRRELEVANT and not overloads.is_relevant(self, function):
             return UNKNOWN
@@ -324,6 +348,7 @@ class Machine:
         if body is None or len(self.calls) >= _DEEPEST_CALL or self.depth > _DEEPEST - 20:
             return UNKNOWN
         outer = closure.frame
+        self.unseen.visited.add(closure.node)
         frame = Frame(outer.path, outer.scope, outer.this, {}, outer)
         parameters = self.parameters(closure)
         self.bind(parameters, {}, arguments, frame)
@@ -360,7 +385,11 @@ class Machine:
         """Note an interface."""
         for condition, each in choices(name):
             text = each.template if isinstance(each, Text) else ANY
-            self._fact(category, finished(text), node, frame, condition, more)
+            spelled = finished(text)
+            if UNKNOWN_SPACE in spelled or (LOOSE in text and ANY in spelled) or _is_loose(spelled):
+                where = UNKNOWN_SPACE if UNKNOWN_SPACE in spelled else ""
+                self.doubt(category, f"{where}a name is not known before it runs: {shortened(node.text)}", node, frame)
+            self._fact(category, spelled, node, frame, condition, more)
 
     def _fact(self, category: str, name: str, node: Node, frame: Frame, condition: str, more: dict[str, Any]) -> None:
         conditions = [*self.conditions, condition] if condition else self.conditions
@@ -369,13 +398,6 @@ class Machine:
             text = both(text, each)
         if len(text) > 3 * _LONGEST_CONDITION:
             text = text[: 3 * _LONGEST_CONDITION - 1] + "…"
-        if ANY in name or UNKNOWN_SPACE in name:
-            self.doubt(
-                category,
-                f"{UNKNOWN_SPACE if UNKNOWN_SPACE in name else ''}a name is not known before it runs: {shortened(node.text)}",
-                node,
-                frame,
-            )
         if len(self.facts) < _MOST_FACTS:
             self.note(Fact(category, name, frame.path, node.line, condition=text, when=self.when, **more))
 
@@ -394,6 +416,11 @@ class Machine:
         """Note why there may be more of every category."""
         for category in _CATEGORIES:
             self.doubts[Doubt(category, reason, path, line)] = None
+
+
+def _is_loose(name: str) -> bool:
+    """Whether what is known of a name does not say how it begins."""
+    return ANY in name and not is_anchored(name)
 
 
 def shortened(text: str, longest: int = _LONGEST_CONDITION) -> str:

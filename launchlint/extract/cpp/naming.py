@@ -30,7 +30,10 @@ UNKNOWN_SPACE = "\x03"
 """Stands for the namespace of a node handle of which nothing is known."""
 PLUGIN = "\x04"
 """Stands for the short name of a plugin, until it is known which one is meant."""
+LOOSE = "\x05"
+"""Stands before a part that nobody knows of a name in a namespace: it may be absolute, and then it is not in the namespace."""
 ANY = "{any}"
+_ANCHORED = re.compile(r"[~/]?[A-Za-z_][^{}]*\{any\}")
 
 
 class Names:
@@ -198,7 +201,7 @@ class Names:
         return f"{parts[0]}/{last}" if len(parts) == 2 and f"{parts[0]}/{last}" in ("tf/tfMessage", "tf/FrameGraph") else ""
 
 
-_MARKS = dict.fromkeys(map(ord, NODE_NAME + NODE_NAMESPACE + UNKNOWN_SPACE + PLUGIN))
+_MARKS = dict.fromkeys(map(ord, NODE_NAME + NODE_NAMESPACE + UNKNOWN_SPACE + PLUGIN + LOOSE))
 
 
 def braced(text: str) -> str:
@@ -233,9 +236,16 @@ def in_namespace(namespace: str, name: str) -> str:
         return namespace
     if _ABSOLUTE.match(name):
         return name  # a param that is a global name by default
+    if name.startswith(ANY):
+        name = LOOSE + name
     if namespace == "~":
         return f"~{name}"
     return f"{namespace.rstrip('/')}/{name}"
+
+
+def is_anchored(name: str) -> bool:
+    """Whether what is known of a name that is not known as a whole says where it lies: ``camera{any}``, ``~costmap/{any}``."""
+    return UNKNOWN_SPACE not in name and _ANCHORED.match(name) is not None
 
 
 def below(namespace: str, name: str) -> str:
@@ -247,7 +257,7 @@ def below(namespace: str, name: str) -> str:
 
 def finished(name: str) -> str:
     """A name as the library format has it: the node's own name in front is ``~``, doubled and last slashes are gone."""
-    name = name.replace("/" + NODE_NAME, NODE_NAME).replace("/" + NODE_NAMESPACE, NODE_NAMESPACE)
+    name = name.replace(LOOSE, "").replace("/" + NODE_NAME, NODE_NAME).replace("/" + NODE_NAMESPACE, NODE_NAMESPACE)
     if name.startswith(NODE_NAME):
         rest = name[1:]
         name = "~" + rest.lstrip("/") if not rest or rest.startswith("/") else "{node}" + rest

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import lru_cache
 
 from launchlint.extract.cpp.declarations import Class, Function
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, POINTERS, TEXTS, Type
@@ -22,6 +23,21 @@ _TELLING = frozenset(
     ImageTransport Updater createTimer createWallTimer getNodeHandle getPrivateNodeHandle CameraInfoManager
     RealtimePublisher initParam thread createInstance createUniqueInstance Loader M_string""".split()
 )
+
+_SILENT = frozenset(
+    "NodeHandle getNodeHandle getPrivateNodeHandle thread createTimer createWallTimer Publisher Loader M_string NodeletLazy".split()
+)
+"""Those of them that make no name by themselves."""
+
+
+@lru_cache(maxsize=1)
+def _telling() -> frozenset[str]:
+    """Words of functions that may have to do with names of ROS."""
+    from launchlint.extract.cpp.ros.library import MAKERS
+    from launchlint.extract.cpp.ros.models import MODELS
+
+    classes = {name.rpartition("::")[2] for name in (*MAKERS, *MODELS) if "::" in name and not name.startswith(("std::", "boost::"))}
+    return _TELLING | classes
 
 
 def chosen(machine: Machine, functions: Sequence[Function], given: Sequence[Argument] | None, this: Thing | None) -> Function | None:
@@ -88,8 +104,8 @@ def is_relevant(machine: Machine, function: Function) -> bool:
                 if each.body is not None:
                     text = each.body.text + (each.initialisers.text if each.initialisers else "")
                     words[each] = frozenset(_WORD.findall(text))
-        macros = {name for name, value in machine.declarations.calls.items() if not _TELLING.isdisjoint(_WORD.findall(value[1]))}
-        telling = set(_TELLING) | macros
+        macros = {name for name, value in machine.declarations.calls.items() if not _telling().isdisjoint(_WORD.findall(value[1]))}
+        telling = set(_telling()) | macros | machine.foreign.words_among(frozenset().union(*words.values()))
         changed = True
         while changed:
             changed = False
@@ -106,8 +122,16 @@ def is_relevant(machine: Machine, function: Function) -> bool:
     return bool(function.relevant)
 
 
+def tells(function: Function) -> bool:
+    """Whether a function itself may make names of ROS; told by its words alone."""
+    return function.body is not None and telling(function.body.text)
+
+
+def telling(text: str) -> bool:
+    """Whether a piece of source may make names of ROS; told by its words alone."""
+    return not (_telling() - _SILENT).isdisjoint(_WORD.findall(text))
+
+
 def talks(machine: Machine, declared: Class) -> bool:
     """Whether a function of the class may have to do with names of ROS."""
-    prefix = f"{declared.name}::"
-    functions = machine.declarations.functions.items()
-    return any(is_relevant(machine, each) for name, found in functions if name.startswith(prefix) for each in found if each.body)
+    return any(is_relevant(machine, each) for _, found in machine.declarations.members(declared.name) for each in found if each.body)

@@ -29,7 +29,7 @@ def _cell(machine: Machine, node: Node, frame: Frame) -> Cell | None:
     if kind in ("identifier", "type_identifier"):
         name = node.text
         found = frame.variable(name) or classes.member(machine, frame.this, name)
-        return found or _global(machine, name, frame)
+        return found or of_program(machine, name, frame)
     if kind == "field_expression":
         named = node.field("field")
         if named is None or named.kind not in ("field_identifier", "identifier"):
@@ -49,7 +49,7 @@ def _cell(machine: Machine, node: Node, frame: Frame) -> Cell | None:
             found = classes.member(machine, frame.this, last)
             if found is not None:
                 return found
-        return _global(machine, text, frame)
+        return of_program(machine, text, frame)
     if kind in ("pointer_expression", "parenthesized_expression"):
         inner = node.field("argument") or (node.children[0] if node.children else None)
         return cell_of(machine, inner, frame)
@@ -83,7 +83,8 @@ def made_up(machine: Machine, cell: Cell, frame: Frame) -> Thing | None:
     return thing
 
 
-def _global(machine: Machine, name: str, frame: Frame) -> Cell | None:
+def of_program(machine: Machine, name: str, frame: Frame) -> Cell | None:
+    """A variable outside of functions, made when it is first asked for."""
     declarations = machine.declarations
     for scope in machine.names.scopes(frame.scope):
         full = joined(scope, name)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from launchlint.extract.cpp import nodelet
 from launchlint.extract.cpp.declarations import Declarations
 from launchlint.extract.cpp.files import read_files
+from launchlint.extract.cpp.foreign import Foreign
 from launchlint.extract.cpp.machine import Argument, Machine
 from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
 from launchlint.extract.cpp.spelled_type import Type
@@ -36,6 +37,7 @@ def cpp_program(
     entry: str | None,
     plugins: Sequence[Plugin] = (),
     templates: Sequence[Template] = (),
+    packages: Collection[str] = (),
 ) -> tuple[tuple[Fact, ...], tuple[Doubt, ...]]:
     """What a program says, found by following its source code; nothing is run.
 
@@ -46,6 +48,7 @@ def cpp_program(
         entry: the class whose constructor and ``onInit`` are the start (``image_proc::RectifyNodelet``); ``main()`` if None.
         plugins: classes that can be loaded and whose sources are among these.
         templates: those of the sources that the build fills in.
+        packages: names of ROS packages, beside those that are public.
 
     Returns:
         Facts, sorted by category, name and place; and doubts, why there may be more than these.
@@ -53,12 +56,12 @@ def cpp_program(
     Raises:
         UsageError: tree-sitter is not installed.
     """
-    files, problems = read_files(sources, include_directories, root, templates)
+    files, problems, missing = read_files(sources, include_directories, root, templates)
     declarations = Declarations()
     for file in files:
         declarations.read(file.root, file.path)
     declarations.finish()
-    machine = Machine(declarations, root, plugins)
+    machine = Machine(declarations, root, plugins, Foreign(missing, packages))
     first = files[-1].path if files else "."
     for problem in problems:
         machine.doubt_all(problem, first, 1)

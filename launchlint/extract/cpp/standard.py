@@ -165,6 +165,11 @@ def method(value: Value, asked: Call, cell: Cell | None) -> Value:
         if name == "empty":
             return Number(False)
         if name in ("push_back", "emplace_back", "insert", "emplace", "push_front") and cell is not None:
+            if name == "emplace_back" and cell.type.arguments and not isinstance(asked.value(0), Thing):
+                made = classes.construct(machine, cell.type.arguments[0], asked.arguments, asked.node, asked.frame)
+                if isinstance(made, Thing):
+                    machine.write(cell, Items((*value.items, made)) if len(value.items) < _MOST_ITEMS else UNKNOWN)
+                    return UNKNOWN
             if len(asked.arguments) == 1 and len(value.items) < _MOST_ITEMS:
                 machine.write(cell, Items((*value.items, asked.value(0))))
             else:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from launchlint.extract.cpp import classes, places
-from launchlint.extract.cpp.declarations import function_declarator, is_pointer, name_of
+from launchlint.extract.cpp.declarators import function_declarator, is_pointer, name_of
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.spelled_type import TEXTS, UNTYPED, Type, parse_type
 from launchlint.extract.cpp.syntax import Node, parse_expression
@@ -143,6 +143,7 @@ def declare(machine: Machine, node: Node, frame: Frame) -> Value:
         else:
             value = classes.default(machine, type_, node, frame)
         if declarator.field("parameters") is None and _is_array(declarator) and initial is None:
+            classes.contain(machine, Type("", (type_,)), frame)
             value = Text("") if type_.name == "char" else UNKNOWN
         frame.variables[name] = machine.cell(value, type_, constant)
     return value

@@ -62,6 +62,10 @@ class Node:
         """Its source text."""
         return self._source[self._start : self._end].decode("utf-8", "replace")
 
+    def until(self, inner: Node | None) -> str:
+        """The source text before a node in it; all of it where there is none."""
+        return self._source[self._start : self._end if inner is None else inner._start].decode("utf-8", "replace")
+
     @property
     def size(self) -> int:
         """The length of its source text in bytes."""

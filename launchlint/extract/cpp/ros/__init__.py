@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from launchlint.extract.cpp.foreign import is_silent
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import NODE_NAME
 from launchlint.extract.cpp.ros import functions as _functions
 from launchlint.extract.cpp.ros import handle as _handle
 from launchlint.extract.cpp.ros import library as _library
+from launchlint.extract.cpp.ros import models as _models
 from launchlint.extract.cpp.spelled_type import POINTERS, Type
 from launchlint.extract.cpp.syntax import Node
-from launchlint.extract.cpp.values import UNKNOWN, Callable, Cell, Closure, Handle, Text, Thing, Value, choices
+from launchlint.extract.cpp.values import UNKNOWN, Callable, Cell, Closure, Handle, Number, Text, Thing, Value, choices
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -32,6 +34,9 @@ BARE = frozenset(
     ("message_filters::Subscriber", "image_transport::SubscriberFilter", "urdf::Model", "ros::AdvertiseOptions", "ros::SubscribeOptions")
 )
 """Classes whose members tell something even where their constructor was not seen."""
+
+WITH_METHODS = frozenset(name for name, _ in _library.METHODS)
+"""Classes of ROS with members that tell something."""
 
 _NODELETS = {
     "getNodeHandle": "",
@@ -56,10 +61,16 @@ def make(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, f
     from launchlint.extract.cpp.calls import Call
 
     name = _library.known_name(machine, type_)
-    maker = _library.MAKERS.get(name)
     type_ = type_._replace(name=name)
-    if maker is not None:
-        return maker(Call(machine, name, type_.arguments, given, node, frame))
+    asked = Call(machine, name, type_.arguments, given, node, frame)
+    if type_.member:
+        name = f"{name}::{type_.member}"  # a type that belongs to the class: dynamic_reconfigure::Server<T>::CallbackType
+    elif name in _library.MAKERS:
+        return _library.MAKERS[name](asked)
+    elif (model := _models.MODELS.get(name)) is not None:
+        return _models.modelled(asked, model)
+    elif (header := _elsewhere(machine, name, given, frame)) is not None:
+        machine.doubt_all(f"{name} is of {header}, which is not in these sources", frame.path, node.line)
     machine.serial += 1
     thing = Thing(type_, None, machine.serial)
     for each in given:
@@ -71,6 +82,43 @@ def make(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, f
             elif isinstance(value, Handle) and name not in _library.HARMLESS:
                 machine.doubt_all(f"{name} is given a node handle, and is not in these sources", frame.path, node.line)
     return thing
+
+
+def base(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, frame: Frame) -> Value:
+    """Make the part of an object that is of a base class which the program does not have itself."""
+    from launchlint.extract.cpp.calls import Call
+
+    name = _library.known_name(machine, type_)
+    if name in _models.BASES:
+        return _models.modelled(Call(machine, name, type_.arguments, given, node, frame), _models.BASES[name])
+    if not (type_.member or name in _library.MAKERS or name in _models.MODELS or is_silent(name) or not name):
+        machine.doubt_all(f"the base class {name} is not in these sources", frame.path, node.line)
+        machine.serial += 1
+        return Thing(type_, None, machine.serial)
+    return make(machine, type_, given, node, frame)
+
+
+def _elsewhere(machine: Machine, name: str, given: Sequence[Argument], frame: Frame) -> str | None:
+    """The header that a class comes with which is not here and may talk; None where it is a message, or silent."""
+    header = machine.foreign.header_of(name, (frame.scope.partition("::")[0], *machine.declarations.used))
+    package, _, last = name.rpartition("::")
+    if package in _models.MODELS or package in _library.MAKERS:
+        return None  # a type or a function that belongs to a class that is known
+    spaces = [package] if package else [frame.scope.partition("::")[0], *machine.declarations.used]
+    if any(f"{space}/{last}" in machine.declarations.messages for space in spaces):
+        # A message is made of nothing, or is the copy of another one.
+        texts = any(isinstance(value, (Text, Number)) for each in given for _, value in choices(each.value))
+        return header if texts or len(given) > 1 else None
+    return header
+
+
+def header_of_function(machine: Machine, name: str, given: Sequence[Argument], frame: Frame) -> str | None:
+    """The header that a function comes with, where it is not here and may talk; a message that is made is none."""
+    header = _elsewhere(machine, name, given, frame)
+    space, _, last = name.rpartition("::")
+    if header is None and given and f"{space}/{last}" not in machine.declarations.messages:
+        return machine.foreign.header_of_function(name)
+    return header
 
 
 def function(asked: Call) -> Value | None:

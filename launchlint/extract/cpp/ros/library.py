@@ -9,6 +9,7 @@ from launchlint.extract.cpp.naming import UNKNOWN_SPACE, below, template
 from launchlint.extract.cpp.ros import driver_base, functions, loading, params
 from launchlint.extract.cpp.ros import handle as handles
 from launchlint.extract.cpp.ros.callbacks import action_type, callback_of, explicit, message_type
+from launchlint.extract.cpp.ros.models import MODELS
 from launchlint.extract.cpp.ros.reconfigure import reconfigured
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.values import UNKNOWN, Either, Handle, Number, Text, Thing, Value, choices, either, plain
@@ -25,11 +26,12 @@ _IMAGE, _INFO = "sensor_msgs/Image", "sensor_msgs/CameraInfo"
 
 def known_name(machine: Machine, type_: Type) -> str:
     """The full name of a class of ROS that may be named without its namespace."""
-    if type_.name in MAKERS:
+    if type_.name in MAKERS or type_.name in MODELS:
         return type_.name
     for used in machine.declarations.used:
-        if f"{used}::{type_.name}" in MAKERS:
-            return f"{used}::{type_.name}"
+        full = f"{used}::{type_.name}"
+        if full in MAKERS or full in MODELS:
+            return full
     return type_.name
 
 

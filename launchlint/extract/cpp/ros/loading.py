@@ -7,7 +7,7 @@ from collections.abc import Callable as Does
 from launchlint.extract.cpp import classes, nodelet
 from launchlint.extract.cpp.naming import NODE_NAME, PLUGIN, Instance
 from launchlint.extract.cpp.spelled_type import Type
-from launchlint.extract.cpp.values import UNKNOWN, Either, Handle, Number, Text, Thing, Value, choices, plain
+from launchlint.extract.cpp.values import UNKNOWN, Either, Handle, Items, Number, Text, Thing, Value, choices, plain
 from launchlint.extract.fact import Plugin
 
 TYPE_CHECKING = False
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 _MOST_LOADED = 64
 _NONE_YET = "nodelet::Loader loads nodelets, which have interfaces of their own"
+_MAY_TALK = "loads plugins, which may have interfaces of their own"
 _API = (("list", "NodeletList"), ("load_nodelet", "NodeletLoad"), ("unload_nodelet", "NodeletUnload"))
 
 
@@ -57,29 +58,40 @@ def load(this: Thing, asked: Call) -> Value:
 
 
 def class_loader(asked: Call) -> Value:
-    """``pluginlib::ClassLoader<Base>(package, base)``: any package may have a plugin for it."""
+    """``pluginlib::ClassLoader<Base>(package, base)``: any package may have a plugin for it, until it is known what it is used for."""
     machine = asked.machine
-    machine.doubt_all(f"{asked.name} loads plugins, which may have interfaces of their own", asked.frame.path, asked.node.line)
+    machine.doubt_all(f"{asked.name} {_MAY_TALK}", asked.frame.path, asked.node.line)
     machine.serial += 1
     thing = Thing(Type(asked.name, asked.types), None, machine.serial)
     thing.fields["<base>"] = machine.cell(asked.value(1))
+    thing.fields["<place>"] = machine.cell(Items((Text(asked.frame.path), Number(asked.node.line))))
     return thing
 
 
 def create(this: Thing, asked: Call) -> Value:
-    """``createInstance(name)``: one object of each class that may be meant, with the condition that it is."""
+    """``createInstance(name)``: one object of each class that may be meant, with the condition that it is.
+
+    Where the name is not certain, any package may have another plugin for it.
+    """
     machine = asked.machine
-    held = this.fields.get("<base>")
+    held, place = this.fields.get("<base>"), this.fields.pop("<place>", None)
+    if place is not None and isinstance(place.value, Items):
+        made = (Text(each.path) == place.value.items[0] and Number(each.line) == place.value.items[1] for each in machine.doubts)
+        machine.doubts = {
+            each: None for each, here in zip(machine.doubts, made, strict=True) if not (here and each.reason.endswith(_MAY_TALK))
+        }
     base = plain(held.value) if held is not None else None
     short = this.type.arguments[0].last if base is None and this.type.arguments else ""
     possible = [each for each in machine.plugins if each.base == base or (short and each.base.rpartition("::")[2] == short)]
     found: list[tuple[str, Value]] = []
     for condition, name in choices(asked.value(0)):
         constant = plain(name)
+        meant = [each for each in possible if constant in (each.name, each.name.rpartition("/")[2])]
+        if constant is None or not meant:
+            machine.doubt_all(f"{this.type.name} {_MAY_TALK}", asked.frame.path, asked.node.line)
         if constant is None:
             found += [(_loaded(each), _made(asked, each, _loaded(each))) for each in possible]
         else:
-            meant = [each for each in possible if constant in (each.name, each.name.rpartition("/")[2])]
             found += [(condition, _made(asked, each, condition)) for each in meant]
     found = found[:_MOST_LOADED]
     return found[0][1] if len(found) == 1 and not found[0][0] else Either(tuple(found)) if found else UNKNOWN
@@ -135,5 +147,10 @@ METHODS: dict[tuple[str, str], Does[[Thing, Call], Value]] = {
     **{
         ("pluginlib::ClassLoader", name): create
         for name in ("createInstance", "createUniqueInstance", "createUnmanagedInstance", "createClassInstance")
+    },
+    **{
+        (f"class_loader::{loader}", name): create
+        for loader in ("ClassLoader", "MultiLibraryClassLoader")
+        for name in ("createInstance", "createUniqueInstance", "createUnmanagedInstance", "createSharedInstance")
     },
 }
