@@ -58,8 +58,9 @@ farm, a fresh robot) the launch fails, unless something else brings the package 
 
 `--fix` adds the line to `package.xml`, below the last dependency, and proves that nothing else changes in it. What is declared for tests
 only is left alone, and so is what needs this package itself to be built: the dependency would close a ring, and catkin would build
-nothing any more. Where two packages would only need each other to run, catkin has no objection, but the fix is not called safe;
-nor is one on a package of the workspace with launch files of its own, whose fix could close the ring from the other side.
+nothing any more. Where two packages would only need each other to run, catkin has no objection; no fix makes such a ring either, since the
+file may belong into the other package. A fix is not called safe where it names a package of the workspace with launch files of its own:
+that one's fix could close the ring from the other side.
 """
 
 from __future__ import annotations
@@ -153,10 +154,10 @@ def check(view: FileView) -> Iterator[Finding]:
                 f"{name} lies in this workspace; whoever has only this package lacks it" if beside else ELSEWHERE.format(name),
                 *([] if way is None else [_ring(way, closes=closes)]),
             ),
-            help=_MOVE.format(document.source.path) if closes else f"{'change it to' if tested else 'add'} {line}",
+            help=_MOVE.format(document.source.path) if way is not None else f"{'change it to' if tested else 'add'} {line}",
             topic=name,
             cause="" if tested else manifest_path,
-            fix=None if tested or closes else _fix(place, manifest, line, safe=name not in later),
+            fix=None if tested or way is not None else _fix(place, manifest, line, safe=name not in later),
         )
 
 
@@ -220,7 +221,7 @@ def _ring(way: Way, *, closes: bool) -> str:
     already = f"{way.names[0]} needs {way.names[-1]} to {'be built' if way.built else 'run'}{over}"
     if closes:
         return f"{already}: to declare it here would close a ring, and catkin would build nothing any more"
-    return f"{already}: with this they need each other, which catkin allows"
+    return f"{already}: to declare it here makes a ring; catkin allows it, since they need each other only to run"
 
 
 def _fix(place: Place, manifest: Manifest, line: str, *, safe: bool) -> Fix | None:
