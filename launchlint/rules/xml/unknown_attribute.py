@@ -64,7 +64,8 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         return
     near = closest(name, facts["known"])
     sure = near is not None and not owners and surely(name, facts["known"]) == near
-    cause = f"{tag} {name} {near} {sure}"
+    # An attribute of somebody's own stands in many files for one reason, a slip of the pen in one.
+    cause = f"{tag} {name}" if near is None else f"{problem.place.source.path} {tag} {name} {near} {sure}"
     belongs = f"{name} belongs to {_tags(owners)}" if owners else ""
     advice = f"did you mean {near}?" if near is not None else f"{belongs}: move it there, or remove it" if belongs else "remove it"
     if tag == "rosparam" and name in ("name", "value") and _is_param(spot(view, problem.place)):
