@@ -9,6 +9,10 @@ if TYPE_CHECKING:
     from typing import Any
 
 
+ELSEWHERE = "which is not in these sources"
+"""How the reason of a doubt ends that is about a header of a ROS package."""
+
+
 class Fact(NamedTuple):
     """One call site that makes, or asks for, a name.
 

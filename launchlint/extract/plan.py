@@ -169,7 +169,9 @@ class PackageReader:
                 flaw = self.programs.flaw(name)
                 if flaw is not None:
                     self._script(name, flaw.path)
-        return next(iter((*self.tasks, *self.skipped)), None)
+        if self.tasks:
+            return self.tasks[0]
+        return self.skipped[0] if self.skipped else None
 
     def _scripts(self) -> Iterable[tuple[str, str]]:
         """Name and file of everything that is installed to be run, or has the executable bit."""

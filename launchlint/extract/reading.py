@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 from launchlint.errors import UsageError
-from launchlint.extract.fact import Doubt, Fact
+from launchlint.extract.fact import ELSEWHERE, Doubt, Fact
 from launchlint.extract.plan import Task
 from launchlint.extract.python.modules import ModuleFinder
 from launchlint.extract.python.program import python_program
@@ -59,7 +59,8 @@ def read(task: Task, finder: ModuleFinder) -> Reading:
             facts, doubts, options, silent = found.facts, found.doubts, found.options, not found.uses_rospy
         else:
             facts, doubts = _cpp(task)
-            silent = not facts and not any(_TALKS.search(_bytes(path)) for path in task.sources)
+            foreign = any(each.reason.endswith(ELSEWHERE) for each in doubts)
+            silent = not facts and not foreign and not any(_TALKS.search(_bytes(path)) for path in task.sources)
     except (SourceError, UsageError) as error:
         return Reading(task, None, str(error), 0, 0)
     if task.client != "rospy" and not facts and not doubts and not silent:

@@ -32,6 +32,7 @@ from launchlint.extract.cpp.values import (
     choices,
     either,
 )
+from launchlint.extract.fact import ELSEWHERE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -161,7 +162,7 @@ def _from_elsewhere(machine: Machine, name: str, given: Sequence[Argument], node
     header = ros.header_of_function(machine, name, given, frame)
     if header is None:
         return
-    reason = f"{name} is of {header}, which is not in these sources"
+    reason = f"{name} is of {header}, {ELSEWHERE}"
     if _OF_PARAMS.search(name):
         machine.doubt("params", reason, node, frame)
     else:

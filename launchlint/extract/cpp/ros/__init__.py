@@ -14,6 +14,7 @@ from launchlint.extract.cpp.ros import models as _models
 from launchlint.extract.cpp.spelled_type import POINTERS, Type
 from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import UNKNOWN, Callable, Cell, Closure, Handle, Number, Text, Thing, Value, choices
+from launchlint.extract.fact import ELSEWHERE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def make(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, f
     elif (model := _models.MODELS.get(name)) is not None:
         return _models.modelled(asked, model)
     elif (header := _elsewhere(machine, name, given, frame)) is not None:
-        machine.doubt_all(f"{name} is of {header}, which is not in these sources", frame.path, node.line)
+        machine.doubt_all(f"{name} is of {header}, {ELSEWHERE}", frame.path, node.line)
     machine.serial += 1
     thing = Thing(type_, None, machine.serial)
     for each in given:
