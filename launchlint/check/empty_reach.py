@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.session import Session
@@ -144,8 +145,11 @@ def _words(element: Element, names: Iterable[str]) -> set[str]:
     for name in names:
         text = element.get(name)
         if text is not None and "$" in text:
-            words.update(re.findall(r"\w+", text))
-            words.update(word.strip("'\"") for word in re.findall(r"[^\s()]+", text))
-            if MADE.search(text):
-                words.add(ANY)
+            words |= _words_of(text)
     return words
+
+
+@lru_cache(maxsize=1024)  # the conditions around many elements are the same
+def _words_of(text: str) -> frozenset[str]:
+    words = {*re.findall(r"\w+", text), *(word.strip("'\"") for word in re.findall(r"[^\s()]+", text))}
+    return frozenset(words | {ANY} if MADE.search(text) else words)

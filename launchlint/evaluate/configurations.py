@@ -15,7 +15,7 @@ from itertools import islice, product
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.block import Side
 from launchlint.evaluate.launch import Entered, enter_entry
-from launchlint.evaluate.ros1.arg_flow import ArgFlow
+from launchlint.evaluate.ros1.arg_flow import ArgFlow, Pairs
 from launchlint.evaluate.session import Session
 from launchlint.model import Branch
 
@@ -25,8 +25,6 @@ MOST_EVALUATIONS = 48
 MOST_TOGETHER = 3
 MOST_COMBINATIONS = 24
 """Args that are changed together for one condition, and how many combinations of their values are tried."""
-
-Pairs = tuple[tuple[str, str], ...]
 
 
 def configurations(session: Session, file: str, given: tuple[tuple[str, str], ...] = ()) -> Iterator[Evaluation]:
@@ -61,6 +59,9 @@ def configurations(session: Session, file: str, given: tuple[tuple[str, str], ..
                     if evaluations >= MOST_EVALUATIONS:
                         return
                     evaluations += 1
+                    telling = found[0][1].telling(changes)
+                    if flow.has(pairs) or (len(telling) < len(changes) and tuple(sorted(telling)) in tried):
+                        continue  # args are given what they have anyway: all that can come of it has been seen
                     entered = enter_entry(session, file, (*given, *changes), pinned)
                     if isinstance(entered, Entered) and entered.block.sides <= seen:
                         continue

@@ -16,7 +16,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from launchlint.evaluate.block import Block
+    from launchlint.evaluate.block import Block, Effect
     from launchlint.evaluate.ros1.arg_uses import ArgUses
     from launchlint.syntax.tree import Document
 
@@ -65,6 +65,7 @@ class Session:
         self.blocks: dict[Any, Block] = {}
         self.variants: dict[Any, Block] = {}
         self.loaded: dict[str, Any] = {}
+        self.settings: dict[Any, list[Effect]] = {}
         self.uses: dict[Document, ArgUses] = {}
         self.words: dict[Document, Mapping[str, frozenset[str]]] = {}
         self.sources: dict[str, Source] = {}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import NamedTuple
 
 from launchlint.rules.view import LaunchView
@@ -38,19 +39,44 @@ def maker_of(path: str, view: LaunchView) -> Maker | None:
     """
     directory, name = posixpath.split(path)
     stem, ending = posixpath.splitext(name)
-    for file, text in _texts(view):
-        for element in _ELEMENT.finditer(text):
-            is_node = element[1] == "node"
-            for program, before, word in _given(element[0], is_node):
-                option, _, value = word.rpartition("=")
-                one = _absolute(value, file, view)
-                if is_node and _extends(directory, stem, ending, one):
-                    made = not _starts(view, program, one)
-                else:
-                    made = _is(path, one, stem, ending) and any(map(_WRITES.search, (program, option or before)))
-                if made:
-                    return Maker(program, file, text.count("\n", 0, element.start()) + 1, posixpath.basename(one))
+    for document in view.documents.values():
+        file = posixpath.abspath(document.source.file)
+        for word in _words(document.source.text):
+            one = _absolute(word.value, file, view)
+            if word.is_node and _extends(directory, stem, ending, one):
+                made = not _starts(view, word.program, one)
+            else:
+                made = word.writes and _is(path, one, stem, ending)
+            if made:
+                line = document.source.text.count("\n", 0, word.start) + 1
+                return Maker(word.program, file, line, posixpath.basename(one))
     return None
+
+
+class _Word(NamedTuple):
+    """A path that the element at ``start`` hands over: the ``program``, or the name of the param or arg; ``writes``: that, or an option in
+    front, says that it is written.
+    """
+
+    is_node: bool
+    program: str
+    value: str
+    writes: bool
+    start: int
+
+
+@lru_cache(maxsize=256)  # each file that is not here is asked for in every configuration
+def _words(text: str) -> tuple[_Word, ...]:
+    """The words with a path in them that the elements of a launch file hand over; those in comments are none."""
+    found: list[_Word] = []
+    text = _blanked(text)
+    for element in _ELEMENT.finditer(text):
+        for program, before, word in _given(element[0], element[1] == "node"):
+            option, _, value = word.rpartition("=")
+            writes = any(map(_WRITES.search, (program, option or before)))
+            if "/" in value or "$(" in value:
+                found.append(_Word(element[1] == "node", program, value, writes, element.start()))
+    return tuple(found)
 
 
 def _given(element: str, is_node: bool) -> Iterator[tuple[str, str, str]]:
@@ -63,12 +89,6 @@ def _given(element: str, is_node: bool) -> Iterator[tuple[str, str, str]]:
     program = attributes.get("type", "")
     for before, word in zip(("", *words), words, strict=False):
         yield program, before, word.replace("\0", " ")
-
-
-def _texts(view: LaunchView) -> Iterator[tuple[str, str]]:
-    """The launch files of this start, comments blanked out."""
-    for document in view.documents.values():
-        yield posixpath.abspath(document.source.file), _blanked(document.source.text)
 
 
 def _blanked(text: str) -> str:

@@ -127,7 +127,7 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
     if slip is not None:
         where = "here" if packages.has(slip) else "declared in a package.xml"
         return Judgement(Severity.ERROR, f"{slip} is {where}, and {unlisted}", _did_you_mean(slip))
-    near = _near(name, known) or _one_slip(name, list(public))
+    near = _near(name, known) or _one_slip(name, public.about_as_long(name))
     document = packages.documented_in(name)
     if document is not None:
         why = f"{_shown(document, packages)} names it, and {unlisted}"
@@ -179,8 +179,8 @@ def _one_slip(name: str, names: Sequence[str]) -> str | None:
     half = (len(folded) - 2) // 2
     start, end = folded[:half], folded[-half:]
     # One slip leaves one of the halves as it is: that spares comparing with thousands of names.
-    similar = [other for other in names if abs(len(other) - len(name)) <= 1 and _fold(other).startswith(start)]
-    similar += [other for other in names if abs(len(other) - len(name)) <= 1 and _fold(other).endswith(end)]
+    alike = ((other, _fold(other)) for other in names if abs(len(other) - len(name)) <= 1)
+    similar = [other for other, bare in alike if bare.startswith(start) or bare.endswith(end)]
     slip = one_slip(name, similar)
     if slip is None or _digits(slip) != _digits(name) or slip.rstrip("s") == name.rstrip("s"):
         return None

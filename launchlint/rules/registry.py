@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from importlib import import_module
+from sys import modules
 from typing import NamedTuple
 
 from launchlint.finding import Severity
@@ -33,7 +34,8 @@ class Entry(NamedTuple):
 
     def load(self) -> Any:
         """Import and return the rule's module."""
-        return import_module(f"launchlint.rules.{self.module}")
+        name = f"launchlint.rules.{self.module}"
+        return modules.get(name) or import_module(name)  # import_module itself takes its time, thousands of times
 
 
 RULES: tuple[Entry, ...] = (

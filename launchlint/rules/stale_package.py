@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from typing import NamedTuple
 
 from launchlint.rules.package_contents import contents
 from launchlint.workspace.looking import exists
@@ -28,16 +31,36 @@ def own_instead(name: str, text: str, packages: Packages, near: str) -> Package 
         return None
     if home.manifest is None or name in home.manifest.depends():
         return None
-    found = [match for match in _FILE.finditer(text) if match[1] == name]
-    started = [tag[0] for tag in _STARTED.finditer(text) if (package := _PKG.search(tag[0])) is not None and package[1] == name]
-    if (not found and not started) or any(match[3] for match in found):
+    asked = _asked(text)
+    found, started = asked.files.get(name, ()), asked.started.get(name, ())
+    if (not found and not started) or any(made for _, made in found):
         return None
     if name in public_names() and not (started and home.name.startswith(f"{name}_")):
         return None
-    if any(posixpath.join(home.directory, match[2]) == posixpath.abspath(near) for match in found):
+    if any(posixpath.join(home.directory, file) == posixpath.abspath(near) for file, _ in found):
         return None
-    if not all(exists(posixpath.join(home.directory, match[2])) for match in found):
+    if not all(exists(posixpath.join(home.directory, file)) for file, _ in found):
         return None
     programs = contents(packages).executables(home).names if started else []
     types = [_TYPE.search(tag) for tag in started]
     return home if all(each is not None and each[1] in programs for each in types) else None
+
+
+class _Asked(NamedTuple):
+    """What a launch file asks of each package: files (True: a substitution follows the name), and the start tags of its programs."""
+
+    files: Mapping[str, Sequence[tuple[str, bool]]]
+    started: Mapping[str, Sequence[str]]
+
+
+@lru_cache(maxsize=256)  # each package that is not here is asked for in every configuration
+def _asked(text: str) -> _Asked:
+    files: dict[str, list[tuple[str, bool]]] = {}
+    started: dict[str, list[str]] = {}
+    for match in _FILE.finditer(text):
+        files.setdefault(match[1], []).append((match[2], bool(match[3])))
+    for tag in _STARTED.finditer(text):
+        package = _PKG.search(tag[0])
+        if package is not None:
+            started.setdefault(package[1], []).append(tag[0])
+    return _Asked(files, started)

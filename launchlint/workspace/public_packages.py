@@ -14,13 +14,14 @@ from collections.abc import Iterator, Mapping
 class PublicPackages(Mapping[str, tuple[str, ...]]):
     """Package name → names of the distributions that released it (those of ROS 1 first), from a file of ``name<TAB>names`` lines."""
 
-    __slots__ = ("_asked", "_lines", "_names", "_path")
+    __slots__ = ("_asked", "_by_length", "_lines", "_names", "_path")
 
     def __init__(self, path: str) -> None:
         self._path = path
         self._lines: str | None = None
         self._asked: dict[str, tuple[str, ...] | None] = {}
         self._names: list[str] | None = None
+        self._by_length: dict[int, list[str]] = {}
 
     @property
     def _text(self) -> str:
@@ -49,12 +50,23 @@ class PublicPackages(Mapping[str, tuple[str, ...]]):
         return isinstance(name, str) and self.get(name) is not None
 
     def __iter__(self) -> Iterator[str]:
-        if self._names is None:
-            self._names = re.findall(r"^([^#\t\n][^\t\n]*)\t", self._text, re.MULTILINE)
-        return iter(self._names)
+        return iter(self._all)
 
     def __len__(self) -> int:
-        return sum(1 for _ in self)
+        return len(self._all)
+
+    @property
+    def _all(self) -> list[str]:
+        if self._names is None:
+            self._names = re.findall(r"^([^#\t\n][^\t\n]*)\t", self._text, re.MULTILINE)
+        return self._names
+
+    def about_as_long(self, name: str) -> list[str]:
+        """The names that are as long as ``name``, or one letter longer or shorter: comparing with all of them takes too long."""
+        if not self._by_length:
+            for each in self._all:
+                self._by_length.setdefault(len(each), []).append(each)
+        return [each for length in range(len(name) - 1, len(name) + 2) for each in self._by_length.get(length, ())]
 
 
 _PUBLIC = PublicPackages(os.path.join(os.path.dirname(os.path.abspath(__file__)), "public_packages.txt"))

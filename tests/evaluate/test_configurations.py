@@ -16,6 +16,7 @@ from launchlint.evaluate import configurations as room
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.configurations import MOST_EVALUATIONS, configurations
 from launchlint.evaluate.launch import Entered, enter_entry, evaluate
+from launchlint.evaluate.ros1.arg_flow import ArgFlow
 from tests.evaluate.comparison import MAIN, Case, case, inside, session_in, write
 
 Given = tuple[tuple[str, str], ...]
@@ -257,6 +258,32 @@ def test_the_number_of_evaluations_is_bounded(tmp_path: Path, monkeypatch: pytes
     assert found[:3] == [{}, {"a0": "true"}, {"a1": "true"}]
 
 
+SAME = {
+    "its default": ('<arg name="mode" default="a"/>', 1),
+    "a default that is made": ('<arg name="all" default="a"/><arg name="mode" default="$(arg all)"/>', 1),
+    "asked for above its declaration": ("""[[m if="$(eval mode == 'a')"]]<arg name="mode" default="a"/>""", 2),
+    "declared under a condition": ('<arg name="on" value="true"/><arg name="mode" default="a" if="$(arg on)"/>', 2),
+    "declared twice": ('<arg name="mode" default="a"/><group><arg name="mode" default="b"/></group>', 2),
+    "passed on above its declaration": ('<include file="none.launch" pass_all_args="true"/><arg name="mode" default="a"/>', 2),
+    "another value": ('<arg name="mode" default="b"/>', 2),
+}
+
+
+@pytest.mark.parametrize(("declared", "evaluated"), [pytest.param(*each, id=name) for name, each in SAME.items()])
+def test_a_value_that_an_arg_has_anyway_is_not_evaluated(
+    declared: str, evaluated: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given: list[object] = []
+
+    def counted(*arguments: object) -> Entered | Evaluation:
+        given.append(arguments[2])
+        return enter_entry(*arguments)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(room, "enter_entry", counted)
+    given_in(case(declared + """[[n if="$(eval mode == 'a')"]]"""), tmp_path)
+    assert [each for each in given if each in ((), (("mode", "a"),))] == [(), (("mode", "a"),)][:evaluated]
+
+
 ARGS = ("p", "q", "r")
 
 
@@ -301,3 +328,13 @@ def test_what_some_values_of_the_args_reach_is_reached(each: Case) -> None:
         for evaluation in found:
             assert evaluation is found[0] or sides([evaluation]) - reached
             reached |= sides([evaluation])
+
+
+@settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+@given(st.builds(boolean_case, st.randoms(use_true_random=False)))
+def test_what_is_not_evaluated_would_have_shown_nothing(each: Case) -> None:
+    with tempfile.TemporaryDirectory() as name, pytest.MonkeyPatch.context() as patched:
+        found = given_in(each, Path(name))
+        patched.setattr(ArgFlow, "has", lambda self, pairs: False)
+        patched.setattr(ArgFlow, "telling", lambda self, given: given)
+        assert given_in(each, Path(name)) == found

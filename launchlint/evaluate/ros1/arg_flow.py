@@ -7,13 +7,15 @@ from functools import cached_property
 from typing import NamedTuple
 
 from launchlint.evaluate.assemble import Evaluation
-from launchlint.evaluate.ros1.arg_uses import ArgUses, arg_uses, is_boolean
+from launchlint.evaluate.ros1.arg_uses import ArgUses, arg_uses, is_boolean, settled_defaults
 from launchlint.evaluate.session import Session
 from launchlint.model import Unknown
 
 MOST_PLACES = 2_000
 """Args of files that one arg of the entry file is followed into."""
 
+Pairs = tuple[tuple[str, str], ...]
+"""Args that are given, with their values."""
 At = tuple[str, str]
 """An arg in a file: the path, and the name it has there."""
 
@@ -46,6 +48,23 @@ class ArgFlow:
         """The defaults of the args of the entry file."""
         declared = self._launch.declared
         return {argument.name: argument.default for argument in declared if argument.origin.step is None and not argument.passed}
+
+    @cached_property
+    def _settled(self) -> dict[str, str]:
+        document = self._documents.get(self._launch.entry.path)
+        return {} if document is None else settled_defaults(document)
+
+    def telling(self, given: Pairs) -> Pairs:
+        """The args of ``given`` without those that get a plain default, with which all conditions are as without them."""
+        settled = self._settled
+        return tuple(pair for pair in given if settled.get(pair[0]) != pair[1] or "$" in pair[1] or pair[1] != pair[1].strip())
+
+    def has(self, pairs: Pairs) -> bool:
+        """Whether all args of ``pairs`` have these values in this configuration, whether given or by default: all conditions stay so."""
+        given = dict(self._launch.given)
+        return all(
+            name in self._settled and value == given.get(name, self._defaults.get(name)) and value == value.strip() for name, value in pairs
+        )
 
     @cached_property
     def _declared(self) -> set[At]:

@@ -6,6 +6,7 @@ Read from what is written, whatever the conditions around it say: an arg that is
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
@@ -20,6 +21,7 @@ _ARG = re.compile(r"\$\(arg +([^ $()]+) *\)")
 _WHOLE = re.compile(r"\s*\$\(arg +([^ $()]+) *\)\s*")
 _PLACE = re.compile(r"(?:\$\([^()]*\)|[^\s=])+")
 """A word of a command line, without ``name=`` or ``name:=`` before it."""
+_NAME = re.compile(r"\w+")
 _CONDITIONS = ("if", "unless")
 _FLAGS = frozenset({"required", "respawn", "clear_params", "pass_all_args", "subst_value"})
 _WORDS = frozenset({"args", "command", "launch-prefix"})
@@ -169,3 +171,43 @@ def _parts(text: str) -> Iterator[str]:
         start, end = match.span()
         if (start and text[start - 1] not in _BEFORE) or (end < len(text) and text[end] not in _AFTER):
             yield match[1]
+
+
+def settled_defaults(document: Document) -> dict[str, str]:
+    """The args of an entry file to which giving the value of their default makes no difference, each with the default as written.
+
+    They are declared once, whatever the args, and nothing above the declaration may ask for them: there they have a value only where
+    they are given.
+    """
+    declarations = [each for each in document.elements if each.tag == "arg" and each.parent is not None and each.parent.tag != "include"]
+    times = Counter(element.get("name") or "" for element in declarations)
+    settled: dict[str, str] = {}
+    asked: set[str] = set()
+    for element in document.elements:
+        attributes = element.attributes
+        if "pass_all_args" in attributes or "subst_value" in attributes:
+            break  # from here on any arg may have been asked for
+        if element.tag == "arg" and element.parent is document.launch and attributes.keys().isdisjoint(("if", "unless", "value")):
+            name, default = element.get("name") or "", element.get("default")
+            if default is not None and times[name] == 1 and name not in asked and _NAME.fullmatch(name) is not None:
+                settled[name] = default
+        for attribute in attributes.values():
+            if "$" in attribute.value:
+                asked.update(_NAME.findall(attribute.value))
+    return {} if any("$" in name for name in times) else settled
+
+
+def args_needed(element: Element) -> list[str]:
+    """Names of the args that the value of an ``<arg>`` reads."""
+    text = element.get("value") or element.get("default") or ""
+    if text.startswith("$(eval ") and text.endswith(")"):
+        from launchlint.evaluate.ros1.expression import arguments_read
+
+        return sorted(arguments_read(text[7:-1]))
+    from launchlint.evaluate.ros1.substitution import BadSubstitution, collect
+
+    try:
+        words = [inner.split() for inner, _, _ in collect(text)]
+    except BadSubstitution:
+        return []
+    return [pair[1] for pair in words if len(pair) == 2 and pair[0] == "arg"]

@@ -10,16 +10,16 @@ from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 
 from launchlint.evaluate.block import Block, Effect, LocalBranch, Value
+from launchlint.evaluate.ros1.arg_uses import args_needed
 from launchlint.evaluate.ros1.scope import ActiveSetting, Context, Missing
 from launchlint.evaluate.ros1.substitution import (
     ANONYMOUS_FOLD,
     OUTSIDE,
     SHORT,
-    BadSubstitution,
     absolute_directory,
-    collect,
     left_over,
     never_boolean,
+    only_arg,
     resolve,
 )
 from launchlint.evaluate.session import Session
@@ -172,6 +172,11 @@ class FileEvaluation:
         raw = attribute.value if text is None else text
         if "$" not in raw and "(" not in raw:
             return raw
+        alone = only_arg(raw)
+        if alone:
+            known = self.plain_argument(alone, context)
+            if known is not None:
+                return known
         offset = 0 if text is None else max(attribute.value.find(text), 0)
 
         def where(start: int, end: int) -> Span:
@@ -286,6 +291,14 @@ class FileEvaluation:
         self.reads.add(name)
         return value
 
+    def plain_argument(self, name: str, context: Context) -> str | None:
+        """As :meth:`known_argument`, for a value that is to be taken as it is: short, and with no substitution in it."""
+        value = context.arguments.get(name)
+        if not isinstance(value, str) or "$" in value or len(value) >= SHORT:
+            return None
+        self.reads.add(name)
+        return value
+
     def missing_argument(self, name: str, span: Span, context: Context) -> None:
         """Record the read of an arg that has no value, as what it is: not given, not declared, declared later, or out of scope."""
         declared = context.declared.get(name)
@@ -333,7 +346,7 @@ class FileEvaluation:
         while waiting and start not in came_from:
             current = waiting.pop(0)
             for element in self.declarations().get(current, []):
-                for needed in _needs(element):
+                for needed in args_needed(element):
                     if needed not in came_from:
                         came_from[needed] = current
                         waiting.append(needed)
@@ -425,6 +438,11 @@ class FileEvaluation:
         value, default = attributes.get("value"), attributes.get("default")
         if _is_plain(value) and _is_plain(default):
             return (None if value is None else value.value, None if default is None else default.value), frozenset()
+        if value is not None and default is None:
+            alone = only_arg(value.value)
+            known = self.plain_argument(alone, context) if alone else None
+            if known is not None:
+                return (known, None), frozenset((alone,))
         return self.traced(lambda: (self.optional(element, "value", context), self.optional(element, "default", context)))
 
     def from_environment(self, reads: frozenset[str]) -> bool:
@@ -471,17 +489,3 @@ class FileEvaluation:
 def _is_plain(attribute: Attribute | None) -> bool:
     """Whether the value of ``attribute`` is what is written, as :meth:`FileEvaluation.value` sees it."""
     return attribute is None or ("$" not in attribute.value and "(" not in attribute.value)
-
-
-def _needs(element: Element) -> list[str]:
-    """Names of the args that the value of an ``<arg>`` reads."""
-    text = element.get("value") or element.get("default") or ""
-    if text.startswith("$(eval ") and text.endswith(")"):
-        from launchlint.evaluate.ros1.expression import arguments_read
-
-        return sorted(arguments_read(text[7:-1]))
-    try:
-        words = [inner.split() for inner, _, _ in collect(text)]
-    except BadSubstitution:
-        return []
-    return [pair[1] for pair in words if len(pair) == 2 and pair[0] == "arg"]

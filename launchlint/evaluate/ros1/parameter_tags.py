@@ -14,6 +14,7 @@ from launchlint.evaluate.ros1.scope_tags import check_quotes
 from launchlint.evaluate.ros1.substitution import resolve
 from launchlint.evaluate.ros1.values import PARAMETER_TYPES, UnknownValue, convert_value
 from launchlint.model import Binary, Command, ParameterSetting, Unknown
+from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.ros1.problems import conflicting_attributes, missing_attribute
 from launchlint.syntax.tree import Attribute, Element
@@ -298,10 +299,16 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
         key = "/".join(map(str, duplicate.path))
         file.record_at(place(*duplicate.second), "yaml-duplicate-key", related=related, key=key, same=duplicate.same_value)
     _notice_ros2(file, element, loaded, content, full, place)
+    same = (file.document, element.index, "" if source is None else source.path, content, full, file.conditions)
+    known = file.session.settings.get(same)
+    if known is not None:  # the same in another configuration
+        file.block.effects.extend(known)
+        return
+    before = len(file.block.effects)
     for path, value, key_start, key_end, *_ in loaded.entries:
         target = full
-        for key in path:
-            target = join(target, key)
+        for step in path:
+            target = join(target, step)
         if target == "/":
             reason = "an empty key in the global namespace names no parameter"
             file.record_at(place(key_start, key_end), "param-yaml-invalid", refused=True, reason=reason, hint="", **loaded_from)
@@ -310,6 +317,9 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
             value = Unknown("", str(value))
         where = Origin(place(key_start, key_end)) if path else Origin(file.place(element.start_span))
         file.effect(ParameterSetting(canonical(target), value, where, "rosparam", None, file.conditions))
+    made = file.block.effects[before:]
+    if len(content) <= LONGEST_KEPT and not any(isinstance(each, Problem) for each in made):
+        file.session.settings[same] = made
 
 
 def _notice_ros2(

@@ -51,6 +51,9 @@ _PLAIN = re.compile(r"\$\(([^$()]+)\)")
 """A substitution with nothing odd in it; where all of a text are, no walk over its characters is needed."""
 
 
+_ONLY_ARG = re.compile(r"\$\(arg ([^ $()]+)\)")
+
+
 class _NotKnown(Exception):
     """A piece of the value is unknown; the problem, if there is one, has been recorded."""
 
@@ -98,6 +101,13 @@ def _collect(text: str) -> tuple[tuple[str, int, int], ...]:
 
 
 _kept = lru_cache(maxsize=2048)(_collect)
+
+
+@lru_cache(maxsize=2048)
+def only_arg(text: str) -> str:
+    """The name of the arg where ``text`` is ``$(arg name)`` and nothing else: most of what launch files hold. Else empty."""
+    match = _ONLY_ARG.fullmatch(text) if len(text) < SHORT else None
+    return "" if match is None else match[1]
 
 
 def resolve(evaluation: FileEvaluation, text: str, where: Where, context: Context) -> Value:

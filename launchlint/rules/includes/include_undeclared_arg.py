@@ -55,6 +55,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
@@ -113,8 +114,12 @@ def _declared_elsewhere(name: str, file: str, view: LaunchView) -> Place | None:
     source = next((include.source for include in view.launch.includes if include.source is not None and include.source.path == file), None)
     if source is None:
         return None
-    text = re.sub(r"<!--.*?-->", lambda match: " " * len(match[0]), source.text, flags=re.DOTALL)
-    # Not an arg that the file itself passes on: that one stands inside an include.
-    text = re.sub(r"<include\b[^>]*[^/]>.*?</include>", lambda match: " " * len(match[0]), text, flags=re.DOTALL)
-    match = re.search(rf"""<arg\b[^>]*?\bname\s*=\s*["']({re.escape(name)})["']""", text)
+    match = re.search(rf"""<arg\b[^>]*?\bname\s*=\s*["']({re.escape(name)})["']""", _own_text(source.text))
     return None if match is None else Place(source, Span(*match.span(1)))
+
+
+@lru_cache(maxsize=64)  # asked for each arg of each include in every configuration
+def _own_text(text: str) -> str:
+    """``text`` without comments, and without the args that the file itself passes on: those stand inside an include."""
+    text = re.sub(r"<!--.*?-->", lambda match: " " * len(match[0]), text, flags=re.DOTALL)
+    return re.sub(r"<include\b[^>]*[^/]>.*?</include>", lambda match: " " * len(match[0]), text, flags=re.DOTALL)
