@@ -29,7 +29,7 @@ FLOORS = (
     ("evaluate",),
     ("syntax",),
     ("workspace",),
-    ("atomic", "fingerprint", "order", "spelling", "words"),
+    ("atomic", "fingerprint", "late", "order", "spelling", "words"),
     ("model",),
     ("finding", "problem", "source", "errors", "verdict"),
     ("launchlint",),  # launchlint/__init__.py: the version, nothing else

@@ -8,9 +8,10 @@ from collections.abc import Iterable, Iterator
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
 
 NOTE = "it lies in {}, which nothing outside of it leads to: somebody seems to have put it aside"
-_ASIDE = re.compile(
+_ASIDE = late(
     r"(?:.*[_. -])?(?:deprecated|obsolete|outdated|unused|archives?|archived|backups?|bak|old|attic|trash|graveyard)"
     r"|(?:deprecated|obsolete|outdated|unused|archived|old)[_. -].*",
     re.IGNORECASE,

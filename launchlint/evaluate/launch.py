@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
@@ -15,12 +14,13 @@ from launchlint.evaluate.ros1.file import NO_DEFAULTS, Declaration, Exhausted, P
 from launchlint.evaluate.ros1.launch_tags import enter
 from launchlint.evaluate.session import Read, Session
 from launchlint.finding import whole_file
+from launchlint.late import late
 from launchlint.problem import Problem
 from launchlint.source import Origin, Source
 
 DEEPEST_STACK = 12_000
 """Python frames: 900 nested groups or 300 nested includes need about 3,000; both depths are bounded where they are read."""
-_ASSIGNMENT = re.compile(r"(?:[~/A-Za-z]|__?)[\w/]*")
+_ASSIGNMENT = late(r"(?:[~/A-Za-z]|__?)[\w/]*")
 
 
 def command_line(pairs: Iterable[tuple[str, str]]) -> dict[str, str]:

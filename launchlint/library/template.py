@@ -6,10 +6,10 @@ value (the entry does not exist), or an :class:`Undetermined` where a part canno
 
 from __future__ import annotations
 
-import re
 from functools import lru_cache
 from typing import Final, NamedTuple
 
+from launchlint.late import late
 from launchlint.library.terms import DEEPEST_CONDITION
 
 TYPE_CHECKING = False
@@ -74,7 +74,7 @@ Template = tuple[str | Slot, ...]
 SLOTS = {"arg": True, "option": True, "param": True, "remap": True, "parent": True, "each": False, "node": False, "any": False}
 """The kinds of slots, and whether they must have a key."""
 _NAMES = ("remap", "parent")
-_ARGUMENT = re.compile(r"-?[1-9][0-9]{0,3}")
+_ARGUMENT = late(r"-?[1-9][0-9]{0,3}")
 
 
 @lru_cache(maxsize=4096)

@@ -8,17 +8,16 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
+from launchlint.late import late
 from launchlint.rules.view import LaunchView
 from launchlint.workspace.looking import is_file
 
 _MOST_WORDS = 2_000
-_WRITES = re.compile(
-    r"(?:^|[_\-/~])(?:out|output|save|saver|record|recorder|write|writer|dump|export|exporter|generate|generator)(?![a-z])"
-)
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
-_ELEMENT = re.compile(r"<(node|param|arg)\b[^<>]*")
-_ATTRIBUTE = re.compile(r"""\b(type|name|args|value|default)\s*=\s*("[^"]*"|'[^']*')""")
-_FOUND = re.compile(r"\$\(find\s+([^()\s]+)\s*\)")
+_WRITES = late(r"(?:^|[_\-/~])(?:out|output|save|saver|record|recorder|write|writer|dump|export|exporter|generate|generator)(?![a-z])")
+_COMMENT = late(r"<!--.*?-->", re.DOTALL)
+_ELEMENT = late(r"<(node|param|arg)\b[^<>]*")
+_ATTRIBUTE = late(r"""\b(type|name|args|value|default)\s*=\s*("[^"]*"|'[^']*')""")
+_FOUND = late(r"\$\(find\s+([^()\s]+)\s*\)")
 
 
 class Maker(NamedTuple):

@@ -7,11 +7,11 @@ whether the picture is complete, and whether anybody has ever heard of the name.
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from launchlint.finding import Severity
+from launchlint.late import late
 from launchlint.library.shipped import is_in_library
 from launchlint.rules.stale_package import own_instead
 from launchlint.spelling import closest, distance, one_slip
@@ -25,7 +25,7 @@ LETTERS_FOR_A_SLIP = 8
 """Of several slips there is one in so many letters at most."""
 
 
-_LEGAL = re.compile(r"[A-Za-z][\w-]*")
+_LEGAL = late(r"[A-Za-z][\w-]*")
 
 
 def is_placeholder(name: str) -> bool:

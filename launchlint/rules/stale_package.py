@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
+from launchlint.late import late
 from launchlint.rules.package_contents import contents
 from launchlint.workspace.looking import exists
 from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.public_packages import public_names
 
-_STARTED = re.compile(r"<(?:node|test)\s[^<>]{1,2000}>")
-_PKG = re.compile(r"\spkg\s*=\s*[\"']([^\"']*)[\"']")
-_TYPE = re.compile(r"\stype\s*=\s*[\"']([^\"'$]*)[\"']")
-_FILE = re.compile(r"\$\(\s*find\s+([\w-]+)\s*\)/([\w.+/-]+)(\$?)")
+_STARTED = late(r"<(?:node|test)\s[^<>]{1,2000}>")
+_PKG = late(r"\spkg\s*=\s*[\"']([^\"']*)[\"']")
+_TYPE = late(r"\stype\s*=\s*[\"']([^\"'$]*)[\"']")
+_FILE = late(r"\$\(\s*find\s+([\w-]+)\s*\)/([\w.+/-]+)(\$?)")
 
 
 def own_instead(name: str, text: str, packages: Packages, near: str) -> Package | None:

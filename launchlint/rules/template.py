@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 
-_PLACEHOLDER = re.compile(r"\[[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+\]")
-_TO_FILL_IN = re.compile(
+from launchlint.late import late
+
+_PLACEHOLDER = late(r"\[[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+\]")
+_TO_FILL_IN = late(
     r"""\s*(?:
         <[^<>]+> | \[[A-Za-z][\w -]*\] | \{\{[^{}]+\}\}         # in brackets, as a whole
         | your[ _-]\w.* | .*\s(?:goes|comes)?\s?here
@@ -15,7 +17,7 @@ _TO_FILL_IN = re.compile(
     re.VERBOSE | re.IGNORECASE,
 )
 _LONGEST = 200
-_PATH_TO_FILL_IN = re.compile(r"(?:^|/)(?:path[/_]to[/_]|your[_-]?\w+/|<[^<>/]+>(?:/|$))|/(?:home|Users)/user_?name/", re.IGNORECASE)
+_PATH_TO_FILL_IN = late(r"(?:^|/)(?:path[/_]to[/_]|your[_-]?\w+/|<[^<>/]+>(?:/|$))|/(?:home|Users)/user_?name/", re.IGNORECASE)
 
 
 def has_placeholder(text: str) -> bool:

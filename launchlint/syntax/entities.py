@@ -9,15 +9,17 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
+from launchlint.late import late
+
 MAX_EXPANSION = 8 * 1024 * 1024
 """Characters that all references of a file may expand to (expat's own activation threshold)."""
 
 MAX_NESTING = 50
 """How deep entities may refer to each other."""
 
-_DECLARATION = re.compile(r"""<!ENTITY[ \t\r\n]+(?:%[ \t\r\n]+)?([^ \t\r\n"'<>&;%]+)[ \t\r\n]+(?:"([^"]*)"|'([^']*)')""")
-_REFERENCE = re.compile(r"&([^;&<\s#\"']+);")
-_AMPERSAND = re.compile(r"&#(?:38|x0*26);", re.IGNORECASE)
+_DECLARATION = late(r"""<!ENTITY[ \t\r\n]+(?:%[ \t\r\n]+)?([^ \t\r\n"'<>&;%]+)[ \t\r\n]+(?:"([^"]*)"|'([^']*)')""")
+_REFERENCE = late(r"&([^;&<\s#\"']+);")
+_AMPERSAND = late(r"&#(?:38|x0*26);", re.IGNORECASE)
 _HUGE = 1 << 62
 
 

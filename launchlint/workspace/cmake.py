@@ -8,13 +8,15 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
+from launchlint.late import late
+
 # One step of the tokenizer each; possessive in effect, since every alternative starts with a different character.
-_SPACE = re.compile(r"(?:[\s;]|#(?!\[=*\[)[^\n]*)+")
-_BRACKET = re.compile(r"\[(=*)\[")
-_IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-_QUOTED = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
-_UNQUOTED = re.compile(r'(?:[^\s()#"\\;]|\\.)(?:[^\s()#"\\;]|\\.|"(?:[^"\\\n]|\\.)*")*', re.DOTALL)
-_BLANK = re.compile(r"[ \t]*")
+_SPACE = late(r"(?:[\s;]|#(?!\[=*\[)[^\n]*)+")
+_BRACKET = late(r"\[(=*)\[")
+_IDENTIFIER = late(r"[A-Za-z_][A-Za-z0-9_]*")
+_QUOTED = late(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
+_UNQUOTED = late(r'(?:[^\s()#"\\;]|\\.)(?:[^\s()#"\\;]|\\.|"(?:[^"\\\n]|\\.)*")*', re.DOTALL)
+_BLANK = late(r"[ \t]*")
 
 
 class Argument(NamedTuple):

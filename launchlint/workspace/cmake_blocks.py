@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Container, Sequence
 
+from launchlint.late import late
 from launchlint.workspace.cmake import Command
 from launchlint.workspace.cmake_scope import Value
 from launchlint.workspace.cmake_words import INSTALL_WORDS
@@ -23,9 +23,9 @@ def section(arguments: Sequence[Value], word: str, words: Container[Value] = INS
 
 
 _SOURCE_WORDS = frozenset(("SRC", "SRCS", "SOURCE", "SOURCES", "FILES"))
-_KEY_WORD = re.compile(r"[A-Z][A-Z_]+")
-_HEADER = re.compile(r"\.(?:h|hpp|hh|hxx)\Z")
-_SOURCE = re.compile(r"\.(?:cpp|cc|cxx|c\+\+|C|cu)\Z")
+_KEY_WORD = late(r"[A-Z][A-Z_]+")
+_HEADER = late(r"\.(?:h|hpp|hh|hxx)\Z")
+_SOURCE = late(r"\.(?:cpp|cc|cxx|c\+\+|C|cu)\Z")
 
 
 def sources_and_rest(words: Sequence[Value]) -> tuple[list[str], list[str]]:

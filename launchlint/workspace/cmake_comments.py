@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import os
-import re
 
+from launchlint.late import late
 from launchlint.workspace.looking import content
 
 CMAKE_FILE = "CMakeLists.txt"
 
 _LONGEST_LINE = 1_000
-_BUILDS = re.compile(r"[ \t]*#[ \t#]*(?:\w{1,30}_)?add_executable[ \t]*\([ \t]*(.*)")
-_FIRST_WORD = re.compile(r"[\s#]*([^\s()#]+)")
+_BUILDS = late(r"[ \t]*#[ \t#]*(?:\w{1,30}_)?add_executable[ \t]*\([ \t]*(.*)")
+_FIRST_WORD = late(r"[\s#]*([^\s()#]+)")
 
 
 def commented_out(directory: str, package: str, program: str) -> int | None:

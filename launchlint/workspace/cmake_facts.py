@@ -8,9 +8,9 @@ the list of executables, or that of installed files, may lack something.
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable, Sequence
 
+from launchlint.late import late
 from launchlint.workspace.cmake import CMakeError, Command, commands
 from launchlint.workspace.cmake_blocks import block_end, never, parsed, section, sources_and_rest
 from launchlint.workspace.cmake_installs import install, install_programs
@@ -32,18 +32,18 @@ _MOST_SOURCES = 2_000
 _MOST_GENERATED = 300
 _MOST_ARGUMENTS = 20
 
-_TARGET = re.compile(r"(?:\w+_)?add_(?:\w+_)?executable(?:_with_gtest)?")
-_TEST_TARGET = re.compile(r"(?:\w+_)?add_(?:\w+_)?(?:gtest|gmock)(?:_test)?")
-_LIBRARY = re.compile(r"(?:\w+_)?add_(?:\w+_)?library")
-_MAKES_TARGETS = re.compile(r"add_(?:\w+_)?(?:executable|library)|target_(?:link|sources)")
-_WRAPPER = re.compile(r"(?:\w+_)?(?:binary|executable|exe|node|program)(?:_\w+)?")
-_NO_WRAPPER = re.compile(r"test|library|plugin|nodelet|install")
+_TARGET = late(r"(?:\w+_)?add_(?:\w+_)?executable(?:_with_gtest)?")
+_TEST_TARGET = late(r"(?:\w+_)?add_(?:\w+_)?(?:gtest|gmock)(?:_test)?")
+_LIBRARY = late(r"(?:\w+_)?add_(?:\w+_)?library")
+_MAKES_TARGETS = late(r"add_(?:\w+_)?(?:executable|library)|target_(?:link|sources)")
+_WRAPPER = late(r"(?:\w+_)?(?:binary|executable|exe|node|program)(?:_\w+)?")
+_NO_WRAPPER = late(r"test|library|plugin|nodelet|install")
 _TARGET_WORDS = frozenset(
     """SHARED STATIC MODULE OBJECT INTERFACE PUBLIC PRIVATE EXCLUDE_FROM_ALL WIN32 MACOSX_BUNDLE LINK_PUBLIC LINK_PRIVATE
     LINK_INTERFACE_LIBRARIES
     debug optimized general BEFORE AFTER SYSTEM UNKNOWN OPTIONS CUDA_ARCHITECTURES""".split()
 )
-_TOOLING = re.compile(r"coverage|clang|cppcheck|doxygen|sphinx")
+_TOOLING = late(r"coverage|clang|cppcheck|doxygen|sphinx")
 _COMPUTING = frozenset(("string", "math", "execute_process", "cmake_path", "separate_arguments"))
 _ASSIGNING = _COMPUTING | {"set", "list", "file", "get_filename_component"}
 _COMPUTING_FIRST = frozenset(("get_target_property", "get_property", "option", "find_path", "find_file", "find_program"))

@@ -7,6 +7,7 @@ import re
 from collections.abc import Sequence
 from fnmatch import fnmatchcase
 
+from launchlint.late import late
 from launchlint.workspace.cmake import Command
 from launchlint.workspace.cmake_scope import Scope
 
@@ -21,7 +22,7 @@ MAKING = frozenset(
 
 _FILE_ACTIONS = frozenset("WRITE APPEND TOUCH GENERATE CONFIGURE DOWNLOAD COPY COPY_FILE INSTALL RENAME CREATE_LINK MAKE_DIRECTORY".split())
 _NEEDED = frozenset(("DEPENDS", "MAIN_DEPENDENCY", "WORKING_DIRECTORY", "COMMENT", "IMPLICIT_DEPENDS", "URL", "URL_HASH", "GIT_REPOSITORY"))
-_KEY_WORD = re.compile(r"[A-Z][A-Z_0-9]+")
+_KEY_WORD = late(r"[A-Z][A-Z_0-9]+")
 _SHORTEST_STEM = 2
 _MOST = 2_000
 _LONGEST = 300

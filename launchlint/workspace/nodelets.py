@@ -7,15 +7,15 @@ inside ``<class_libraries>``; a class is looked up by its ``name``, or by its ``
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Mapping
 from pyexpat import ExpatError, ParserCreate
 from typing import NamedTuple
 
+from launchlint.late import late
 from launchlint.workspace.looking import read_bytes
 from launchlint.workspace.packages import Package
 
-_DECLARATION = re.compile(r"\A\s*<\?xml[^>]*\?>")
+_DECLARATION = late(r"\A\s*<\?xml[^>]*\?>")
 
 
 class NodeletClass(NamedTuple):

@@ -5,15 +5,16 @@ from __future__ import annotations
 import os
 import re
 
+from launchlint.late import late
 from launchlint.workspace.looking import content
 
 CMAKE_FILE = "CMakeLists.txt"
 TEST_END = ".test"
 
 _LONGEST_LINE = 1_000
-_REGISTERS = re.compile(r"\w*rostest\w*[ \t]*\(")
-_NAMES_TEST = re.compile(r"[\w.-]+\.(?:test|launch)\b")
-_ELSEWHERE = re.compile(r"(?i)\b(?:add_subdirectory|foreach|include)[ \t]*\(|\bGLOB|\*\.test|\}[\w.-]*\.test")
+_REGISTERS = late(r"\w*rostest\w*[ \t]*\(")
+_NAMES_TEST = late(r"[\w.-]+\.(?:test|launch)\b")
+_ELSEWHERE = late(r"(?i)\b(?:add_subdirectory|foreach|include)[ \t]*\(|\bGLOB|\*\.test|\}[\w.-]*\.test")
 """What may register tests that cannot be seen here."""
 
 

@@ -6,9 +6,9 @@ What they name is put beside this checkout where somebody builds the workspace, 
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterable
 
+from launchlint.late import late
 from launchlint.workspace.reading import read_bytes
 
 GITMODULES = ".gitmodules"
@@ -19,8 +19,8 @@ _LONGEST_LINE = 1_000
 _MOST_LINES = 5_000
 
 # .gitmodules: path = …, url = …; rosinstall: local-name: …, uri: …; vcstool: a key for each repository, url: …
-_GIVEN = re.compile(r"(?<![\w-])(?:path|url|uri|local-name)['\"]?\s{0,9}[=:]\s{0,9}['\"]?([^\s'\",}]+)")
-_KEY = re.compile(r"\s+['\"]?([\w./~-]+)['\"]?\s*:\s*(?:#.*)?$")
+_GIVEN = late(r"(?<![\w-])(?:path|url|uri|local-name)['\"]?\s{0,9}[=:]\s{0,9}['\"]?([^\s'\",}]+)")
+_KEY = late(r"\s+['\"]?([\w./~-]+)['\"]?\s*:\s*(?:#.*)?$")
 
 
 def is_source_list(name: str) -> bool:

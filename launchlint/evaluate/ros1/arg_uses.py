@@ -5,10 +5,11 @@ Read from what is written, whatever the conditions around it say: an arg that is
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
+
+from launchlint.late import late
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,11 +18,11 @@ if TYPE_CHECKING:
 BOOLEANS = ("true", "false", "1", "0")
 """What ``if`` and ``unless`` take (roslaunch.loader.convert_value of type bool)."""
 
-_ARG = re.compile(r"\$\(arg +([^ $()]+) *\)")
-_WHOLE = re.compile(r"\s*\$\(arg +([^ $()]+) *\)\s*")
-_PLACE = re.compile(r"(?:\$\([^()]*\)|[^\s=])+")
+_ARG = late(r"\$\(arg +([^ $()]+) *\)")
+_WHOLE = late(r"\s*\$\(arg +([^ $()]+) *\)\s*")
+_PLACE = late(r"(?:\$\([^()]*\)|[^\s=])+")
 """A word of a command line, without ``name=`` or ``name:=`` before it."""
-_NAME = re.compile(r"\w+")
+_NAME = late(r"\w+")
 _CONDITIONS = ("if", "unless")
 _FLAGS = frozenset({"required", "respawn", "clear_params", "pass_all_args", "subst_value"})
 _WORDS = frozenset({"args", "command", "launch-prefix"})

@@ -32,17 +32,17 @@ have it back. So is an arg whose value in this file is a literal `true` or `fals
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
 from launchlint.model import Branch
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
 
 RULE = Rule("LL213", "unreachable-branch", Severity.WARNING)
-_ARG = re.compile(r"\$\(arg\s+(\S+)\s*\)")
+_ARG = late(r"\$\(arg\s+(\S+)\s*\)")
 _BOOLEANS = ("true", "false", "1", "0")
 
 

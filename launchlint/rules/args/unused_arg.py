@@ -47,6 +47,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
 from launchlint.rules.edits import fix, remove_element, spot
 from launchlint.rules.joined import joined
 from launchlint.rules.rule import Rule
@@ -59,12 +60,12 @@ _MOST_ALIKE = 40
 RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
 
 # Whatever looks like a read counts as one, closed or not: what is wrong with it is told by other rules.
-READ = re.compile(r"[({\[]\s*arg\s+([^\s(){}\[\]$]+)")
-WORD = re.compile(r"[^\W\d]\w*")
-MARKUP = re.compile(r"<[^<>]*>")
-EVAL = re.compile(r"\$\(eval([^\n]*)")
-COMPUTED_NAME = re.compile(r"\barg\s*\(\s*[^'\"\s]|\b(?:globals|locals|vars|dir|eval|exec)\s*\(")
-ON_PURPOSE = re.compile(
+READ = late(r"[({\[]\s*arg\s+([^\s(){}\[\]$]+)")
+WORD = late(r"[^\W\d]\w*")
+MARKUP = late(r"<[^<>]*>")
+EVAL = late(r"\$\(eval([^\n]*)")
+COMPUTED_NAME = late(r"\barg\s*\(\s*[^'\"\s]|\b(?:globals|locals|vars|dir|eval|exec)\s*\(")
+ON_PURPOSE = late(
     r"unused|not used|no longer|deprecat|obsolete|compat|ignored|legacy|dummy|placeholder|interface|"
     r"\b(?:old|previous|previously|prevents?|backwards?|so\s+that)\b",
     re.IGNORECASE,

@@ -46,6 +46,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, ConnectionGraph, Endpoint, Instance
+from launchlint.late import late
 from launchlint.rules.connections.places import Owners, acting_origin, how, node_origin, owners
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
@@ -54,7 +55,7 @@ RULE = Rule("LL616", "competing-publishers", Severity.WARNING)
 
 COMMANDS = frozenset({"cmd_vel", "cmd_vel_unstamped", "cmd_vel_stamped", "cmd", "cmd_drive", "ackermann_cmd", "command", "commands"})
 """Last parts of the names of topics that command something: a driver obeys each message on them."""
-DEAD_MAN = re.compile(r"dead_?man|(?:.*/)?enable_(?:button|axis)\Z", re.IGNORECASE)
+DEAD_MAN = late(r"dead_?man|(?:.*/)?enable_(?:button|axis)\Z", re.IGNORECASE)
 """The param of the button, or axis, that must be held while a joystick commands; a negative number says that there is none."""
 TURNS = "trajectory_msgs/"
 """The package of messages that say all that is to be done: nodes take turns in sending them."""

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-
+from launchlint.late import late
 from launchlint.spelling import one_slip
 
 SLIP, NAMESPACE, WORDS, SIBLING, TWIN = "slip", "namespace", "words", "sibling", "twin"
@@ -12,7 +11,7 @@ RELATIONS = (SLIP, NAMESPACE, WORDS, SIBLING)
 _SHORTEST_SLIP = 4
 _SHORTEST_WORD = 3
 _NO_DIGITS = dict.fromkeys(map(ord, "0123456789"))
-_SEPARATORS = re.compile("[/_]")
+_SEPARATORS = late("[/_]")
 
 
 def relation(left: str, right: str) -> str:

@@ -40,6 +40,7 @@ from math import inf, isfinite
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.command_line import command_line
+from launchlint.late import late
 from launchlint.model import Launch, Node
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -57,9 +58,9 @@ _POSE, _QUATERNION = 6, 7
 _TOLERANCE = 10e-3
 """How far the square of a quaternion's length may be from 1 (tf2's QUATERNION_NORMALIZATION_TOLERANCE)."""
 _PLAINLY_OFF = 0.1
-_NUMBER = re.compile(r"[-+]?(?:0[xX][0-9a-fA-F]+|(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|inf(?:inity)?|nan)", re.IGNORECASE)
+_NUMBER = late(r"[-+]?(?:0[xX][0-9a-fA-F]+|(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|inf(?:inity)?|nan)", re.IGNORECASE)
 """What C's atof reads, after blanks."""
-_SUBSTITUTION = re.compile(r"\$\((?:[^()]|\([^()]*\))*\)")
+_SUBSTITUTION = late(r"\$\((?:[^()]|\([^()]*\))*\)")
 
 
 def check(view: LaunchView) -> Iterator[Finding]:

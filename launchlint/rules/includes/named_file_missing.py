@@ -63,11 +63,11 @@ from __future__ import annotations
 
 import posixpath
 import re
-import shlex
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
 from launchlint.model import Command
 from launchlint.rules.made_file import cause_of, made
 from launchlint.rules.other_file import is_inside, root_of, shown
@@ -80,13 +80,13 @@ from launchlint.workspace.nearby import nearby_file
 
 RULE = Rule("LL411", "named-file-missing", Severity.WARNING)
 
-_WRITES = re.compile(r"out|sav|log|record|writ|dump|export|result|report|store|dest|calib|generat|-[oOw]\Z", re.IGNORECASE)
+_WRITES = late(r"out|sav|log|record|writ|dump|export|result|report|store|dest|calib|generat|-[oOw]\Z", re.IGNORECASE)
 _WRITTEN = frozenset(
     ".bag .log .csv .tsv .txt .db .db3 .pcd .ply .mp4 .avi .png .jpg .jpeg .out .pid .npy .npz .pkl .dot .pdf .bt .ot".split()
 )
 """What programs write, as often as they read it."""
 _FAIL_WITHOUT = frozenset(("xacro", "xacro.py", "cat"))
-_ENDING = re.compile(r"\.[A-Za-z]\w{0,7}")
+_ENDING = late(r"\.[A-Za-z]\w{0,7}")
 _MOST_DIRECTORIES = 300
 _LONGEST = 10_000
 
@@ -144,6 +144,8 @@ def _files(use: _Use) -> Iterator[_Named]:
 
 
 def _words(text: str) -> list[str]:
+    import shlex
+
     try:
         return shlex.split(text[:_LONGEST])
     except ValueError:

@@ -33,10 +33,10 @@ The parameter, argument or remap goes to a name that no node has, and roslaunch 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.source import Place, Span
@@ -44,7 +44,7 @@ from launchlint.syntax.tree import Element
 
 RULE = Rule("LL312", "anon-reuse", Severity.WARNING)
 
-_ANON = re.compile(r"\$\(\s*anon\s+([^\s()]+)\s*\)")
+_ANON = late(r"\$\(\s*anon\s+([^\s()]+)\s*\)")
 _DEEPEST = 200
 
 

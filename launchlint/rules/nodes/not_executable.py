@@ -75,11 +75,9 @@ from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
-from launchlint.workspace.executables import Executable
 
 _WRAPPED = "catkin_install_python(PROGRAMS)"
 """Since ROS Noetic catkin writes a program of that name into the devel space, too, which reads the script (catkin_install_python.cmake)."""
-_NONE = Executable("", "", None)
 
 RULE = Rule("LL305", "not-executable", Severity.ERROR, roslaunch="reports")
 
@@ -100,7 +98,8 @@ def check(view: LaunchView) -> Iterator[Finding]:
         flaw = found.flaw(node.executable)
         if flaw is None:
             continue
-        wrapped = found.by_name.get(node.executable, _NONE).how == _WRAPPED
+        known = found.by_name.get(node.executable)
+        wrapped = known is not None and known.how == _WRAPPED
         if wrapped and not flaw.lacks_shebang:
             continue
         path = shown(flaw.path, root)

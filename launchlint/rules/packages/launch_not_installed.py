@@ -76,10 +76,10 @@ frame_rate: 30
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
@@ -88,7 +88,7 @@ from launchlint.workspace.looking import exists, is_file
 
 RULE = Rule("LL702", "launch-not-installed", Severity.WARNING)
 
-_NOT_MEANT = re.compile(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
+_NOT_MEANT = late(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
 
 
 def check(view: FileView) -> Iterator[Finding]:

@@ -70,6 +70,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
+from launchlint.late import late
 from launchlint.rules.missing_package import is_placeholder
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.package_contents import contents
@@ -94,14 +95,14 @@ MOST_NAMED = 12
 SETUP_ASSISTANT = ".setup_assistant"
 _MOVE = "move {} to a package that starts both, such as a bringup package"
 # What MoveIt's Setup Assistant writes into every package and what nobody needs to drive the robot; it declares none of this itself.
-_GENERATED_EXTRA = re.compile(
+_GENERATED_EXTRA = late(
     r"(?:setup_assistant|joystick_control|run_benchmark_\w+|(?:default_)?warehouse(?:_db|_settings)?|(?:demo_)?gazebo)\.launch(?:\.xml)?"
 )
 
 RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports", fixable="safe")
 
-_FIND = re.compile(r"\$\(\s*find\s+([A-Za-z][\w-]*)\s*\)|\bfind\(\s*['\"]([A-Za-z][\w-]*)['\"]\s*\)")
-_ANY_FIND = re.compile(r"\$\(\s*find\s+([^\s()$]+)\s*\)")
+_FIND = late(r"\$\(\s*find\s+([A-Za-z][\w-]*)\s*\)|\bfind\(\s*['\"]([A-Za-z][\w-]*)['\"]\s*\)")
+_ANY_FIND = late(r"\$\(\s*find\s+([^\s()$]+)\s*\)")
 
 
 def check(view: FileView) -> Iterator[Finding]:

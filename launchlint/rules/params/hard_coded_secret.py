@@ -38,6 +38,7 @@ import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Location, Severity
+from launchlint.late import late
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.source import Place
@@ -45,7 +46,7 @@ from launchlint.syntax.tree import Attribute, Document, Element
 
 RULE = Rule("LL509", "hard-coded-secret", Severity.WARNING)
 
-_SECRET = re.compile(
+_SECRET = late(
     r"(?:^|[\W_]|(?<=[a-z])(?=[A-Z]))(?:password|passwd|passphrase|passcode|secret|secret_?key|api_?key|access_?key|auth_?key|"
     r"auth_?token|access_?token|api_?token|bearer_?token|token|private_?key|encryption_?key)$",
     re.IGNORECASE,

@@ -32,13 +32,13 @@ A roscpp node that asks for a bool and finds an int behaves as if the param were
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterator
 from math import ceil, floor
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance, Reading
+from launchlint.late import late
 from launchlint.model import Launch, ParameterSetting
 from launchlint.rules.params.values import is_certain, is_known, shown
 from launchlint.rules.rule import Rule
@@ -54,7 +54,7 @@ _TAKES = {"bool": ("bool",), "int": ("int", "double"), "double": ("double", "int
 """The types of values that ros::param::get takes for the type asked for."""
 _WORDS = {"bool": "a bool", "int": "an int", "double": "a double", "str": "a string", "list": "a list", "dict": "a mapping"}
 _CONTAINERS = ("list", "dict")
-_EXPONENT = re.compile(r"([-+]?[0-9]+)(\.[0-9]*)?[eE]([-+]?)([0-9]+)")
+_EXPONENT = late(r"([-+]?[0-9]+)(\.[0-9]*)?[eE]([-+]?)([0-9]+)")
 """A number with an exponent. roslaunch wants a point in it (roslaunch.loader.convert_value), PyYAML a point and a sign."""
 
 

@@ -40,13 +40,13 @@ The remap does nothing, nobody says so, and the node goes on talking under the n
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, kind
+from launchlint.late import late
 from launchlint.model import Remap
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.remaps.own_names import OwnNames, own_names
@@ -59,7 +59,7 @@ RULE = Rule("LL601", "remap-matches-nothing", Severity.WARNING, fixable="unsafe"
 UNIVERSAL = ("~get_loggers", "~set_logger_level", "/rosout", "/clock", "/use_sim_time", "/statistics")
 """Names that every node has (roscpp, rospy)."""
 REMOVE = "remove it"
-_PROPOSED = re.compile(r'from="([^"]+)"(?: to="([^"]+)")?')
+_PROPOSED = late(r'from="([^"]+)"(?: to="([^"]+)")?')
 _MOST_NAMES = 6
 _MOST_CANDIDATES = 300
 

@@ -7,9 +7,9 @@ arg it is: whether roslaunch gets there is the evaluator's to say.)
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
+from launchlint.late import late
 from launchlint.problem import Problem
 from launchlint.source import Span
 from launchlint.syntax.ros1.dialect import (
@@ -57,8 +57,8 @@ KINDS = (
 )
 """Every kind of problem :func:`validate` can make."""
 
-_SUBSTITUTION = re.compile(r"\$\(\s*([a-z][a-z_-]*)(?=[\s)])[^()]*\)?")
-_XACRO = re.compile(r"(?<![\w.-])xacro\.py(?![\w.-])")
+_SUBSTITUTION = late(r"\$\(\s*([a-z][a-z_-]*)(?=[\s)])[^()]*\)?")
+_XACRO = late(r"(?<![\w.-])xacro\.py(?![\w.-])")
 _NO_DOLLAR = Domain("fixed-condition", "true, false, 1 or 0 (no $(…) on <launch>)", parse_condition, CONDITION.choices)
 
 
