@@ -1,9 +1,10 @@
 """Grow the bundled library by what launchlint's own tools find in public source code and in probes.
 
 ``scripts/library_sources.yaml`` lists public repositories, each at one commit. ``python scripts/grow_library.py`` fetches each with git
-(``--checkouts DIRECTORY`` takes the clones ``DIRECTORY/owner/name`` in place of the network), reads it as ``launchlint extract`` does, and
-writes what it finds into ``launchlint/library/bundled``. ``--probed FILE`` adds a library that ``launchlint probe`` made; ``--no-sources``
-does nothing else. What the script wrote earlier is taken out first, so the same list and the same probes always give the same files.
+(``--checkouts DIRECTORY`` takes the clones ``DIRECTORY/owner/name`` in place of the network), reads it as ``launchlint extract`` does,
+together with those that it is to be read beside, and writes what it finds into ``launchlint/library/bundled``. ``--probed FILE`` adds a
+library that ``launchlint probe`` made; ``--no-sources`` does nothing else. What the script wrote earlier is taken out first, so the same
+list and the same probes always give the same files.
 
 Nothing is executed but git. What a person wrote wins: source code adds nothing to a program that somebody has read and described. A probe
 adds its evidence to such a program, and the MD5 sums it has seen; the names that the description lacks are printed, for a person to see to.
@@ -17,40 +18,31 @@ import re
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from itertools import repeat
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import yaml
+from library_repositories import Place, Wanted, read_list, unpack
 from library_shelf import TABLES, Program, Shelf, entries_of
 
 from launchlint.check.run import default_directory
-from launchlint.errors import LaunchlintError, UsageError
+from launchlint.errors import LaunchlintError
 from launchlint.extract.package import extract
 from launchlint.library.file import parse, read
 from launchlint.library.format import CATEGORIES
 from launchlint.library.shipped import DIRECTORY
-from launchlint.probe.configuration import Repository
-from launchlint.probe.sources import Tree, fetch, members
+from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
 
 HERE = Path(__file__).resolve().parent
-_TEST = re.compile(r"(?:^|[^a-z])(?:unit|integration|ros|g|py)?_?tests?(?:[^a-z]|$)|mock")
-"""Names of programs and packages that are there to test others: no robot starts them."""
-
 
 MORE_PARAMS = "read from source code by a program, which may miss some"
 _QUOTED = re.compile(r"(?<=before it runs): .*?(?= \([\w./+-]+:\d+\)|$)")
 """The source text in a reason why names are not known."""
-
-
-class Wanted(NamedTuple):
-    """A line of the list: a repository and commit, the packages to take besides those of the public index, and what to leave out."""
-
-    name: str
-    commit: str
-    packages: tuple[str, ...]
-    skip: frozenset[str]
+_GROUP = "repositories"
+"""The directory with the repositories that are read together; evidence begins with its name."""
 
 
 class Found(NamedTuple):
@@ -60,79 +52,54 @@ class Found(NamedTuple):
     sources: list[dict[str, Any]]
 
 
-def read_list(path: Path) -> list[Wanted]:
-    """The repositories of the list, in its order: of a program that several have, the first one counts."""
-    document = yaml.load(path.read_text(encoding="utf-8"), Loader=yaml.BaseLoader)  # a commit may look like a number
-    return [
-        Wanted(name, entry["commit"], tuple(entry.get("packages", ())), frozenset(entry.get("skip", ())))
-        for name, entry in (document or {}).items()
-    ]
-
-
-def unpack(wanted: Wanted, checkouts: Path | None, cache: str, directory: Path) -> None:
-    """Write the files of a repository at its commit into ``directory``, which ``launchlint extract`` then takes for a clone of it."""
-    address = f"https://github.com/{wanted.name}"
-    if checkouts is None:
-        files = files_of_tree(fetch(Repository(address, wanted.commit), cache))
-    else:
-        files = files_of_clone(checkouts / wanted.name, wanted.commit)
-    for path, runs, data in files:
-        target = directory / path
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_bytes(data)
-        target.chmod(0o755 if runs else 0o644)
-    git = directory / ".git"
-    git.mkdir()
-    (git / "HEAD").write_text(f"{wanted.commit}\n")
-    (git / "config").write_text(f'[remote "origin"]\n\turl = {address}\n')
-
-
-def files_of_tree(tree: Tree) -> Iterator[tuple[str, bool, bytes]]:
-    """Path, whether it is a program, and content of the files that were fetched."""
-    for member in members(tree):
-        if member.source is not None:
-            yield member.path, member.runs, member.source.read()
-
-
-def files_of_clone(clone: Path, commit: str) -> Iterator[tuple[str, bool, bytes]]:
-    """The same of a commit in a clone. Files that a partial clone lacks are left out."""
-    git = ["git", "-c", "safe.directory=*", "-C", str(clone)]
-    listed = subprocess.run([*git, "ls-tree", "-r", "-z", commit], capture_output=True, check=False)
-    if listed.returncode:
-        raise UsageError(f"{clone}: there is no commit {commit}")
-    with subprocess.Popen([*git, "cat-file", "--batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as reading:
-        if reading.stdin is None or reading.stdout is None:
-            raise AssertionError("pipes were asked for")
-        for line in listed.stdout.decode("utf-8", "surrogateescape").split("\0")[:-1]:
-            (mode, kind, name), path = line.partition("\t")[0].split(), line.partition("\t")[2]
-            if kind != "blob" or mode == "120000":
-                continue
-            reading.stdin.write(f"{name}\n".encode())
-            reading.stdin.flush()
-            head = reading.stdout.readline().split()
-            if head[-1:] != [b"missing"]:
-                data = reading.stdout.read(int(head[2]))
-                reading.stdout.readline()
-                yield path, mode == "100755", data
-
-
-def read_sources(wanted: Wanted, checkouts: Path | None, cache: str, jobs: int) -> Found:
-    """What the source code of a repository says of programs worth knowing."""
+def read_sources(group: Sequence[Wanted], place: Place) -> Found:
+    """What the source code of the first of some repositories says of programs worth knowing, all of them being read together."""
+    wanted = group[0]
+    found = Found({}, [{"id": each.id, "url": each.address, "commit": each.commit} for each in group])
     with tempfile.TemporaryDirectory() as directory:
-        unpack(wanted, checkouts, cache, Path(directory))
-        document = extract([directory], (), jobs).document
-    found = Found({}, document["sources"])
-    for package, known in document["packages"].items():
-        if _TEST.search(package) or package in wanted.skip or not (package in wanted.packages or package in public_names()):
-            continue
+        root = Path(directory) / _GROUP
+        unpack(wanted, place, root / wanted.name)
+        own = packages_in(root)
+        names = sorted(name for name in own if name not in wanted.skip and (name in wanted.packages or name in public_names()))
+        if not names:
+            return found
+        for each in group[1:]:
+            unpack(each, place, root / each.name)
+            for name, manifest in packages_in(root / each.name).items():
+                if name in own:
+                    manifest.unlink()  # the repository's own copy of the package is the one that it uses
+        known = extract([str(root)], names).document["packages"]
+    for package in names:
         for table in TABLES:
             programs = {
-                name: in_own_words(program)
-                for name, program in known.get(table, {}).items()
-                if not wanted.skip.intersection((name, f"{package}/{name}")) and is_worth_knowing(name, program)
+                name: located(in_own_words(program), group)
+                for name, program in known.get(package, {}).get(table, {}).items()
+                if not wanted.skip.intersection((name, f"{package}/{name}")) and any(entries_of(program))
             }
             found.packages.setdefault(package, {})[table] = programs
     return found
+
+
+def packages_in(directory: Path) -> dict[str, Path]:
+    """The packages in a directory and their manifests; metapackages and broken ones are none."""
+    packages = Packages([str(directory)], {}, explicit=True).places[0].everything
+    return {each.name: Path(each.manifest_path) for each in packages if not each.broken and not each.is_metapackage}
+
+
+def located(program: Program, group: Sequence[Wanted]) -> Program:
+    """A program whose evidence and reasons name places in the repositories, not in the directory that they were read from."""
+    for _, entry in entries_of(program):
+        for evidence in entry["evidence"]:
+            path = evidence["at"].removeprefix(f"{_GROUP}:")
+            each = next(each for each in group if path.startswith(f"{each.name}/"))
+            evidence["at"] = f"{each.id}:{path.removeprefix(f'{each.name}/')}"
+        entry["evidence"].sort(key=lambda evidence: str(evidence["at"]))
+    for variant in program["variants"].values():
+        for category, why in variant["open"].items():
+            for each in group:
+                why = why.replace(f"({each.name}/", "(")
+            variant["open"][category] = why
+    return program
 
 
 def in_own_words(program: Program) -> Program:
@@ -183,12 +150,6 @@ def undecided(condition: dict[str, Any]) -> dict[str, Any]:
     return condition
 
 
-def is_worth_knowing(name: str, program: Mapping[str, Any]) -> bool:
-    """Whether a program that was read from source has any name that is known, and is not a test."""
-    places = [evidence["at"].split(":")[1] for _, entry in entries_of(program) for evidence in entry["evidence"]]
-    return bool(places) and not _TEST.search(name) and not all({"test", "tests"}.intersection(place.split("/")[:-1]) for place in places)
-
-
 def read_probe(path: Path) -> dict[str, Any]:
     """The packages of a library that a probe made; its evidence names the version that ran."""
     packages: dict[str, Any] = parse(read(str(path)), str(path))["packages"]
@@ -203,6 +164,15 @@ def read_probe(path: Path) -> dict[str, Any]:
     return packages
 
 
+def read_all(groups: Sequence[Sequence[Wanted]], place: Place, jobs: int) -> Iterator[Found]:
+    """What each group says, in order; several are read at once."""
+    if jobs < 2 or len(groups) < 2:
+        yield from map(read_sources, groups, repeat(place))
+        return
+    with ProcessPoolExecutor(jobs) as pool:
+        yield from pool.map(read_sources, groups, repeat(place))
+
+
 def main() -> int:
     """Grow the library; return the exit status."""
     parser = argparse.ArgumentParser(description="Grow the bundled library from public source code and from probes.")
@@ -215,15 +185,21 @@ def main() -> int:
     parser.add_argument("--directory", type=Path, default=Path(DIRECTORY), help="where the files are (default: the package's own)")
     options = parser.parse_args()
     shelf = Shelf(options.directory)
-    wanted = [] if options.no_sources else [each for each in read_list(options.list) if not options.only or each.name in options.only]
-    if not options.no_sources:
-        shelf.take_out("static", frozenset(options.only) if options.only else None)
+    place = Place(options.checkouts, str(Path(default_directory()) / "probe"))
     if options.probed:
         shelf.take_out("dynamic")
     try:
-        for each in wanted:
-            found = read_sources(each, options.checkouts, str(Path(default_directory()) / "probe"), options.jobs)
-            print(f"{each.name}: {shelf.add_read(found.packages, found.sources)} programs", flush=True)
+        if not options.no_sources:
+            listed = read_list(options.list)
+            only = frozenset(options.only or listed)
+            shelf.take_out("static", only if options.only else None)
+            groups = [
+                [each, *(listed[other] for other in each.beside)]
+                for each in listed.values()
+                if only.intersection((each.name, *each.beside))
+            ]
+            for group, found in zip(groups, read_all(groups, place, options.jobs), strict=True):
+                print(f"{group[0].name}: {shelf.add_read(found.packages, found.sources, bool(options.only))} programs", flush=True)
         for path in options.probed or ():
             seen, missing = shelf.add_seen(read_probe(path))
             print(f"{path}: {seen} programs")

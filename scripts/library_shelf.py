@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -47,16 +47,19 @@ class Shelf:
                         if left != program:
                             self._dropped |= sources
 
-    def add_read(self, found: Packages, sources: Sequence[Mapping[str, Any]]) -> int:
-        """Put in what source code says of programs that nobody has described or read yet. Returns how many those are."""
+    def add_read(self, found: Packages, sources: Sequence[Mapping[str, Any]], again: bool = False) -> int:
+        """Put in what source code says of programs that nobody has described or read yet; ``again``: or that was read from these sources
+        alone. Returns how many those are.
+        """
+        places = {source["id"].partition("@")[0] for source in sources}
         added = 0
         for package, tables in found.items():
             for table in TABLES:
                 known = self._table(package, table)
                 new = {
-                    name: merge_programs([known[name], program]) if name in known else program
+                    name: merge_programs([known[name], program]) if "dynamic" in kinds_of(known.get(name, {})) else program
                     for name, program in tables.get(table, {}).items()
-                    if name not in known or kinds_of(known[name]) == {"dynamic"}
+                    if name not in known or kinds_of(known[name]) == {"dynamic"} or (again and is_read_from(known[name], places))
                 }
                 known.update(new)
                 added += len(new)
@@ -130,6 +133,11 @@ def source_ids(program: Mapping[str, Any]) -> set[str]:
     """The sources that the evidence of a program names."""
     places = (evidence.get("at", "") for _, entry in entries_of(program) for evidence in entry.get("evidence", ()))
     return {place.partition(":")[0] for place in places if "@" in place}
+
+
+def is_read_from(program: Mapping[str, Any], repositories: Container[str]) -> bool:
+    """Whether all that is known of a program is from the source code of some repositories (``owner/name``)."""
+    return kinds_of(program) == {"static"} and all(source.partition("@")[0] in repositories for source in source_ids(program))
 
 
 def without(program: Program, kind: str) -> Program | None:

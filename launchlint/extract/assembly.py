@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
 from launchlint.extract.fact import Plugin
 from launchlint.extract.template import Template, filled, template_of
 from launchlint.workspace import looking
+from launchlint.workspace.cmake_exports import Exported, exported_commands
 from launchlint.workspace.cmake_facts import read_cmake
 from launchlint.workspace.cmake_targets import CMakeFacts, Target
 from launchlint.workspace.nodelets import NodeletClass, plugin_classes
@@ -51,11 +52,11 @@ class Assembled(NamedTuple):
 class Parts:
     """What one package builds: its targets, plugin descriptions, and directories with headers."""
 
-    def __init__(self, package: Package) -> None:
+    def __init__(self, package: Package, exported: Callable[[str], Exported | None]) -> None:
         self.package = package
         looking.note_tree(package.directory)
         looking.note((os.path.abspath(package.manifest_path),))
-        self.cmake: CMakeFacts = read_cmake(package.directory, lambda: files_below(package.directory))
+        self.cmake: CMakeFacts = read_cmake(package.directory, lambda: files_below(package.directory), exported)
         self.by_output = {target.output: target for target in self.cmake.targets.values() if target.is_library}
         self.own_includes = tuple(each for each in self.cmake.include_directories if os.path.isdir(each))
         self._libraries: tuple[str, ...] | None = None
@@ -80,6 +81,7 @@ class Workspace:
     def __init__(self, packages: Iterable[Package]) -> None:
         self.packages = {package.name: package for package in packages if not package.broken}
         self._parts: dict[str, tuple[Parts, frozenset[str]]] = {}
+        self._exported: dict[str, tuple[Exported, frozenset[str]]] = {}
         self._includes: dict[str, tuple[tuple[str, ...], frozenset[str]]] = {}
         self._plugins: dict[str, tuple[tuple[NodeletClass, ...], frozenset[str]]] = {}
         self._by_directory = {os.path.abspath(package.directory): package.name for package in self.packages.values()}
@@ -87,10 +89,20 @@ class Workspace:
     def parts(self, name: str) -> Parts:
         """What a package builds, read once."""
         if name not in self._parts:
-            self._parts[name] = looking.watched(lambda: Parts(self.packages[name]))
+            self._parts[name] = looking.watched(lambda: Parts(self.packages[name], self.exported))
         parts, looked = self._parts[name]
         looking.note(looked)
         return parts
+
+    def exported(self, name: str) -> Exported | None:
+        """The CMake commands that a package here exports, read once; None where it is not here."""
+        if name not in self.packages:
+            return None
+        if name not in self._exported:
+            self._exported[name] = looking.watched(lambda: exported_commands(self.packages[name].directory))
+        found, looked = self._exported[name]
+        looking.note(looked)
+        return found
 
     def plugins(self, name: str) -> tuple[NodeletClass, ...]:
         """The classes of all plugin descriptions that ``package.xml`` of a package exports, of nodelets and others."""

@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 from launchlint.late import late
 from launchlint.workspace.cmake import CMakeError, Command, commands
 from launchlint.workspace.cmake_blocks import block_end, never, parsed, section, sources_and_rest
+from launchlint.workspace.cmake_exports import Exported, within
 from launchlint.workspace.cmake_installs import install, install_programs
 from launchlint.workspace.cmake_made import MAKING
 from launchlint.workspace.cmake_scope import Scope, Value, together
@@ -49,12 +50,15 @@ _ASSIGNING = _COMPUTING | {"set", "list", "file", "get_filename_component"}
 _COMPUTING_FIRST = frozenset(("get_target_property", "get_property", "option", "find_path", "find_file", "find_program"))
 
 
-def read_cmake(directory: str, files: Callable[[], Sequence[str]]) -> CMakeFacts:
+def read_cmake(
+    directory: str, files: Callable[[], Sequence[str]], exported: Callable[[str], Exported | None] = lambda name: None
+) -> CMakeFacts:
     """Read ``CMakeLists.txt`` of the package at ``directory`` and the files it includes from the package. Never raises.
 
-    ``files`` gives the package's files as paths relative to it with ``/``, for ``file(GLOB)``.
+    ``files`` gives the package's files as paths relative to it with ``/``, for ``file(GLOB)``; ``exported`` the commands that a package
+    exports to this one, which finds it.
     """
-    reader = _Reader(os.path.abspath(directory), files)
+    reader = _Reader(os.path.abspath(directory), files, exported)
     reader.read(os.path.join(reader.scope.root, CMAKE_FILE), 0)
     reader.find_generated()
     for target, name in reader.renamed.items():
@@ -69,9 +73,11 @@ def read_cmake(directory: str, files: Callable[[], Sequence[str]]) -> CMakeFacts
 class _Reader:
     """One run over the CMake files of a package."""
 
-    __slots__ = ("_blocks", "_file_shown", "facts", "generated", "macros", "parameters", "renamed", "scope", "steps")
+    __slots__ = (
+        "_blocks", "_exported", "_file_shown", "_outside", "facts", "generated", "macros", "parameters", "renamed", "scope", "steps",
+    )  # fmt: skip
 
-    def __init__(self, root: str, files: Callable[[], Sequence[str]]) -> None:
+    def __init__(self, root: str, files: Callable[[], Sequence[str]], exported: Callable[[str], Exported | None]) -> None:
         self.scope = Scope(root, files)
         self.facts = CMakeFacts()
         self.macros: dict[str, Sequence[Command]] = {}
@@ -81,6 +87,8 @@ class _Reader:
         self.steps = 0
         self._blocks = 0
         self._file_shown = CMAKE_FILE
+        self._exported = exported
+        self._outside: list[str] = []
 
     # -- reading ------------------------------------------------------------------------------------------------------
 
@@ -221,6 +229,8 @@ class _Reader:
             self._include_directories(arguments if name == "include_directories" else arguments[1:])
         elif name == "catkin_package":
             self._include_directories(section(arguments, "INCLUDE_DIRS", CATKIN_WORDS))
+        elif name == "find_package":
+            self._find(arguments)
         elif name == "project":
             self.scope.project(first)
             self.facts.project = self.facts.project or first or ""
@@ -311,9 +321,21 @@ class _Reader:
         if output is None or "$<" in output or len(self.generated) >= _MOST_GENERATED:
             return
         template = self.scope.template(command.arguments[0])
-        if template is not None and self._inside(template):
+        if template is not None and (self._inside(template) or any(within(template, each) for each in self._outside)):
             path = os.path.normpath(os.path.join(self.scope.built(self.scope.here), output))
             self.generated[path] = Generated(template, dict(self.scope.variables), "@ONLY" in words, "COPYONLY" in words)
+
+    def _find(self, words: Sequence[Value]) -> None:
+        """``find_package(catkin COMPONENTS …)``: the commands that those packages export, with the variables that say where they are."""
+        for word in words:
+            given = self._exported(word) if word else None
+            if given is not None and given.commands and given.directory not in self._outside and given.directory != self.scope.root:
+                self._outside.append(given.directory)
+                for name, (body, parameters) in given.commands.items():
+                    self.macros.setdefault(name, body)
+                    self.parameters.setdefault(name, parameters)
+                for variable, path in (("SOURCE_DIR", ""), ("SOURCE_PREFIX", ""), ("DIR", "/cmake"), ("EXTRAS_DIR", "/cmake")):
+                    self.scope.assign(f"{word}_{variable}", [given.directory + path])
 
     def find_generated(self) -> None:
         """Note at each target which of its sources are made of a template."""
@@ -450,7 +472,7 @@ class _Reader:
                 self.scope.forget([each.text for each in command.arguments])
 
     def _inside(self, path: str) -> bool:
-        return os.path.realpath(path).startswith(os.path.realpath(self.scope.root) + "/")
+        return within(path, self.scope.root)
 
     def _unknown(self, reason: str) -> None:
         self.facts.executables_reasons.append(reason)

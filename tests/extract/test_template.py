@@ -56,6 +56,33 @@ def test_executables_that_load_one_nodelet(tmp_path: Path) -> None:
 TOPIC = 'int main() {{ ros::NodeHandle nh;\n  nh.advertise<std_msgs::Bool>("{0}", 1); }}\n'
 
 
+def test_a_command_that_another_package_exports(tmp_path: Path) -> None:
+    exporting, using = MACRO.removeprefix("project(demo)\n").split("add_nodelet(edges", 1)
+    root = grow(
+        tmp_path / "ws",
+        {
+            "macros/package.xml": MANIFEST.format(name="macros", more=""),
+            "macros/CMakeLists.txt": "project(macros)\ncatkin_package(LIBRARIES macros CFG_EXTRAS nodelets.cmake DEPENDS x)\n",
+            "macros/cmake/nodelets.cmake.em": "@[if DEVELSPACE]@\n"
+            + exporting.replace("cmake/one", "${macros_SOURCE_PREFIX}/cmake/one")
+            + "@[end if]@\n",
+            "macros/cmake/one_nodelet.cpp.in": ONE_NODELET,
+            "demo/package.xml": MANIFEST.format(name="demo", more="<export><nodelet plugin='${prefix}/plugins.xml'/></export>"),
+            "demo/plugins.xml": "<library path='lib/libdemo'>"
+            "<class name='demo/Edges' type='Edges' base_class_type='nodelet::Nodelet'/></library>",
+            "demo/CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED COMPONENTS macros)\n"
+            "add_nodelet(edges demo/Edges src/edges.cpp)\nadd_library(demo ${files})\n",
+            "demo/src/edges.cpp": CLASS.format("Edges", "edges"),
+        },
+    )
+    assert using  # the macro ends before its first use
+    assert program(root, "demo", "edges")["variants"]["default"] == {
+        "publishers": [{"name": "~edges", "type": "std_msgs/Bool", "queue": 1, "evidence": at("demo/src/edges.cpp:1")}]
+    }
+    grow(root, {"demo/CMakeLists.txt": "project(demo)\nadd_nodelet(edges demo/Edges src/edges.cpp)\nadd_library(demo ${files})\n"})
+    assert extract([str(root)]).document["packages"] == {}, "a package that is not found gives no commands"
+
+
 @pytest.mark.parametrize(
     ("command", "template", "name"),
     [

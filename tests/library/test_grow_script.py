@@ -15,6 +15,7 @@ from tests.library.samples import library, written
 
 ROOT = Path(__file__).resolve().parents[2]
 PERSON = "some/where@0123456789ab:node.py:1"
+MANIFEST = "<package format='2'><name>{}</name></package>\n"
 NODE = """#!/usr/bin/env python3
 import rospy
 from std_msgs.msg import String
@@ -58,6 +59,18 @@ class Place:
         self.commit = git(clone, "rev-parse", "HEAD")
         (directory / "list.yaml").write_text(f"team/robots: {{commit: {self.commit}, packages: [robot]}}\n")
 
+    def clone(self, name: str, files: dict[str, str]) -> str:
+        """Another clone; the commit in it."""
+        clone = self.directory / "clones" / name
+        for path, text in files.items():
+            (clone / path).parent.mkdir(parents=True, exist_ok=True)
+            (clone / path).write_text(text)
+            (clone / path).chmod(0o755 if text.startswith("#!") else 0o644)
+        git(clone, "init", "--quiet")
+        git(clone, "add", "-A")
+        git(clone, "commit", "--quiet", "-m", "all")
+        return git(clone, "rev-parse", "HEAD")
+
     @staticmethod
     def program(interface: dict[str, Any]) -> dict[str, Any]:
         return {"class": "rospy", "variants": {"default": interface}}
@@ -87,7 +100,7 @@ def test_source_code_adds_programs_that_nobody_has_described(place: Place) -> No
     before = place.known("robot")["packages"]["robot"]["executables"]["described"]
     assert place.grow("--checkouts", "clones") == (
         0,
-        "team/robots: 2 programs\nbundled: changed 2 files\nbundled: wrote 1 of 3 files\n",
+        "team/robots: 3 programs\nbundled: changed 2 files\nbundled: wrote 1 of 3 files\n",
     )
     assert sorted(place.files()) == ["index.json", "robot.json", "turtlesim.json"]
     document = place.known("robot")
@@ -96,25 +109,29 @@ def test_source_code_adds_programs_that_nobody_has_described(place: Place) -> No
         {"id": "some/where@0123456789ab", "url": "https://github.com/some/where", "commit": "0123456789ab" + 28 * "0"},
         {"id": where, "url": "https://github.com/team/robots", "commit": place.commit},
     ]
-    assert document["packages"]["robot"]["executables"] == {
-        "described": before,
-        "node": place.program(
+
+    def read(name: str) -> dict[str, Any]:
+        return place.program(
             {
                 "publishers": [
                     {
                         "name": "chatter",
                         "type": "std_msgs/String",
                         "queue": 1,
-                        "evidence": [{"by": "static", "at": f"{where}:robot/scripts/node:7"}],
+                        "evidence": [{"by": "static", "at": f"{where}:robot/scripts/{name}:7"}],
                     }
                 ],
-                "params": [{"name": "~rate", "default": 10, "evidence": [{"by": "static", "at": f"{where}:robot/scripts/node:6"}]}],
+                "params": [{"name": "~rate", "default": 10, "evidence": [{"by": "static", "at": f"{where}:robot/scripts/{name}:6"}]}],
                 "open": {
-                    "subscribers": "a name that is not known (robot/scripts/node:9)",
+                    "subscribers": f"a name that is not known (robot/scripts/{name}:9)",
                     "params": "read from source code by a program, which may miss some",
                 },
             }
-        ),
+        )
+
+    assert document["packages"]["robot"]["executables"] == {
+        "described": before,
+        **{name: read(name) for name in ("node", "test_node")},
     }
 
 
@@ -129,6 +146,39 @@ def test_the_same_list_gives_the_same_files_and_an_empty_one_takes_all_away(plac
     assert sorted(place.files()) == ["index.json", "robot.json"]
     assert list(place.known("robot")["packages"]["robot"]["executables"]) == ["described"]
     assert [source["id"] for source in place.known("robot")["sources"]] == ["some/where@0123456789ab"]
+
+
+def test_repositories_are_read_beside_those_that_they_use(place: Place) -> None:
+    module = "import rospy\nfrom std_msgs.msg import String\n\n\ndef start():\n    rospy.Publisher('shared', String, queue_size=1)\n"
+    commit = place.clone(
+        "team/shared",
+        {"shared/package.xml": MANIFEST.format("shared"), "shared/src/shared/__init__.py": "", "shared/src/shared/talk.py": module},
+    )
+    using = place.clone(
+        "team/using",
+        {
+            "robot/package.xml": MANIFEST.format("robot").replace("</package>", "<exec_depend>shared</exec_depend></package>"),
+            "robot/scripts/talker": "#!/usr/bin/env python3\nfrom shared.talk import start\n\nstart()\n",
+            "shared/package.xml": MANIFEST.format("shared_too"),
+        },
+    )
+    listed = f"team/using: {{commit: {using}, packages: [robot], beside: [team/shared]}}\nteam/shared: {{commit: {commit}}}\n"
+    (place.directory / "list.yaml").write_text(listed)
+    for words in (("--jobs", "1"), ("--jobs", "2"), ("--only", "team/shared"), ("--only", "team/using")):
+        assert "team/using: 1 programs\n" in place.grow("--checkouts", "clones", *words)[1]
+        known = place.known("robot")
+        assert known["packages"]["robot"]["executables"]["talker"]["variants"]["default"]["publishers"] == [
+            {
+                "name": "shared",
+                "type": "std_msgs/String",
+                "queue": 1,
+                "evidence": [{"by": "static", "at": f"team/shared@{commit[:12]}:shared/src/shared/talk.py:6"}],
+            }
+        ]
+        assert [source["id"] for source in known["sources"]] == ["some/where@0123456789ab", f"team/shared@{commit[:12]}"]
+    (place.directory / "list.yaml").write_text(listed.partition("\n")[0])
+    with pytest.raises(AssertionError, match="team/using is read beside team/shared, which is not in the list"):
+        place.grow("--checkouts", "clones")
 
 
 def test_a_probe_confirms_what_is_described_and_says_what_is_missing(place: Place) -> None:

@@ -77,8 +77,14 @@ def functions(machine: Machine, name: str, frame: Frame) -> list[Function]:
         if found:
             return found
     if "::" in plain:
-        resolved = machine.names.resolve(Type(plain.rpartition("::")[0]), frame)
-        return machine.declarations.functions.get(joined(resolved.name, plain.rpartition("::")[2]), [])
+        owner, _, last = plain.rpartition("::")
+        resolved = machine.names.resolve(Type(owner), frame)
+        # A class knows its bases by their own names, whatever namespace they are of.
+        bases = [] if frame.this is None else [each.name for each in classes.chain(machine, frame.this) if each.name.endswith(f"::{owner}")]
+        for each in (resolved.name, *bases):
+            found = machine.declarations.functions.get(joined(each, last), [])
+            if found:
+                return found
     return []
 
 

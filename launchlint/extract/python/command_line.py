@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from launchlint.extract.python.arguments import Call, number_or_none
 from launchlint.extract.python.text import ANY, template, text
-from launchlint.extract.python.values import MISSING, UNKNOWN, Argv, Handle, Seq, Value
+from launchlint.extract.python.values import MISSING, UNKNOWN, Argv, Handle, Seq, Value, alternatives
 
 _FLAGS = ("store_true", "store_false", "store_const", "append_const", "count", "help", "version")
 MOST_ARGUMENTS = 200
@@ -16,10 +16,24 @@ def _parser(made: Call) -> Value:
 
 def _add(receiver: Handle, made: Call) -> Value:
     words = [each for each in made.positional if isinstance(each, str)]
-    known = receiver.state["arguments"]
+    known = _declared(receiver)
     if words and len(known) < MOST_ARGUMENTS:
         made.run.store(receiver.state, "arguments", [*known, (tuple(words), dict(made.keywords))])
     return UNKNOWN
+
+
+def _declared(receiver: Handle) -> list[tuple[tuple[str, ...], dict[str, Value]]]:
+    """The arguments that were added: options of any way through an ``if``, and positional ones where all ways have the same, else one
+    that stands for some number of them.
+    """
+    ways = [value for _, value in alternatives(receiver.state["arguments"])]
+    if len(ways) == 1:
+        only: list[tuple[tuple[str, ...], dict[str, Value]]] = ways[0]
+        return only
+    positional = [[each for each in way if not each[0][0].startswith("-")] for way in ways]
+    options = {each[0]: each for way in ways for each in way if each[0][0].startswith("-")}
+    same = all(each == positional[0] for each in positional)
+    return [*(positional[0] if same else [(("?",), {"nargs": "*"})]), *options.values()]
 
 
 def _group(receiver: Handle, made: Call) -> Value:
@@ -43,7 +57,7 @@ def _parsed(receiver: Handle, made: Call) -> Value:
     """``parse_args()`` of argparse: an object with an attribute for each argument."""
     attributes: dict[object, Value] = {}
     position = _first(made)
-    for words, keywords in receiver.state["arguments"]:
+    for words, keywords in _declared(receiver):
         if words[0].startswith("-"):
             name = next((word for word in words if word.startswith("--")), words[0])
             attributes["attribute", _dest(keywords, name)] = _option(made, words, keywords)
@@ -72,7 +86,7 @@ def _parsed_known(receiver: Handle, made: Call) -> Value:
 def _parsed_options(receiver: Handle, made: Call) -> Value:
     """``parse_args()`` of optparse: options, and what is left of the arguments."""
     attributes: dict[object, Value] = {}
-    for words, keywords in receiver.state["arguments"]:
+    for words, keywords in _declared(receiver):
         name = next((word for word in words if word.startswith("--")), words[0])
         attributes["attribute", _dest(keywords, name)] = _option(made, words, keywords)
     first = _first(made)

@@ -211,6 +211,17 @@ def test_a_member_is_defined_under_another_name_of_its_class(tmp_path: Path) -> 
     assert [spelled(fact) for fact in program(tmp_path, source, "ns::Node")[0]] == ["publishers a std_msgs/Bool 5 queue=1"]
 
 
+def test_a_base_class_of_another_namespace_is_called_by_its_own_name(tmp_path: Path) -> None:
+    source = """
+    namespace base { class Base : public nodelet::Nodelet { protected: void onInit() { pnh_ = getPrivateNodeHandle(); }
+      ros::NodeHandle pnh_; }; }
+    namespace ns { class Node : public base::Base { void onInit() { Base::onInit(); pnh_.advertise<std_msgs::Bool>("a", 1); } }; }
+    """
+    facts, doubts = program(tmp_path, source, "ns::Node")
+    assert [spelled(fact) for fact in facts] == ["publishers ~a std_msgs/Bool 4 queue=1"]
+    assert doubts == ()
+
+
 def test_plugins_are_a_doubt(tmp_path: Path) -> None:
     facts, doubts = program(tmp_path, 'int main() { pluginlib::ClassLoader<demo::Layer> loader("demo", "demo::Layer"); }')
     assert facts == ()
