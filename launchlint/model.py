@@ -8,6 +8,7 @@ is not here …) is an :class:`Unknown`; it is never guessed at and never causes
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 from launchlint.problem import Problem
@@ -19,13 +20,17 @@ if TYPE_CHECKING:
 
 
 class Unknown:
-    """A value that cannot be known without running the system. ``text`` is what is written, ``reason`` why it is unknown."""
+    """A value that cannot be known without running the system.
 
-    __slots__ = ("reason", "text")
+    ``text`` is what is written, ``reason`` why it is unknown, ``pattern`` what is known of the value: ``*`` stands for anything.
+    """
 
-    def __init__(self, text: str, reason: str) -> None:
+    __slots__ = ("pattern", "reason", "text")
+
+    def __init__(self, text: str, reason: str, pattern: str = "*") -> None:
         self.text = text
         self.reason = reason
+        self.pattern = pattern
 
     def __repr__(self) -> str:
         return f"Unknown({self.text!r}, {self.reason!r})"
@@ -82,11 +87,20 @@ class Branch(NamedTuple):
 
 
 class Remap(NamedTuple):
-    """One remapping as roslaunch passes it: ``source:=target``, both canonicalised but not resolved."""
+    """One remapping as roslaunch passes it: ``source:=target``, both canonicalised but not resolved.
+
+    Where one of them is not known both are empty, and ``patterns`` is what is known of them: ``*`` stands for anything.
+    """
 
     source: str
     target: str
     origin: Origin
+    patterns: tuple[str, str] | None = None
+
+    @property
+    def key(self) -> tuple[str, tuple[str, str] | None]:
+        """Of two rules with the same one, only the last counts."""
+        return self.source, self.patterns
 
 
 class EnvironmentSetting(NamedTuple):
@@ -102,8 +116,8 @@ class Node(NamedTuple):
 
     ``namespace`` begins and ends with ``/``; ``executable`` is the ``type`` attribute; ``remaps`` stand in the order roslaunch passes
     them; ``respawn_delay`` and ``time_limit`` are seconds. ``attributes`` are the places of the attribute values as written. ``unknown``
-    names the attributes whose value is not known; their fields hold the text as written. With ``remap`` among them, more remaps act on
-    the node, of unknown names.
+    names the attributes whose value is not known; their fields hold the text as written, ``patterns`` what is known of the values
+    (see :class:`Unknown`). With ``remap`` among them, more remaps act on the node: ``open_remaps``, of names that are not known.
     """
 
     name: str
@@ -129,6 +143,8 @@ class Node(NamedTuple):
     test_name: str | None = None
     time_limit: float = 60.0
     retry: int = 0
+    patterns: Mapping[str, str] = MappingProxyType({})
+    open_remaps: tuple[Remap, ...] = ()
 
     @property
     def full_name(self) -> str:

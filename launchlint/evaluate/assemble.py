@@ -133,8 +133,8 @@ class _Assembly:
 
     def _node(self, effect: NodeEffect, place: _Placing, inherited: _Inherited) -> None:
         node = effect.node
-        respelled = {remap.source for remap in node.remaps}
-        remaps = tuple(remap for remap in inherited.remaps if remap.source not in respelled) + tuple(
+        respelled = {remap.key for remap in node.remaps}
+        remaps = tuple(remap for remap in inherited.remaps if remap.key not in respelled) + tuple(
             remap._replace(origin=place.origin(remap.origin)) for remap in node.remaps
         )
         unknown = node.unknown if all(remap.source for remap in remaps) else node.unknown | {"remap"}
@@ -144,6 +144,7 @@ class _Assembly:
             conditions=inherited.conditions + node.conditions,
             remaps=tuple(remap for remap in remaps if remap.source),
             unknown=unknown,
+            open_remaps=tuple(remap for remap in remaps if not remap.source),
             environment=inherited.environment
             + tuple(setting._replace(origin=place.origin(setting.origin)) for setting in node.environment),
         )
@@ -191,7 +192,7 @@ class _Assembly:
     def _call(self, call: Call, place: _Placing, inherited: _Inherited, steer: Mapping[str, frozenset[str]]) -> None:
         include = place.include(call.include)
         self.includes.append(include)
-        respelled = {remap.source for remap in call.remaps}
+        respelled = {remap.key for remap in call.remaps}
         step = IncludeStep(call.include.origin.place, inherited.step)
         passed = {name: frozenset().union(*(steer.get(read, frozenset()) for read in reads)) for name, reads in call.argument_reads.items()}
         inner = _Inherited(
@@ -199,7 +200,7 @@ class _Assembly:
             place.scope(call.scope),
             inherited.conditions + call.conditions,
             inherited.assumed or any(condition.assumed for condition in call.conditions),
-            tuple(remap for remap in inherited.remaps if remap.source not in respelled)
+            tuple(remap for remap in inherited.remaps if remap.key not in respelled)
             + tuple(remap._replace(origin=place.origin(remap.origin)) for remap in call.remaps),
             inherited.environment + tuple(setting._replace(origin=place.origin(setting.origin)) for setting in call.environment),
             _merge(inherited.private, tuple(place.private(parameter) for parameter in call.private)),

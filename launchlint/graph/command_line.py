@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from launchlint.graph.names import Rule
+from launchlint.library.template import Undetermined
 from launchlint.model import Node
 from launchlint.words import split_words
 
@@ -15,16 +16,18 @@ if TYPE_CHECKING:
 
 
 class CommandLine(NamedTuple):
-    """``words`` are the arguments without what is meant for ROS; ``known`` is false where a value in ``args`` is not known.
+    """``words`` are the arguments without what is meant for ROS: text, or what is known of it.
 
-    ``namespace`` is what ``__ns:=`` says, else None.
+    ``known`` is false where ``args`` goes on with something that is not known: any number of words. ``namespace`` is what ``__ns:=`` says,
+    else None. ``open`` are remappings that are not known: patterns of source and target, ``*`` for anything.
     """
 
-    words: tuple[str, ...]
+    words: tuple[str | Undetermined, ...]
     rules: tuple[Rule, ...]
     params: Mapping[str, Any]
     known: bool
     namespace: str | None = None
+    open: tuple[tuple[str, str], ...] = ()
 
 
 def command_line(node: Node) -> CommandLine:
@@ -32,28 +35,36 @@ def command_line(node: Node) -> CommandLine:
 
     A word with ``:=`` is no argument: ``a:=b`` is a remapping, ``_p:=5`` sets the private param ``~p`` (ros::init, ros::param::init,
     rosgraph.names.load_mappings). Of the words with two underscores only ``__ns`` can say something here: roslaunch gives the name last.
+
+    Of ``args`` that are not known in every part, a word that is not known at all may be several words, or none: what follows has no place.
     """
-    if "args" in node.unknown:
-        return CommandLine((), _from_launch(node), {}, False)
+    unknown = "args" in node.unknown
+    known = True
+    unknown_remaps = [remap.patterns for remap in node.open_remaps if remap.patterns is not None]
     try:
-        given = split_words(node.arguments)
+        given = split_words(node.patterns.get("args", "*") if unknown else node.arguments)
     except ValueError:
-        return CommandLine((), _from_launch(node), {}, False)
-    words: list[str] = []
+        return CommandLine((), _from_launch(node), {}, False, open=tuple(unknown_remaps))
+    words: list[str | Undetermined] = []
     rules: list[Rule] = []
     params: dict[str, Any] = {}
     namespace = None
     for word in given:
         source, sign, target = word.partition(":=")
+        hidden = unknown and "*" in word
         if not sign:
-            words.append(word)
+            known = known and not (hidden and word == "*")
+            if known:
+                words.append(Undetermined(word) if hidden else word)
         elif source.startswith("__"):
             namespace = target if source == "__ns" else namespace
         elif source.startswith("_"):
-            params[source[1:]] = plain_value(target)
+            params[source[1:]] = Undetermined(target) if hidden else plain_value(target)
+        elif hidden:
+            unknown_remaps.append((source, target))
         elif source and target:
             rules.append(Rule(source.strip(), target.strip()))
-    return CommandLine(tuple(words), (*rules, *_from_launch(node)), params, True, namespace)
+    return CommandLine(tuple(words), (*rules, *_from_launch(node)), params, known, namespace, tuple(unknown_remaps))
 
 
 def _from_launch(node: Node) -> tuple[Rule, ...]:
@@ -73,7 +84,9 @@ def plain_value(text: str) -> Any:
         return text
 
 
-def split_options(words: tuple[str, ...], options: Mapping[str, int] | None) -> tuple[tuple[str, ...], Mapping[str, Any]]:
+def split_options(
+    words: tuple[str | Undetermined, ...], options: Mapping[str, int] | None
+) -> tuple[tuple[str | Undetermined, ...], Mapping[str, Any]]:
     """The positional words, and the options with their values (True for one without, its first value, else a list).
 
     Without ``options`` every word is positional. With them an option that is not listed takes no value; ``--x=v`` gives a value,
@@ -81,12 +94,15 @@ def split_options(words: tuple[str, ...], options: Mapping[str, int] | None) -> 
     """
     if options is None:
         return words, {}
-    positional: list[str] = []
+    positional: list[str | Undetermined] = []
     found: dict[str, Any] = {}
     at = 0
     while at < len(words):
         word = words[at]
         at += 1
+        if isinstance(word, Undetermined):
+            positional.append(word)
+            continue
         name, sign, value = word.partition("=")
         if word == "--":
             positional.extend(words[at:])

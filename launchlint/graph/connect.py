@@ -11,21 +11,21 @@ from typing import NamedTuple
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.graph.command_line import CommandLine, command_line
-from launchlint.graph.connections import CATEGORY, OFFERS, Channel, ConnectionGraph, Doubt, Endpoint, Instance, Missing, Reading
+from launchlint.graph.connections import CATEGORY, OFFERS, Channel, ConnectionGraph, Doubt, Endpoint, Instance, Reading
 from launchlint.graph.frames import Frame, frames
 from launchlint.graph.instantiate import Interface, instantiate
 from launchlint.graph.names import Namer, NodeletNamer, absolute
 from launchlint.graph.parameters import Parameters
+from launchlint.graph.plausible import Unseen
 from launchlint.graph.situation import Start
 from launchlint.library.lookup import Library
 from launchlint.library.program import Program
-from launchlint.library.terms import CATEGORIES
+from launchlint.library.template import UNKNOWN
 from launchlint.model import Launch, Node
 
-MOST_DOUBTS = 50
-"""Names that are not known but of which something is; with more of them any name may be one: looking at each would take too long."""
 NODELET = ("nodelet", "nodelet")
 """The executable that runs, loads and manages nodelets."""
+_PLACELESS = f"/{UNKNOWN_NAMESPACE}/"
 LOAD = "~load_nodelet"
 """The service of a nodelet manager; who loads a nodelet calls it by the name of the manager, which nothing else ties to it."""
 
@@ -58,42 +58,23 @@ def connect(launch: Launch, library: Library) -> ConnectionGraph:
             (channel.offers if endpoint.role in OFFERS else channel.uses).append(endpoint)
         for reading in instance.readings:
             readers.setdefault(reading.name, []).append(reading)
-    missing = {category: _missing(launch, instances, category) for category in CATEGORIES}
+    unseen = Unseen(launch, instances, parameters)
     ordered = {key: channels[key] for key in sorted(channels)}
-    return ConnectionGraph(launch, instances, ordered, parameters, {name: tuple(readers[name]) for name in sorted(readers)}, missing)
-
-
-def _missing(launch: Launch, instances: tuple[Instance, ...], category: str) -> Missing:
-    """What of a category may be there although the graph does not show it."""
-    doubts: list[tuple[Doubt, str]] = []
-    reason = "" if launch.complete else "an include could not be followed"
-    for instance in instances:
-        if reason:
-            break
-        if instance.is_unknown:
-            reason = f"it is not known what {instance.name} does: {instance.reason}"
-        elif UNKNOWN_NAMESPACE in instance.node.namespace:
-            reason = f"the namespace of {instance.node.name} is not known"
-        elif category in instance.open:
-            reason = f"{instance.name} may have more {category}: {instance.open[category]}"
-        doubts.extend((doubt, instance.name) for doubt in instance.doubts if doubt.category == category)
-        if len(doubts) > MOST_DOUBTS:
-            reason = f"many nodes, {instance.name} among them, have {category} whose names cannot be known"
-    return Missing(reason, tuple(doubts))
+    return ConnectionGraph(launch, instances, ordered, parameters, {name: tuple(readers[name]) for name in sorted(readers)}, unseen)
 
 
 def _process(node: Node, library: Library) -> _Process:
     line = command_line(node)
     program = None if node.unknown & {"pkg", "type"} else library.executable(node.package, node.executable)
     client = program.client if program is not None else "rospy" if node.executable.endswith(".py") else ""
-    namer = Namer(_namespace(node, line), node.full_name, line.rules, client)
-    mode = line.words[0] if (node.package, node.executable) == NODELET and line.words else ""
-    return _Process(node, node.full_name, line, program, namer, mode)
+    namer = Namer(_namespace(node, line), node.full_name, line.rules, client, line.open)
+    first = line.words[0] if (node.package, node.executable) == NODELET and line.words else ""
+    return _Process(node, node.full_name, line, program, namer, first if isinstance(first, str) else "")
 
 
 def _instance(process: _Process, managers: dict[str, _Process], parameters: Parameters, library: Library) -> Instance:
     node, name = process.node, process.name
-    certain = UNKNOWN_NAMESPACE not in node.namespace and not any(condition.assumed for condition in node.conditions)
+    certain = not any(condition.assumed for condition in node.conditions)
     unknown = _unknown_start(node)
     parts: list[Interface] = []
     looked_up: dict[str, str] = {}
@@ -102,7 +83,7 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
     kind, host, program, namer, client = "node", process.namer.graph_name, f"{node.package}/{node.executable}", process.namer, ""
     if process.program is not None and not unknown:
         client = process.program.client
-        start = Start(namer, process.line, parameters, process.program.options, named="name" not in node.unknown)
+        start = _start(process, namer, parameters, process.program)
         parts.append(instantiate(process.program, start, namer, namer.graph_name, certain=certain))
         looked_up.update(start.looked_up)
         shown.extend(frames(process.program, start, namer, certain=certain))
@@ -111,10 +92,10 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
     if (node.package, node.executable) == NODELET and not unknown:
         if process.mode == "manager":
             kind = "manager"
-        elif process.mode in ("load", "standalone") and len(process.line.words) > (2 if process.mode == "load" else 1):
-            kind, program = "nodelet", process.line.words[1]
+        elif process.mode in ("load", "standalone") and (class_ := _loaded(process.line, process.mode)):
+            kind, program = "nodelet", class_
             if process.mode == "load":
-                manager = managers.get(process.namer.resolve(f"{process.line.words[2]}/load_nodelet").name)
+                manager = _manager(process, managers)
                 host = "" if manager is None else manager.namer.graph_name
                 namer = NodeletNamer(namer, None if manager is None else manager.namer)
             known = library.nodelet(program)
@@ -122,14 +103,16 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
                 reason = f"no library knows the nodelet class {program}"
             else:
                 skip = 3 if process.mode == "load" else 2
-                start = Start(namer, process.line, parameters, known.options, skip, named="name" not in node.unknown)
+                start = _start(process, namer, parameters, known, skip)
                 parts.append(instantiate(known, start, namer, host, certain=certain))
                 looked_up.update(start.looked_up)
                 shown.extend(frames(known, start, namer, certain=certain))
         elif process.mode != "unload":
             reason = "its args do not say what it loads"
     if "name" in node.unknown:
-        parts = [_without_private(part, namer.graph_name) for part in parts]
+        parts = [_without_private(part, namer.graph_name, node.patterns.get("name", "*")) for part in parts]
+    if UNKNOWN_NAMESPACE in namer.namespace:
+        parts = [_anywhere(part) for part in parts]
     knowledge = "unknown" if reason else "template" if any(part.has_template for part in parts) and kind != "manager" else "known"
     opened: dict[str, str] = {}
     doubts = tuple(dict.fromkeys(doubt for part in parts for doubt in part.doubts))
@@ -151,15 +134,15 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
         readings=readings,
         looked_up=looked_up,
         namer=namer,
-        certain=certain,
+        certain=certain and UNKNOWN_NAMESPACE not in namer.namespace,
         client=client,
         frames=tuple(shown),
     )
 
 
 def _unknown_start(node: Node) -> str:
-    """Why it cannot be known how the node is started, for people."""
-    for attribute, what in (("pkg", "package"), ("type", "executable"), ("ns", "namespace"), ("remap", "remapping")):
+    """Why it cannot be known what is started, for people."""
+    for attribute, what in (("pkg", "package"), ("type", "executable")):
         if attribute in node.unknown:
             return f"its {what} depends on something that is not here"
     if not node.name:
@@ -167,17 +150,52 @@ def _unknown_start(node: Node) -> str:
     return ""
 
 
-def _without_private(part: Interface, own: str) -> Interface:
-    """The interface of a node whose name is not known: what lies below its name may be anywhere beside it."""
-    below, parent = f"{own}/", own.rpartition("/")[0]
+def _start(process: _Process, namer: Namer, parameters: Parameters, program: Program, skip: int = 0) -> Start:
+    unknown = process.node.unknown
+    named, placed = not unknown & {"name", "ns"}, "ns" not in unknown
+    return Start(namer, process.line, parameters, program.options, skip, named=named, placed=placed)
+
+
+def _loaded(line: CommandLine, mode: str) -> str:
+    """The class of the nodelet that is loaded; empty where ``args`` do not say one, or no manager for it."""
+    class_ = line.words[1] if len(line.words) > 1 else ""
+    enough = mode != "load" or len(line.words) > 2 or not line.known
+    return class_ if isinstance(class_, str) and enough else ""
+
+
+def _manager(process: _Process, managers: dict[str, _Process]) -> _Process | None:
+    """The process that runs the nodelet; None where it is not of this launch, or not known."""
+    given = process.line.words[2] if len(process.line.words) > 2 else UNKNOWN
+    return managers.get(process.namer.resolve(f"{given}/load_nodelet").name) if isinstance(given, str) else None
+
+
+def _without_private(part: Interface, own: str, pattern: str) -> Interface:
+    """The interface of a node of whose name only ``pattern`` is known: what lies below its name may lie below any such name beside it."""
+    below, beside = f"{own}/", f"{own.rpartition('/')[0]}/{pattern}"
     endpoints = [endpoint for endpoint in part.endpoints if not endpoint.name.startswith(below)]
-    doubts = [
-        Doubt(CATEGORY[endpoint.role], f"{parent}/*{endpoint.name[len(own) :]}", endpoint.declared)
-        for endpoint in part.endpoints
-        if endpoint.name.startswith(below)
-    ]
+    doubts = [each._replace(pattern=beside + each.pattern[len(own) :]) if each.pattern.startswith(below) else each for each in part.doubts]
+    doubts += [_doubt(each, beside + each.name[len(own) :]) for each in part.endpoints if each.name.startswith(below)]
     readings = [reading for reading in part.readings if not reading.name.startswith(below)]
-    return part._replace(endpoints=endpoints, doubts=[*part.doubts, *doubts], readings=readings)
+    return part._replace(endpoints=endpoints, doubts=doubts, readings=readings)
+
+
+def _anywhere(part: Interface) -> Interface:
+    """The interface of a node whose namespace is not known: what lies below that may lie anywhere."""
+    endpoints = [each._replace(certain=False) if _PLACELESS in each.name else each for each in part.endpoints]
+    doubts = [each._replace(pattern=_somewhere(each.pattern)) for each in part.doubts]
+    doubts += [_doubt(each, _somewhere(each.name)) for each in part.endpoints if _PLACELESS in each.name]
+    readings = [each._replace(certain=False) if _PLACELESS in each.name else each for each in part.readings]
+    return part._replace(endpoints=endpoints, doubts=doubts, readings=readings)
+
+
+def _somewhere(name: str) -> str:
+    """The name with ``*`` for an unknown namespace and what is around it: such a namespace may begin with a slash."""
+    _, unknown, inner = name.rpartition(_PLACELESS)
+    return f"*/{inner}" if unknown else name
+
+
+def _doubt(endpoint: Endpoint, pattern: str) -> Doubt:
+    return Doubt(CATEGORY[endpoint.role], pattern, endpoint.declared, endpoint.type)
 
 
 def _namespace(node: Node, line: CommandLine) -> str:
@@ -185,6 +203,8 @@ def _namespace(node: Node, line: CommandLine) -> str:
     given = [each.value for each in node.environment if each.name == "ROS_NAMESPACE"]
     if line.namespace is not None:
         given.append(line.namespace)
+    if given and "*" in given[-1]:
+        return f"/{UNKNOWN_NAMESPACE}"
     return absolute(given[-1], "/", "") if given else node.namespace
 
 

@@ -6,10 +6,14 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from launchlint.graph.frames import Frame
-from launchlint.graph.names import Applied, Namer
+from launchlint.graph.names import Applied, Namer, matches
 from launchlint.graph.parameters import Parameters
 from launchlint.library.program import Declaration
 from launchlint.model import Launch, Node
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.graph.plausible import Possible, Unseen
 
 OFFERS = frozenset({"publisher", "server", "action server"})
 """The roles that give; the others take."""
@@ -95,28 +99,22 @@ class Reading(NamedTuple):
 class Doubt(NamedTuple):
     """A name of some ``category`` that exists but is not known. ``pattern`` is what is known: ``*`` stands for anything.
 
-    ``declared`` is how the library writes it.
+    ``declared`` is how the library writes it; ``type`` is that of message, service or action, empty or ``*`` where it may be any.
     """
 
     category: str
     pattern: str
     declared: str
+    type: str = ""
 
     def may_be(self, name: str) -> bool:
         """Whether it may be the name ``name`` on the graph."""
-        first, *others = self.pattern.split("*")
-        if not others:
-            return name == first
-        *middle, last = others
-        if not name.startswith(first) or not name.endswith(last) or len(name) < len(first) + len(last):
-            return False
-        at, end = len(first), len(name) - len(last)
-        for part in middle:
-            at = name.find(part, at, end)
-            if at < 0:
-                return False
-            at += len(part)
-        return True
+        return matches(self.pattern, name)
+
+    def speaks(self, type_: str) -> bool:
+        """Whether it may be of the type ``type_``, as far as is known: copies of a type in other packages count."""
+        known = self.type.rpartition("/")[2].casefold()
+        return known in ("", "*") or type_ in ("", "*") or known == type_.rpartition("/")[2].casefold()
 
 
 class Instance(NamedTuple):
@@ -139,6 +137,7 @@ class Instance(NamedTuple):
         certain: whether it runs in this configuration for certain.
         frames: the coordinate frames it publishes, asks for and writes into messages.
         client: its client library: roscpp, rospy, nodelet, none, other; empty where it is unknown.
+        literals: texts in its sources that may be names, where some of its names are not known.
     """
 
     node: Node
@@ -157,6 +156,7 @@ class Instance(NamedTuple):
     certain: bool = True
     client: str = ""
     frames: tuple[Frame, ...] = ()
+    literals: tuple[str, ...] = ()
 
     @property
     def is_unknown(self) -> bool:
@@ -188,17 +188,10 @@ class Channel(NamedTuple):
         return all(endpoint.is_plumbing for endpoint in (*self.offers, *self.uses))
 
 
-class Missing(NamedTuple):
-    """What may be there although the graph does not show it. ``reason`` (for people) speaks of any name; ``doubts`` of some names only."""
-
-    reason: str
-    doubts: tuple[tuple[Doubt, str], ...]
-
-
 class ConnectionGraph(NamedTuple):
     """What the nodes of one launch say to each other.
 
-    ``channels`` is by kind and name, ``readers`` by the full name of the param; ``missing`` by the category of the library.
+    ``channels`` is by kind and name, ``readers`` by the full name of the param; ``unseen`` is what may be there beside all that.
     """
 
     launch: Launch
@@ -206,26 +199,19 @@ class ConnectionGraph(NamedTuple):
     channels: Mapping[tuple[str, str], Channel]
     parameters: Parameters
     readers: Mapping[str, tuple[Reading, ...]]
-    missing: Mapping[str, Missing]
+    unseen: Unseen
 
     def instance(self, name: str) -> Instance | None:
         """The node of that full name."""
         return next((instance for instance in self.instances if instance.name == name), None)
 
-    def may_offer(self, kind: str, name: str) -> str:
-        """Why there may be a publisher (kind ``topic``) or server of ``name`` that is not in the graph, in words; empty: none."""
-        return self._missing({"topic": ("publishers", "actions"), "service": ("services",), "action": ("actions",)}[kind], name)
+    def may_offer(self, kind: str, name: str, type_: str = "") -> tuple[Possible, ...]:
+        """Who may publish (kind ``topic``) or serve ``name`` although the graph does not show it; those of which something says so first.
 
-    def may_use(self, kind: str, name: str) -> str:
-        """Why there may be a subscriber (kind ``topic``) or client of ``name`` that is not in the graph, in words; empty: none."""
-        return self._missing({"topic": ("subscribers", "actions"), "service": ("clients",), "action": ("actions",)}[kind], name)
+        With a ``type_`` who can only say another one does not count. At most MOST_ANSWERS are given.
+        """
+        return self.unseen.who(kind, name, type_, offers=True)
 
-    def _missing(self, categories: tuple[str, ...], name: str) -> str:
-        for category in categories:
-            missing = self.missing[category]
-            if missing.reason:
-                return missing.reason
-            for doubt, node in missing.doubts:
-                if doubt.may_be(name):
-                    return f"{node} has {doubt.category} whose names cannot be known ({doubt.declared})"
-        return ""
+    def may_use(self, kind: str, name: str, type_: str = "") -> tuple[Possible, ...]:
+        """As :meth:`may_offer`: who may subscribe to (kind ``topic``) or call ``name``."""
+        return self.unseen.who(kind, name, type_, offers=False)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.graph.connections import CATEGORY, Doubt, Endpoint, Reading
-from launchlint.graph.names import Namer, Resolved, absolute, clean
+from launchlint.graph.names import Namer, Resolved, absolute, clean, matches
 from launchlint.graph.situation import Start
 from launchlint.library.condition import holds, things
 from launchlint.library.program import Declaration, Program
@@ -60,9 +60,9 @@ def instantiate(program: Program, start: Start, namer: Namer, process: str, *, c
             sure = certain and known is True and len(variants) == 1
             for name, type_ in _names(declaration, start):
                 if isinstance(name, Undetermined):
-                    interface.doubts.extend(_doubts(declaration, name.pattern, namer))
+                    interface.doubts.extend(_doubts(declaration, name.pattern, type_, namer))
                 elif not _is_usable(name):
-                    interface.doubts.append(Doubt(declaration.category, "*", declaration.name))
+                    interface.doubts.append(Doubt(declaration.category, "*", declaration.name, type_))
                 else:
                     _add(interface, declaration, name, type_, namer, start, process, sure)
     if not variants:
@@ -71,16 +71,20 @@ def instantiate(program: Program, start: Start, namer: Namer, process: str, *, c
     return interface
 
 
-def _doubts(declaration: Declaration, pattern: str, namer: Namer) -> Iterator[Doubt]:
+def _doubts(declaration: Declaration, pattern: str, type_: str, namer: Namer) -> Iterator[Doubt]:
     """What is known of a name that is not: its pattern, what remappings may make of it, and what follows from it (images, actions)."""
     pattern = pattern[1:] if pattern.startswith("~*") else pattern
     known = "*" if pattern.startswith("*") and not pattern.startswith("*/") else absolute(pattern, namer.namespace, namer.private)
-    doubt = Doubt(declaration.category, known, declaration.name)
-    targets = (applied.target for applied in namer.remappings.values() if doubt.may_be(applied.source))
+    targets = (applied.target for applied in namer.remappings.values() if matches(known, applied.source))
     for each in (known, *targets):
-        yield doubt._replace(pattern=each)
-        if declaration.category == "actions" or declaration.transport == "image":
-            yield doubt._replace(pattern=f"{each}/*")
+        yield from _around(declaration, each, type_)
+
+
+def _around(declaration: Declaration, pattern: str, type_: str) -> Iterator[Doubt]:
+    """A name of which only ``pattern`` is known, and those that follow from it, whose types are not known here."""
+    yield Doubt(declaration.category, pattern, declaration.name, type_)
+    if declaration.category == "actions" or declaration.transport == "image":
+        yield Doubt(declaration.category, f"{pattern}/*", declaration.name)
 
 
 def _is_usable(name: str) -> bool:
@@ -110,6 +114,12 @@ def _add(
 ) -> None:
     resolve = {"publishers": namer.topic, "subscribers": namer.topic, "actions": namer.action}.get(declaration.category, namer.resolve)
     resolved = resolve(name)
+    patterns, moved = namer.elsewhere(resolved.unremapped)
+    for pattern in patterns:
+        interface.doubts.extend(_around(declaration, pattern, type_))
+    if moved:
+        return
+    certain = certain and not patterns
 
     def endpoint(role: str, at: Resolved, its_type: str, *, sure: bool = True, action: str = "") -> None:
         interface.endpoints.append(

@@ -72,6 +72,28 @@ def kind(name: str) -> str:
     return "global" if name.startswith("/") else "private" if name.startswith("~") else "relative"
 
 
+def placed(pattern: str, namespace: str, node: str) -> str:
+    """A name of which only a pattern is known, as :func:`absolute` would give it: what begins with ``*`` may begin with anything."""
+    return pattern if pattern.startswith("*") else absolute(pattern, namespace, node)
+
+
+def matches(pattern: str, name: str) -> bool:
+    """Whether ``name`` is one that ``pattern`` stands for; each ``*`` in it stands for anything."""
+    first, *others = pattern.split("*")
+    if not others:
+        return name == first
+    *middle, last = others
+    if not name.startswith(first) or not name.endswith(last) or len(name) < len(first) + len(last):
+        return False
+    at, end = len(first), len(name) - len(last)
+    for part in middle:
+        at = name.find(part, at, end)
+        if at < 0:
+            return False
+        at += len(part)
+    return True
+
+
 class Namer:
     """Resolves the names of one node.
 
@@ -83,11 +105,14 @@ class Namer:
         node: its full name as the launch file gives it.
         rules: the remappings in the order the process gets them.
         client: ``rospy``, or anything else for roscpp's way.
+        unknown: remappings of which only patterns are known, of source and target: ``*`` stands for anything.
     """
 
-    __slots__ = ("_is_rospy", "_spelled", "_table", "graph_name", "namespace", "node", "private")
+    __slots__ = ("_is_rospy", "_spelled", "_table", "_unknown", "graph_name", "namespace", "node", "private")
 
-    def __init__(self, namespace: str, node: str, rules: Iterable[Rule] = (), client: str = "") -> None:
+    def __init__(
+        self, namespace: str, node: str, rules: Iterable[Rule] = (), client: str = "", unknown: Iterable[tuple[str, str]] = ()
+    ) -> None:
         self.namespace = namespace
         self.node = node
         self._is_rospy = client == "rospy"
@@ -95,6 +120,7 @@ class Namer:
         full = absolute(own, namespace, node)
         self._spelled: dict[str, Applied] = {}
         self._table = self._resolved(rules, own, full)
+        self._unknown = [(placed(source, namespace, full), placed(target, namespace, full)) for source, target in unknown]
         self.graph_name = full if self._is_rospy else self.moved(full)
         self.private = full if self._is_rospy else self.moved(self.moved(self.graph_name))
 
@@ -110,6 +136,11 @@ class Namer:
             resolved = absolute(source, self.namespace, full)
             table[resolved] = self._spelled[source] = Applied(resolved, absolute(rule.target, self.namespace, full), rule)
         return table
+
+    def elsewhere(self, unremapped: str) -> tuple[list[str], bool]:
+        """Patterns of the names that remappings which are not known may make of a name, and whether one of them acts for certain."""
+        found = [(source, target) for source, target in self._unknown if matches(source, unremapped)]
+        return [target for _, target in found], any("*" not in source for source, _ in found)
 
     @property
     def remappings(self) -> Mapping[str, Applied]:
@@ -176,6 +207,7 @@ class NodeletNamer(Namer):
 
     def __init__(self, loader: Namer, manager: Namer | None) -> None:
         self._manager = manager
+        self._unknown = loader._unknown
         self._is_rospy = False
         self._spelled = {}
         self._table: dict[str, Applied] = {}

@@ -19,7 +19,7 @@ class Start:
 
     ``looked_up`` collects the names that were resolved for a template: names of the node's code, too. Each maps its place on the graph
     before remapping to what the code says. ``skip`` arguments are not the program's own; ``named``: the node's name is known, and so are
-    its private params.
+    its private params; ``placed``: its namespace is known.
     """
 
     def __init__(
@@ -31,9 +31,11 @@ class Start:
         skip: int = 0,
         *,
         named: bool = True,
+        placed: bool = True,
     ) -> None:
         self.node: Any = namer.graph_name.rpartition("/")[2] if named else UNKNOWN
         self._named = named
+        self._placed = placed
         self.looked_up: dict[str, str] = {}
         self._namer = namer
         self._parameters = parameters
@@ -43,10 +45,10 @@ class Start:
 
     def argument(self, position: int) -> Any:
         """The positional argument, counted from 1 or from -1; None where there is none."""
-        if not self._known:
+        if position < 0 and not self._known:
             return UNKNOWN
         index = position - 1 if position > 0 else len(self._words) + position
-        return self._words[index] if 0 <= index < len(self._words) else None
+        return self._words[index] if 0 <= index < len(self._words) else None if self._known else UNKNOWN
 
     def arguments_from(self, position: int) -> Any:
         """All positional arguments from one on."""
@@ -54,13 +56,14 @@ class Start:
 
     def option(self, name: str) -> Any:
         """The value of an option; None where it is not given."""
-        return self._options.get(name) if self._known else UNKNOWN
+        value = self._options.get(name, None if self._known else UNKNOWN)
+        return UNKNOWN if value == [] and not self._known else value
 
     def param(self, name: str) -> Any:
         """The value of a param: from the command line (``_x:=5``), else as the launch file sets it."""
         if name.startswith("~") and name[1:] in self._own:
             return self._own[name[1:]]
-        if name.startswith("~") and not self._named:
+        if (name.startswith("~") and not self._named) or not (self._placed or name.startswith("/")):
             return UNKNOWN
         return self._parameters.value(self._namer.resolve(name).name)
 

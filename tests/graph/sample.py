@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +11,7 @@ from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.graph.connect import connect
 from launchlint.graph.connections import ConnectionGraph, Instance
+from launchlint.graph.plausible import Possible
 from launchlint.library.file import open_library
 from launchlint.library.lookup import Library
 from launchlint.workspace.packages import Packages
@@ -58,3 +59,8 @@ def channels(of: ConnectionGraph) -> list[str]:
         f"{kind} {name}: {' '.join(each.node for each in channel.offers)} > {' '.join(each.node for each in channel.uses)}"
         for (kind, name), channel in of.channels.items()
     ]
+
+
+def reasons(possible: Iterable[Possible]) -> list[str]:
+    """Why somebody could have a name, for each of those who could."""
+    return [each.reason for each in possible]

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.graph.sample import STRING, channels, edges, graph, program
+from tests.graph.sample import STRING, channels, edges, graph, program, reasons
 
 TALK: dict[str, Any] = {
     "my_pkg": {
@@ -83,7 +83,7 @@ def test_an_unknown_node_may_be_anything(tmp_path: Path) -> None:
         False,
         True,
     )
-    assert found.may_offer("topic", "/in") == "it is not known what /b does: no library knows other/thing"
+    assert reasons(found.may_offer("topic", "/in")) == ["it is not known what /b does: no library knows other/thing"]
 
 
 @pytest.mark.parametrize(
@@ -91,7 +91,6 @@ def test_an_unknown_node_may_be_anything(tmp_path: Path) -> None:
     [
         ('pkg="$(arg what)" type="cpp" name="n"', "its package depends on something that is not here"),
         ('pkg="my_pkg" type="$(arg what)" name="n"', "its executable depends on something that is not here"),
-        ('pkg="my_pkg" type="cpp" name="n" ns="$(arg what)"', "its namespace depends on something that is not here"),
     ],
 )
 def test_a_start_that_cannot_be_known(attributes: str, reason: str, tmp_path: Path) -> None:
@@ -105,9 +104,25 @@ def test_a_name_that_is_not_known(tmp_path: Path) -> None:
     found = graph(tmp_path, f'<arg name="what" value="$(find absent)"/>{nodes}', TALK)
     assert [each.knowledge for each in found.instances] == ["known", "known"]
     assert channels(found) == ["topic /in:  > /$(arg what)", "topic /out: /$(arg what) > "]
-    assert [[(doubt.category, doubt.pattern) for doubt in each.doubts] for each in found.instances] == [[], [("services", "/a/*/reset")]]
-    assert found.may_offer("service", "/a/b_server/reset") == "/a/$(arg what)_server has services whose names cannot be known (~reset)"
-    assert found.may_offer("service", "/reset") == ""
+    assert [[(doubt.category, doubt.pattern) for doubt in each.doubts] for each in found.instances] == [
+        [],
+        [("services", "/a/*_server/reset")],
+    ]
+    assert reasons(found.may_offer("service", "/a/b_server/reset")) == [
+        "/a/$(arg what)_server has services whose names cannot be known (~reset)"
+    ]
+    assert (found.may_offer("service", "/a/b/reset"), found.may_offer("service", "/reset")) == ((), ())
+
+
+def test_a_namespace_that_is_not_known(tmp_path: Path) -> None:
+    """It may be any one, global or not: a name that the code gives as global is known all the same."""
+    nodes = '<node pkg="my_pkg" type="cpp" name="n" ns="$(arg what)"/><node pkg="my_pkg" type="talker.py" name="t" ns="$(arg what)"/>'
+    found = graph(tmp_path, f'<arg name="what" value="$(find absent)"/>{nodes}', TALK)
+    assert [(each.knowledge, each.certain) for each in found.instances] == [("known", False), ("known", False)]
+    assert [edge.rpartition(" ")[2] for edge in edges(found)] == ["/unknown_namespace/out?", "/unknown_namespace/in?", "/msg"]
+    assert [(doubt.category, doubt.pattern) for doubt in found.instances[0].doubts] == [("publishers", "*/out"), ("subscribers", "*/in")]
+    assert reasons(found.may_use("topic", "/a/b/in")) == ["/unknown_namespace/n has subscribers whose names cannot be known (in)"]
+    assert (found.may_use("topic", "/a/out"), found.may_use("topic", "/a/b/in", "std_msgs/Bool")) == ((), ())
 
 
 def test_a_condition_that_was_assumed(tmp_path: Path) -> None:
@@ -119,42 +134,62 @@ def test_a_condition_that_was_assumed(tmp_path: Path) -> None:
     )
 
 
-def test_a_remap_that_is_not_known(tmp_path: Path) -> None:
-    (found,) = graph(tmp_path, '<node pkg="my_pkg" type="cpp" name="n"><remap from="$(find absent)" to="x"/></node>', TALK).instances
-    assert (found.reason, edges(found)) == ("its remapping depends on something that is not here", [])
+@pytest.mark.parametrize(
+    ("remap", "endpoints", "doubts"),
+    [
+        ('from="$(find absent)" to="x"', ["publisher /out?", "subscriber /in?"], [("publishers", "/x"), ("subscribers", "/x")]),
+        ('from="out" to="$(find absent)"', ["subscriber /in"], [("publishers", "*")]),
+        ('from="out" to="/robot/$(env NOT_HERE)/out"', ["subscriber /in"], [("publishers", "/robot/*/out")]),
+        ('from="o$(env NOT_HERE)" to="x"', ["publisher /out?", "subscriber /in"], [("publishers", "/x")]),
+        ('from="other" to="$(find absent)"', ["publisher /out", "subscriber /in"], []),
+    ],
+)
+def test_a_remap_that_is_not_known_makes_names_unknown_and_not_the_node(
+    remap: str, endpoints: list[str], doubts: list[tuple[str, str]], tmp_path: Path
+) -> None:
+    (found,) = graph(tmp_path, f'<node pkg="my_pkg" type="cpp" name="n"><remap {remap}/></node>', TALK).instances
+    assert (found.knowledge, edges(found)) == ("known", endpoints)
+    assert [(doubt.category, doubt.pattern) for doubt in found.doubts] == doubts
+
+
+def test_two_remaps_that_are_not_known_do_not_replace_each_other(tmp_path: Path) -> None:
+    remaps = '<remap from="in" to="$(env A)/a"/><remap from="out" to="$(env B)/b"/>'
+    (found,) = graph(tmp_path, f'{remaps}<node pkg="my_pkg" type="cpp" name="n"/>', TALK).instances
+    assert [(doubt.category, doubt.pattern) for doubt in found.doubts] == [("publishers", "*/b"), ("subscribers", "*/a")]
 
 
 def test_an_include_that_cannot_be_followed(tmp_path: Path) -> None:
-    found = graph(tmp_path, '<node pkg="my_pkg" type="cpp" name="n"/><include file="$(find absent)/x.launch"/>', TALK)
-    assert {found.may_offer("topic", "/in"), found.may_use("topic", "/out"), found.may_offer("service", "/s")} == {
-        "an include could not be followed"
-    }
+    include = '<include file="$(find absent)/x.launch"><arg name="topic" value="/in"/></include>'
+    found = graph(tmp_path, f'<node pkg="my_pkg" type="cpp" name="n"/>{include}', TALK)
+    answers = [found.may_offer("topic", "/in"), found.may_use("topic", "/out"), found.may_offer("service", "/s")]
+    assert {reason for answer in answers for reason in reasons(answer)} == {"an include could not be followed: $(find absent)/x.launch"}
+    assert [each.named for answer in answers for each in answer] == [True, False, False]
+    assert all(each.anything for answer in answers for each in answer)
 
 
 def test_what_is_open_is_told(tmp_path: Path) -> None:
     packages = {"p": {"executables": {"rviz": program(open={"subscribers": "whatever its file says"}, publishers=[{"name": "/pose"}])}}}
     found = graph(tmp_path, '<node pkg="p" type="rviz" name="v"/>', packages)
-    assert found.may_use("topic", "/x") == "/v may have more subscribers: whatever its file says"
-    assert (found.may_offer("topic", "/x"), found.may_use("service", "/x")) == ("", "")
+    assert reasons(found.may_use("topic", "/x")) == ["/v may have more subscribers: whatever its file says"]
+    assert (found.may_offer("topic", "/x"), found.may_use("service", "/x")) == ((), ())
     assert found.instances[0].may_have_more("subscribers")
 
 
 def test_doubts_are_about_some_names_only(tmp_path: Path) -> None:
     packages = {"p": {"executables": {"t": program(publishers=[{"name": "~{any}/pose"}])}}}
     found = graph(tmp_path, '<node pkg="p" type="t" name="n" ns="a"/>', packages)
-    assert found.may_offer("topic", "/a/n/left/pose") == "/a/n has publishers whose names cannot be known (~{any}/pose)"
-    assert (found.may_offer("topic", "/a/n/left/twist"), found.may_offer("topic", "/b/pose"), found.may_use("topic", "/a/n/left/pose")) == (
-        "",
-        "",
-        "",
-    )
+    assert reasons(found.may_offer("topic", "/a/n/left/pose")) == ["/a/n has publishers whose names cannot be known (~{any}/pose)"]
+    others = [found.may_offer("topic", "/a/n/left/twist"), found.may_offer("topic", "/b/pose"), found.may_use("topic", "/a/n/left/pose")]
+    assert others == [(), (), ()]
 
 
 def test_many_doubts_are_about_all_names(tmp_path: Path) -> None:
-    packages = {"p": {"executables": {"t": program(publishers=[{"name": "~{any}/pose"}])}}}
+    packages = {"p": {"executables": {"t": program(publishers=[{"name": "~a/{any}/pose"}])}}}
     launch = "".join(f'<node pkg="p" type="t" name="n{number}"/>' for number in range(51))
-    reason = "many nodes, /n50 among them, have publishers whose names cannot be known"
-    assert graph(tmp_path, launch, packages).may_offer("topic", "/x") == reason
+    found = graph(tmp_path, launch, packages)
+    assert reasons(found.may_offer("topic", "/x/pose")) == ["many nodes have publishers whose names cannot be known"]
+    assert reasons(found.may_offer("topic", "/n3/a/x/pose"))[0] == "/n3 has publishers whose names cannot be known (~a/{any}/pose)"
+    assert found.may_offer("topic", "/x/twist") == ()
 
 
 def test_a_name_that_is_said_twice_is_there_once(tmp_path: Path) -> None:

@@ -100,7 +100,7 @@ def test_condition(condition: Any, args: str, inside: str, found: list[str], tmp
 )
 def test_names_that_cannot_be_known(declared: str, args: str, inside: str, pattern: list[str], tmp_path: Path) -> None:
     found = instance(tmp_path, program(publishers=[{"name": declared, "type": STRING}]), f'args="{args}"', inside)
-    assert (edges(found), list(found.doubts)) == ([], [Doubt("publishers", each, declared) for each in pattern])
+    assert (edges(found), list(found.doubts)) == ([], [Doubt("publishers", each, declared, STRING) for each in pattern])
 
 
 def test_types_may_be_templates(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from launchlint.evaluate.block import Clear, NodeEffect, PrivateParameter, Value
 from launchlint.evaluate.names import as_namespace, join
@@ -22,7 +23,7 @@ CHOICES = {"output": ("log", "screen"), "cwd": ("ROS_HOME", "ros_home", "node")}
 
 def node(file: FileEvaluation, element: Element, context: Context, default_machine: str | None, *, is_test: bool) -> None:
     """Evaluate a ``<node>`` or ``<test>`` and its children."""
-    unknown: set[str] = set()
+    unknown: dict[str, str] = {}
     name_value = file.optional(element, "name", context) if is_test else file.required(element, "name", context)
     test_value, time_limit, retry = _test_attributes(file, element, context) if is_test else (None, 60.0, 0)
     test_name = None if test_value is None else _known(test_value, "test-name", unknown)
@@ -30,10 +31,10 @@ def node(file: FileEvaluation, element: Element, context: Context, default_machi
     if is_test and not name and test_name:
         name = test_name
         if "test-name" in unknown:
-            unknown.add("name")
+            unknown["name"] = unknown["test-name"]
     namespace, given = scope_namespace(file, element, context)
     if given is None:
-        unknown.add("ns")
+        unknown["ns"] = "*"
     private_namespace = _private_namespace(file, element, namespace, name)
     # roslaunch copies what substitutions know before it looks at the other attributes, so a new $(anon) in a param stays in the node's
     # params.
@@ -81,6 +82,7 @@ def node(file: FileEvaluation, element: Element, context: Context, default_machi
         scope=context.scope,
         conditions=file.conditions,
         unknown=frozenset(unknown),
+        patterns=unknown,
         test_name=test_name,
         time_limit=time_limit,
         retry=retry,
@@ -91,9 +93,9 @@ def node(file: FileEvaluation, element: Element, context: Context, default_machi
     context.nodes_above.append(item.origin.place)
 
 
-def _known(value: Value, attribute: str, unknown: set[str]) -> str:
+def _known(value: Value, attribute: str, unknown: dict[str, str]) -> str:
     if isinstance(value, Unknown):
-        unknown.add(attribute)
+        unknown[attribute] = value.pattern
         return value.text
     return value
 
@@ -187,7 +189,9 @@ def _children(
     return overlay(context.remaps_in_force(), own.remaps), own_environment, own_private
 
 
-def _check_name(file: FileEvaluation, element: Element, name: str, unknown: set[str], *, is_test: bool, given: Value | None) -> None:
+def _check_name(
+    file: FileEvaluation, element: Element, name: str, unknown: Mapping[str, str], *, is_test: bool, given: Value | None
+) -> None:
     if "name" in unknown or name.startswith("~"):
         return
     if "/" in name:

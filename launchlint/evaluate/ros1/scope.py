@@ -92,7 +92,7 @@ class Context:
 
     def add_remap(self, remap: Remap) -> Remap | None:
         """Add ``remap``; a rule of this very scope with the same spelling is replaced and returned."""
-        replaced = next((old for old in self.remaps if old.source == remap.source), None)
+        replaced = next((old for old in self.remaps if old.key == remap.key), None)
         if replaced is not None:
             self.remaps.remove(replaced)
         self.remaps.append(remap)
@@ -124,8 +124,8 @@ class Context:
 
 def overlay(outer: list[Remap], inner: list[Remap]) -> list[Remap]:
     """The rules of ``outer`` that ``inner`` does not respell, then those of ``inner``."""
-    respelled = {remap.source for remap in inner}
-    return [remap for remap in outer if remap.source not in respelled] + inner
+    respelled = {remap.key for remap in inner}
+    return [remap for remap in outer if remap.key not in respelled] + inner
 
 
 def set_private(parameters: list[PrivateParameter], parameter: PrivateParameter) -> PrivateParameter | None:

@@ -46,7 +46,7 @@ def clear_without_namespace(file: FileEvaluation, element: Element) -> None:
 def remap(file: FileEvaluation, element: Element, context: Context) -> Remap | None:
     """The rule of a ``<remap>``; None, with a problem, where roslaunch refuses it (roslaunch.loader.LoaderContext.add_remap).
 
-    Where a name in it is unknown, so is the whole rule: then its ``source`` is empty.
+    Where a name in it is unknown, so is the whole rule: then its ``source`` is empty, and its ``patterns`` are what is known.
     """
     origin = Origin(file.place(element.start_span))
     names: list[str] = []
@@ -68,7 +68,8 @@ def remap(file: FileEvaluation, element: Element, context: Context) -> Remap | N
         else:
             names.append(name)
     if any(isinstance(value, Unknown) for value in values):
-        return Remap("", "", origin)
+        source, target = (value.pattern if isinstance(value, Unknown) else canonical(value) for value in values)
+        return Remap("", "", origin, (source, target))
     return Remap(names[0], names[1], origin) if len(names) == 2 else None
 
 

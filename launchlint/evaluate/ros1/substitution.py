@@ -48,6 +48,7 @@ class BadSubstitution(Exception):
 
 
 _PLAIN = re.compile(r"\$\(([^$()]+)\)")
+_LEFT = re.compile(r"(?:\$\([^$()]+\)|\*)+")
 """A substitution with nothing odd in it; where all of a text are, no walk over its characters is needed."""
 
 
@@ -57,9 +58,10 @@ _ONLY_ARG = re.compile(r"\$\(arg ([^ $()]+)\)")
 class _NotKnown(Exception):
     """A piece of the value is unknown; the problem, if there is one, has been recorded."""
 
-    def __init__(self, reason: str) -> None:
+    def __init__(self, reason: str, pattern: str = "*") -> None:
         super().__init__(reason)
         self.reason = reason
+        self.pattern = pattern
 
 
 def collect(text: str) -> tuple[tuple[str, int, int], ...]:
@@ -135,7 +137,7 @@ def resolve(evaluation: FileEvaluation, text: str, where: Where, context: Contex
         evaluation.problem("bad-substitution", where(bad.start, bad.end), refused=True, reason=bad.reason, text=text[bad.start : bad.end])
         return Unknown(text, bad.reason)
     except _NotKnown as unknown:
-        return Unknown(text, unknown.reason)
+        return Unknown(text, unknown.reason, unknown.pattern)
 
 
 def _through(text: str, replaced: str, where: Where) -> Where:
@@ -183,7 +185,7 @@ def _replace(evaluation: FileEvaluation, text: str, where: Where, context: Conte
         except _NotKnown as reason:
             unknown = unknown or reason  # the rest may be wrong too
     if unknown is not None:
-        raise unknown
+        raise _NotKnown(unknown.reason, _LEFT.sub("*", resolved))
     return resolved
 
 

@@ -96,4 +96,4 @@ def _is_isolated(instance: Instance, graph: ConnectionGraph) -> bool:
     ):
         return False
     may = (graph.may_use if endpoint.role in OFFERS else graph.may_offer for endpoint in own)
-    return not any(ask(endpoint.kind, endpoint.name) for ask, endpoint in zip(may, own, strict=True))
+    return not any(ask(endpoint.kind, endpoint.name, endpoint.type) for ask, endpoint in zip(may, own, strict=True))

@@ -1,6 +1,7 @@
 """Ends of connections that meet nobody, and the other end that was probably meant.
 
-Only what is certain is looked at, and nothing where a node that is not known may be at the other end.
+Only what is certain is looked at. Where a node that is not known could be at the other end, only two loose ends are told whose names differ
+in nothing but the namespace or a slip; and not even these where something says that such a node has one of the two names.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from typing import NamedTuple
 
 from launchlint.finding import Severity
 from launchlint.graph.connections import HUBS, OFFERS, Channel, ConnectionGraph, Endpoint, Instance
+from launchlint.graph.plausible import Possible
 from launchlint.rules.connections.near_names import NAMESPACE, RELATIONS, SLIP, TWIN, WORDS, relation
 from launchlint.rules.connections.places import owners
 from launchlint.rules.connections.same_definition import is_known, stands_for
@@ -29,6 +31,7 @@ class Missed(NamedTuple):
     ``how`` is the relation of the names, empty where only the type agrees, and ``only`` says that no other name is so related;
     ``loose`` says whether the other end is a loose one too;
     ``alike`` are all ends of the other name that are like it, itself included; ``feeding`` are those that it has on its other side.
+    ``doubts`` are those who could be at the other end of one of the two, as far as can be known.
     """
 
     end: Endpoint
@@ -41,6 +44,7 @@ class Missed(NamedTuple):
     alike: tuple[Instance, ...]
     feeding: tuple[Instance, ...]
     level: Severity
+    doubts: tuple[Possible, ...] = ()
 
 
 class LooseEnds:
@@ -52,27 +56,33 @@ class LooseEnds:
         self._by_type: dict[tuple[str, bool, str], list[Channel]] | None = None
         self._connected: dict[int, bool] = {}
         self._compared = 0
+        self._possible: dict[tuple[int, bool], tuple[Possible, ...] | None] = {}
 
     def missed(self, kind: str, *, offers: bool) -> Iterator[Missed]:
         """The loose ends of a kind that give (``offers``) or take, where something says what they were meant for: one for each name."""
         for channel in self.graph.channels.values():
-            if channel.kind == kind and self._is_loose(channel, offers=offers):
+            if channel.kind == kind and (doubts := self._beside(channel, offers=offers)) is not None:
                 found = [
                     missed
                     for end in (channel.offers if offers else channel.uses)
                     if end.certain and not end.action and is_known(end.type) and end.declaration.when != "subscriber"
-                    if (missed := self._meant(end)) is not None
+                    if (missed := self._meant(end, doubts)) is not None
                 ]
                 if found:
                     yield min(found, key=lambda each: (-each.level, *self._apart(each.instance, each.partner), each.instance.name))
 
-    def _is_loose(self, channel: Channel, *, offers: bool) -> bool:
-        """Whether the ends on one side of a name meet nobody, as far as can be known."""
+    def _beside(self, channel: Channel, *, offers: bool) -> tuple[Possible, ...] | None:
+        """Who could be at the other end of a name of which only one side is known; None where somebody is, by all that is known."""
         if channel.is_hub or channel.is_plumbing or (channel.uses if offers else channel.offers):
-            return False
-        return not (self.graph.may_use if offers else self.graph.may_offer)(channel.kind, channel.name)
+            return None
+        key = (id(channel), offers)
+        if key not in self._possible:
+            type_ = next((end.type for end in (channel.offers if offers else channel.uses) if is_known(end.type)), "")
+            found = (self.graph.may_use if offers else self.graph.may_offer)(channel.kind, channel.name, type_)
+            self._possible[key] = None if any(each.named for each in found) else found
+        return self._possible[key]
 
-    def _meant(self, end: Endpoint) -> Missed | None:
+    def _meant(self, end: Endpoint, doubts: tuple[Possible, ...]) -> Missed | None:
         instance = self.owners[id(end)]
         offers = end.role in OFFERS
         candidates = self._candidates(end.kind, not offers, end.type)
@@ -92,19 +102,23 @@ class LooseEnds:
         how = next((each for each in RELATIONS if each in ranked), "")
         if how not in ranked:
             return None
-        loose = [each for each in ranked[how] if self._is_loose(each[0], offers=not offers)]
+        loose = [each for each in ranked[how] if self._beside(each[0], offers=not offers) is not None]
         channels = loose or ranked[how]
         if len(channels) > 1 or (not how and len(ranked[how]) > 1):
             return None  # it could be any of them
         channel, ends = channels[0]
         other = min(ends, key=lambda each: self._apart(instance, self.owners[id(each)]))
+        if loose and offers:  # what matters is who else could give what the other end waits for, not who else could take it
+            doubts = self._beside(channel, offers=False) or ()
         level = self._level(end, other, how, loose=bool(loose))
+        if doubts:
+            level = self._in_doubt(end, other, how, doubts, level) if loose else None
         if level is None:
             return None
         partner = self.owners[id(other)]
         same = tuple(self.owners[id(each)] for each in ends if self.owners[id(each)].program == partner.program)
         opposite = {self.owners[id(each)].name: self.owners[id(each)] for each in (channel.offers if offers else channel.uses)}
-        return Missed(end, instance, other, partner, how, len(ranked[how]) == 1, bool(loose), same, tuple(opposite.values()), level)
+        return Missed(end, instance, other, partner, how, len(ranked[how]) == 1, bool(loose), same, tuple(opposite.values()), level, doubts)
 
     def _level(self, end: Endpoint, other: Endpoint, how: str, *, loose: bool) -> Severity | None:
         """How sure it is that the two ends were meant for each other; None: not enough to say anything.
@@ -129,6 +143,15 @@ class LooseEnds:
             return Severity.INFO if alone and not doubtful and (source if offers else loose) else None
         return Severity.INFO if alone or (loose and source) else None
 
+    @staticmethod
+    def _in_doubt(end: Endpoint, other: Endpoint, how: str, doubts: tuple[Possible, ...], level: Severity | None) -> Severity | None:
+        """How sure that is of two loose ends beside which there are others that could be at one of them, though nothing says so."""
+        if level is None or how not in (SLIP, NAMESPACE):
+            return None
+        if how == SLIP:
+            return level
+        return level if end.declared == other.declared and not any(each.anything for each in doubts) else Severity.INFO
+
     def _is_source(self, instance: Instance) -> bool:
         """Whether the node only publishes or serves, and takes nothing from others: a driver, a controller, a keyboard."""
         more = any(instance.may_have_more(each) for each in ("subscribers", "clients", "actions"))
@@ -151,7 +174,7 @@ class LooseEnds:
         gives = endpoint.role in OFFERS
         if any(each.node != endpoint.node for each in (channel.uses if gives else channel.offers)):
             return True
-        return bool((self.graph.may_use if gives else self.graph.may_offer)(channel.kind, channel.name))
+        return bool((self.graph.may_use if gives else self.graph.may_offer)(channel.kind, channel.name, endpoint.type))
 
     def _candidates(self, kind: str, offers: bool, type_: str) -> list[Channel]:
         if self._by_type is None:

@@ -44,6 +44,8 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
     if len(missed.alike) > 1:
         notes.append(f"{_listed(missed.alike)} all {_PLURAL[other.role]} {other.name}" + _fed(missed))
     notes.append(consequence)
+    if missed.doubts:
+        notes.append(f"unless another node is at the other end: {missed.doubts[0].reason}")
     more = f" (and {len(others)} more name{'s' if len(others) > 1 else ''} for the same reason)" if others else ""
     return rule.at(
         origin,

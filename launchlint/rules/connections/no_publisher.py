@@ -3,8 +3,12 @@
 A launch file is often only a part of a robot, so that a topic without a publisher is no mistake by itself. It is told where another
 node publishes the same type under a name so near that one of the two is wrong: a letter apart, or in another namespace while
 that publisher in turn reaches nobody, and both nodes call the topic the same or the publisher does nothing but publish. Where the
-names are less alike, or a node that waits in vain for everything finds one single topic of its type, it is an info. Nothing is
-said while a node that is not known may be the publisher.
+names are less alike, or a node that waits in vain for everything finds one single topic of its type, it is an info.
+
+Where a node of which not everything is known could be the publisher, and nothing says that it is, only two names are told that both meet
+nobody and differ in nothing but the namespace or one letter; a note then says which node that is. It is an info where the namespaces differ
+and that node talks to whatever it finds (a window of displays, a bag), or is a launch file that is not here. Nothing is said where a remap,
+a param, an argument or a text in the sources of such a node has one of the two names.
 
 Where a node is in another namespace than the nodes it was meant for, or lacks its remaps, so that several of its names are left alone in
 the same way, that is told once, with all of them; services and actions and what is published in vain (LL613, LL614) among them.
@@ -55,8 +59,6 @@ RULE = Rule("LL612", "no-publisher", Severity.WARNING, fixable="unsafe")
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at the topics that have subscribers only."""
-    if view.graph.missing["publishers"].reason:
-        return
     repairs = Repairs(view)
     for cause in causes(view.graph, "subscriber"):
         yield tell(RULE, cause, "both nodes run and neither complains, but no message arrives", repairs)

@@ -2,8 +2,8 @@
 
 It is told where another node serves the same type under a name that is a letter apart, or under the same name in another
 namespace where nobody calls it. Where the names are less alike, or the type says little (those of `std_srvs`), it is an info.
-Nothing is said while a node that is not known may be the server, and nothing of a service of a type that no node of the
-launch serves: it may run elsewhere.
+Nothing is said of a service of a type that no node of the launch serves: it may run elsewhere. What could be there although it is not known
+counts as for topics (LL612).
 
 Several names of a node that are left alone in the same way, by one namespace or by missing remaps, are told once: by LL612 or LL613 where
 there are topics among them.
@@ -54,9 +54,6 @@ RULE = Rule("LL614", "no-server", Severity.WARNING, fixable="unsafe")
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at the services and actions that have clients only."""
-    missing = view.graph.missing
-    if missing["services"].reason and missing["actions"].reason:
-        return
     repairs = Repairs(view)
     for cause in causes(view.graph, "client"):
         yield tell(RULE, cause, "the call fails, or waits for the server for ever", repairs)

@@ -3,7 +3,7 @@
 Topics without a subscriber are common and no mistake. It is a warning where a node subscribes to the same type under a name that
 is a letter apart; or where the publishing node does nothing but publish, reaches nobody at all, and the name that somebody
 subscribes to differs by a namespace or a word. It is an info where only the type speaks for it. Where both ends meet nobody, the
-rule no-publisher (LL612) speaks. Nothing is said while a node that is not known may be the subscriber.
+rule no-publisher (LL612) speaks. Nothing is said while a node of which not everything is known could be the subscriber.
 
 Several names of a node that are left alone in the same way, by one namespace or by missing remaps, are told once: by LL612 where there are
 topics among them that the node waits for.
@@ -57,8 +57,6 @@ RULE = Rule("LL613", "no-subscriber", Severity.INFO, fixable="unsafe")
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at the topics that have publishers only."""
-    if view.graph.missing["subscribers"].reason:
-        return
     repairs = Repairs(view)
     for cause in causes(view.graph, "publisher"):
         yield tell(RULE, cause, "what it publishes reaches nobody", repairs)

@@ -60,17 +60,14 @@ def _missed(graph: ConnectionGraph) -> Iterator[Missed]:
     """All loose ends that were meant for something; one of two ends that were meant for each other."""
     ends = LooseEnds(graph)
     told: set[tuple[str, str]] = set()
-    if not graph.missing["publishers"].reason:
-        for missed in ends.missed("topic", offers=False):
-            told.add((missed.other.name, missed.end.name))
+    for missed in ends.missed("topic", offers=False):
+        told.add((missed.other.name, missed.end.name))
+        yield missed
+    for missed in ends.missed("topic", offers=True):
+        if not missed.loose or (missed.end.name, missed.other.name) not in told:
             yield missed
-    if not graph.missing["subscribers"].reason:
-        for missed in ends.missed("topic", offers=True):
-            if not missed.loose or (missed.end.name, missed.other.name) not in told:
-                yield missed
-    if not (graph.missing["services"].reason and graph.missing["actions"].reason):
-        for kind in ("service", "action"):
-            yield from ends.missed(kind, offers=False)
+    for kind in ("service", "action"):
+        yield from ends.missed(kind, offers=False)
 
 
 def _hubs(missed: Missed) -> tuple[Hub, ...]:

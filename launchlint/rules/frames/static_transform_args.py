@@ -70,7 +70,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
             continue
         line = command_line(node)
         if line.known and not _lacks_a_value(node, view.launch):
-            yield from _judge(node, line.words)
+            yield from _judge(node, tuple(word for word in line.words if isinstance(word, str)))
 
 
 def _lacks_a_value(node: Node, launch: Launch) -> bool:

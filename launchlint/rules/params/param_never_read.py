@@ -193,7 +193,7 @@ class _Reads:
             outer = outer.rpartition("/")[0]
         if self.declared(owner).may_be(name):
             return True
-        return any(doubt.may_be(name) for doubt, _ in self._graph.missing["params"].doubts)
+        return self._graph.unseen.has("params", name)
 
 
 def _finding(setting: ParameterSetting, owner: Instance, reads: _Reads, view: GraphView, *, several: bool) -> Finding:
