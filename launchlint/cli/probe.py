@@ -76,6 +76,11 @@ def command(
             raise AssertionError(f"the library would not be valid: {error}") from error
         write_text(output, text, what="the library")
         complete = not outcome.lost
+    except KeyboardInterrupt:
+        watcher.clear()
+        if journal.done:
+            _print([f"{len(journal.done)} programs are in {journal.path}: the same command with --resume goes on from there"])
+        raise
     finally:
         watcher.clear()
         journal.close(complete=complete)

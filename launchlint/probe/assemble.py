@@ -16,12 +16,29 @@ if TYPE_CHECKING:
     from typing import Any
 
 OPEN = {
-    "waits-for-service": "it waited for the service {}, and may have more names once that is there",
+    "waits-for-service": "it waited for the service {}, whose type is not installed",
+    "waits-for-message": "nothing could be sent to it on {}, and it may have more names once that comes",
+    "waits-for-param": "it waited for the param {}",
     "waits-for-device": "it waited for {}, and may have more names once that is there",
+    "waits": "it said: {}",
     "never-quiet": "there was still something new when it was stopped",
-    "ended": "it ended by itself before it was stopped",
+    "ended": "{}",
     "odd-names": "names that no node can have were left out",
     "too-much-output": "it was stopped because it printed without end",
+    "too-much-memory": "it was stopped: {}",
+    "too-much-disk": "it was stopped: {}",
+    "too-many-processes": "it was stopped: {}",
+    "unsteady": "{}",
+    "exception": "it had an exception: {}",
+    "error-logged": "it reported an error: {}",
+    "device-missing": "it had no device: {}",
+    "module-missing": "a Python module was missing: {}",
+    "library-missing": "a shared library was missing: {}",
+    "file-missing": "a file was missing: {}",
+    "param-required": "a param was missing: {}",
+    "arguments-required": "it wanted arguments: {}",
+    "display-required": "it had no display: {}",
+    "network": "it had no network: {}",
 }
 """Problems of a node that ran, after which its interface is not taken to be the whole one."""
 CLIENTS_OPEN = "a service client is seen only when it waits for its service or calls it"

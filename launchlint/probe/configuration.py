@@ -67,6 +67,11 @@ class Limits(NamedTuple):
     total: float = 7200.0
     build: float = 900.0
 
+    @property
+    def bytes(self) -> int:
+        """``memory`` in bytes."""
+        return int(self.memory[:-1]) * (2**30 if self.memory.endswith("g") else 2**20)
+
 
 class ProbeConfiguration(NamedTuple):
     """All settings.

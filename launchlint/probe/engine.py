@@ -99,7 +99,7 @@ class Engine:
             rm=True,
             forcerm=True,
             decode=True,
-            container_limits={"memory": max(_bytes(limits.memory), BUILD_MEMORY)} if limits else None,
+            container_limits={"memory": max(limits.bytes, BUILD_MEMORY)} if limits else None,
         )
         last: list[str] = []
         for event in events:
@@ -294,7 +294,7 @@ def _bounds(limits: Limits, volume: str, run: str) -> Mapping[str, Any]:
     """How a container is locked in: no network, nothing to write but memory, no privileges, bounded memory and processes, no log on
     disk.
     """
-    memory = _bytes(limits.memory)
+    memory = limits.bytes
     return {
         "labels": {LABEL: run},
         "network_mode": "none",
@@ -315,10 +315,6 @@ def _bounds(limits: Limits, volume: str, run: str) -> Mapping[str, Any]:
         "stop_signal": "SIGKILL",
         "detach": True,
     }
-
-
-def _bytes(text: str) -> int:
-    return int(text[:-1]) * (2**30 if text.endswith("g") else 2**20)
 
 
 def _archive(job: bytes) -> bytes:

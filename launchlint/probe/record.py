@@ -162,7 +162,7 @@ def _frame(value: Any) -> dict[str, Any]:
 
 _NOTES: Mapping[str, Mapping[str, Any]] = {
     "environment": {"distro": _text, "base": _text},
-    "build": {"package": _package, "result": _result, "errors": _texts},
+    "build": {"package": _package, "result": _result, "errors": _texts, "log": _texts},
     "dependency": {"name": _text, "needed_by": _texts, "detail": _text},
     "package": {"package": _package, "status": _text, "version": _text},
     "unknown": {"label": _text},

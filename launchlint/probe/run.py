@@ -12,7 +12,7 @@ from contextlib import AbstractContextManager
 from typing import NamedTuple, Protocol
 
 from launchlint.errors import UsageError
-from launchlint.probe.configuration import ProbeConfiguration
+from launchlint.probe.configuration import Limits, ProbeConfiguration
 from launchlint.probe.journal import Done, Journal
 from launchlint.probe.record import LaunchRecord, NodeRecord, Note, parse
 from launchlint.probe.sources import Tree, fetch, local
@@ -153,9 +153,21 @@ def job_of(configuration: ProbeConfiguration, shard: Shard | None, **more: Any) 
         "skip": list(configuration.skip),
         "nodes": nodes,
         "launch": [{"file": each.file, "args": dict(each.args)} for each in configuration.launch],
-        "limits": {"quiet": limits.quiet, "limit": limits.limit, "jobs": limits.jobs, "total": limits.total},
+        "limits": {"quiet": limits.quiet, "limit": limits.limit, "jobs": limits.jobs, "total": limits.total, **share(limits)},
         **({"shard": list(shard)} if shard else {}),
         **more,
+    }
+
+
+def share(limits: Limits) -> dict[str, int]:
+    """What one node may take, in bytes: three quarters of the container's memory, and an eighth of it for files, among those that run at
+    once. Files in a container take memory, too.
+    """
+    memory = limits.bytes
+    return {
+        "memory": memory * 3 // (4 * limits.jobs),
+        "disk": memory // (8 * limits.jobs),
+        "processes": max(8, limits.pids // (2 * limits.jobs)),
     }
 
 

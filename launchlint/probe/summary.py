@@ -19,7 +19,11 @@ WHY = {
     "display-required": ("display required", ""),
     "device-missing": ("device missing", ""),
     "waits-for-device": ("device waited for", ""),
-    "waits-for-service": ("service waited for", ""),
+    "waits-for-service": ("service waited for, of a type that is not installed", "install its package by `apt`"),
+    "waits-for-message": ("message waited for, of a type that is not installed", "install its package by `apt`"),
+    "waits-for-param": ("param waited for", "set it by `params`"),
+    "waits": ("waiting", ""),
+    "unsteady": ("different each time", ""),
     "network": ("network required", ""),
     "busy": ("still computing", "give them more time by `limit`"),
     "silent": ("master never contacted", "give them more time by `limit` if they are slow to start"),
@@ -27,6 +31,9 @@ WHY = {
     "never-quiet": ("something new until the end", "give them more time by `limit`"),
     "too-many-names": ("names without end", ""),
     "too-much-output": ("output without end", ""),
+    "too-much-memory": ("memory without end", "allow more by `memory`"),
+    "too-much-disk": ("files without end", "allow more by `memory`"),
+    "too-many-processes": ("processes without end", ""),
     "too-large": ("interface too large", ""),
     "exception": ("exception", ""),
     "error-logged": ("error reported", ""),
@@ -40,10 +47,22 @@ WHY = {
 
 
 def is_worth_a_failure(outcome: Outcome) -> bool:
-    """Whether the exit status shall say that this was not what was asked for: runs are missing, packages are, or nothing ran at all."""
+    """Whether the exit status shall say that this was not what was asked for: runs are missing, packages are missing or were not built, or
+    nothing ran at all.
+    """
     ran = any(record.status == "ok" for record in outcome.records)
-    missing = any(note.kind == "unknown" or (note.kind == "package" and note.facts["status"] != "found") for note in outcome.notes)
+    missing = any(_is_missing(note) for note in outcome.notes)
     return bool(outcome.lost) or missing or outcome.left > 0 or (bool(outcome.records) and not ran)
+
+
+def _is_missing(note: Note) -> bool:
+    """Whether a note says that something is not there that was asked for: a program, a package, or what a package's build makes."""
+    facts = note.facts
+    return (
+        note.kind == "unknown"
+        or (note.kind == "package" and facts["status"] != "found")
+        or (note.kind == "build" and facts["result"] != "ok")
+    )
 
 
 def summary(outcome: Outcome, output: str) -> list[str]:
@@ -52,8 +71,12 @@ def summary(outcome: Outcome, output: str) -> list[str]:
     launches = [record for record in outcome.records if isinstance(record, LaunchRecord)]
     ran, failed, none = (_labels(nodes, status) for status in ("ok", "failed", "not-a-node"))
     failed = [label for label in failed if label not in set(ran)]
+    nodelets = {record.label for record in nodes if record.program == "nodelet"} & set(ran)
+    recorded = _count(len(ran) - len(nodelets), "executable")
+    if nodelets:
+        recorded += f" and {_count(len(nodelets), 'nodelet')}"
     programs = f"{_count(len(none), 'program')} {'is' if len(none) == 1 else 'are'} no node{'' if len(none) == 1 else 's'}"
-    lines = [f"{output}: {_count(len(ran), 'node')} recorded, {len(failed)} could not be run, {programs}"]
+    lines = [f"{output}: {recorded} recorded, {len(failed)} could not be run, {programs}"]
     if launches:
         good = sum(record.status == "ok" for record in launches)
         lines.append(f"{good} of {_count(len(launches), 'launch file')} recorded")
@@ -112,4 +135,5 @@ def _notes(notes: Sequence[Note]) -> list[str]:
         elif note.kind == "build" and facts["result"] != "ok":
             first = next(iter(note.facts["errors"]), "")
             lines.append(f"{facts['package']}: {'built in part' if facts['result'] == 'partial' else 'not built'}: {first}")
+            lines += [f"    {line}" for line in note.facts["log"]]
     return lines

@@ -3,7 +3,7 @@
 import re
 from typing import Dict, List, Optional, Tuple
 
-from launchlint_probe.interface import spelled
+from launchlint_probe.interface import is_infrastructure, spelled
 from launchlint_probe.recorder import Facts
 
 Problem = Dict[str, str]
@@ -14,23 +14,60 @@ LONGEST_LINE = 400
 """Characters of a line of output that are looked at."""
 MOST_NAMES = 500
 """Topics and services; a node that has more, and is still at it when time is up, will never be done."""
-MOST_PRINTED = 64 * 1024 * 1024
+ASKED_OFTEN = 8
+"""A node that asks so often for a param that is not set waits for it."""
+MOST_PRINTED = 16 * 1024 * 1024
 """Bytes of output; what prints more is stopped."""
 
 
 class Outcome:
-    """What is known when a node has been stopped. ``code`` is its exit status, None where it did not end by itself."""
+    """What is known when a node has been stopped.
+
+    Args:
+        facts: what it did.
+        output: what it printed last.
+        said: the same when it was told to stop: what it printed upon that says nothing of what it waits for.
+        before: the same before it was sent messages: that it complains of those says nothing.
+        code: its exit status; None where it did not end by itself.
+        timed_out: it was stopped because its time was up.
+        busy: it was computing then.
+        devices: those that it had open.
+        printed: bytes of output.
+        unanswered: the services it looked for and that could not be given to it.
+        untold: the topics on which no message could be sent to it.
+        sent: it was sent messages.
+        excess: code and words where it took more than it may: memory, processes, room on the disk.
+    """
 
     def __init__(
-        self, facts: Facts, output: str, code: Optional[int], timed_out: bool, busy: bool, devices: List[str], printed: int
+        self,
+        facts: Facts,
+        output: str,
+        said: str,
+        before: str,
+        code: Optional[int],
+        timed_out: bool,
+        busy: bool,
+        devices: List[str],
+        printed: int,
+        unanswered: List[str],
+        untold: List[str],
+        sent: bool,
+        excess: Optional[Tuple[str, str]],
     ) -> None:
         self.facts = facts
         self.output = output
+        self.said = said
+        self.before = before
         self.code = code
         self.timed_out = timed_out
         self.busy = busy
         self.devices = devices
         self.printed = printed
+        self.unanswered = unanswered
+        self.untold = untold
+        self.sent = sent
+        self.excess = excess
 
 
 _CANNOT = r"(?:cannot|can't|could not|couldn't|failed to|unable to|error)"
@@ -60,8 +97,13 @@ _SIGNS = (
     ("file-missing", r"(?im)^.*?((?:no such file or directory|file not found|could not (?:open|load) file)[^\n]*)"),
     ("network", _NO_NETWORK),
     ("exception", r"(?m)^(?:terminate called[^\n]*\n\s*what\(\):\s*([^\n]+)|(\w*(?:Error|Exception): [^\n]+))"),
+    ("waits", r"(?im)^.*?(\bwaiting (?:for|until|on)\b[^\n]*|\b(?:will )?(?:retry(?:ing)?|try(?:ing)? again)\b[^\n]*)"),
     ("error-logged", r"(?m)^\[ ?(?:FATAL|ERROR)\] ?(?:\[[^\]\n]*\] ?)*:? ?([^\n]+)"),
 )
+LAST_LINES = 3
+"""A node waits where it says so in its last lines; what it said earlier may have come."""
+TELLING = {"exception", "error-logged", "device-missing", "waits", "module-missing", "file-missing", "network", "param-required"}
+"""Signs after which a node that goes on running may lack names."""
 _COLOUR = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 _COMPILED = tuple((code, re.compile(pattern)) for code, pattern in _SIGNS)
 
@@ -69,68 +111,94 @@ _COMPILED = tuple((code, re.compile(pattern)) for code, pattern in _SIGNS)
 def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
     """``ok``, ``failed`` or ``not-a-node``, and the problems: each with a code and what was printed.
 
-    A node that registered something and did not end is ok, whatever it printed. One that ended with status 0 and a usage text has failed.
+    A node that registered names of its own is ok, however it went on: what is known is known. Its problems say why there may be more.
     """
     facts = outcome.facts
     contacted = bool(facts.nodes or facts.reads or facts.lookups or facts.searches)
-    registered = bool(facts.nodes)
-    problems: List[Problem] = []
-    waits = sorted(name for name in facts.lookups if not any(name == served for _, served in facts.services))
     names = len(facts.publishers) + len(facts.subscribers) + len(facts.services)
     if facts.overflow or (outcome.timed_out and names > MOST_NAMES):
         return "failed", [_problem("too-many-names", "it made up names without end")]
+    problems: List[Problem] = []
     if outcome.printed > MOST_PRINTED:
         problems.append(_problem("too-much-output", "it printed without end"))
+    if outcome.excess is not None:
+        problems.append(_problem(*outcome.excess))
+        if outcome.code is None:
+            return ("ok" if _has_own_names(facts) else "failed"), problems
+    signs = _signs(outcome.output, outcome.said)
     if outcome.code is None:
-        waiting = [_problem("waits-for-service", spelled(name)) for name in waits]
+        registered = bool(facts.nodes)
         if registered:
-            if outcome.timed_out and not outcome.printed > MOST_PRINTED:
-                problems.append(_problem("never-quiet", "there was still something new when it was stopped: there may be more"))
-            return "ok", problems + waiting
-        problems.extend(waiting)
-        signs = _signs(outcome.output)[:1]
-        if not signs:
-            signs = [_problem("waits-for-device", device) for device in outcome.devices]
-        problems.extend(signs)
-        if outcome.busy and not problems:
-            problems.append(_problem("busy", "it was still computing when it was stopped; a larger `limit` may help"))
-        known = bool(problems)
-        if outcome.timed_out:
-            problems.append(
-                _problem("timed-out", "it was stopped before it registered anything")
-                if contacted
-                else _problem("silent", "it never contacted the master")
-            )
-        return ("failed" if contacted or known else "not-a-node"), problems
-    signs = _signs(outcome.output)
+            return "ok", problems + _doubts(outcome, _signs(outcome.before, outcome.said))
+        problems += _not_registered(outcome, contacted, signs)
+        return ("failed" if contacted or (problems and problems[0]["code"] != "silent") else "not-a-node"), problems
+    if outcome.sent:
+        problems.append(_problem("ended", _ended(outcome.code, True)))
+        return "ok", problems
     problems.extend(signs[:1] + [sign for sign in signs[1:2] if signs[0]["detail"] not in sign["detail"]])
-    if outcome.code:
-        problems.append(_problem("ended", _ended(outcome.code)))
-    elif not signs:
-        problems.append(_problem("ended", "it ended by itself with status 0"))
-    if registered and outcome.code == 0 and not signs:
+    if outcome.code or not signs:
+        problems.append(_problem("ended", _ended(outcome.code, False)))
+    if _has_own_names(facts):
         return "ok", problems
     if not contacted and not signs and outcome.code == 0:
         return "not-a-node", problems
-    return "failed", problems
+    return ("ok" if facts.nodes and outcome.code == 0 and not signs else "failed"), problems
 
 
-def _ended(code: int) -> str:
-    return "it was ended by signal {}".format(-code) if code < 0 else "it ended by itself with status {}".format(code)
+def _doubts(outcome: Outcome, signs: List[Problem]) -> List[Problem]:
+    """Why a node that ran until it was stopped may have more names than it showed."""
+    problems: List[Problem] = []
+    if outcome.timed_out and not outcome.printed > MOST_PRINTED:
+        problems.append(_problem("never-quiet", "there was still something new when it was stopped: there may be more"))
+    problems += [_problem("waits-for-service", spelled(name)) for name in outcome.unanswered]
+    problems += [_problem("waits-for-message", spelled(name)) for name in outcome.untold if not is_infrastructure(name)]
+    missed = sorted(name for name, count in outcome.facts.missed.items() if count >= ASKED_OFTEN and not is_infrastructure(name))
+    problems += [_problem("waits-for-param", spelled(name)) for name in missed]
+    return problems + [sign for sign in signs if sign["code"] in TELLING][:1]
 
 
-def _signs(output: str) -> List[Problem]:
+def _not_registered(outcome: Outcome, contacted: bool, signs: List[Problem]) -> List[Problem]:
+    """Why a node that was stopped had registered nothing."""
+    problems = [_problem("waits-for-service", spelled(name)) for name in outcome.unanswered]
+    problems += signs[:1] or [_problem("waits-for-device", device) for device in outcome.devices]
+    if outcome.busy and not problems and not outcome.printed > MOST_PRINTED:
+        problems.append(_problem("busy", "it was still computing when it was stopped; a larger `limit` may help"))
+    if outcome.timed_out:
+        problems.append(
+            _problem("timed-out", "it was stopped before it registered anything")
+            if contacted
+            else _problem("silent", "it never contacted the master")
+        )
+    return problems
+
+
+def _has_own_names(facts: Facts) -> bool:
+    tables = (facts.publishers, facts.subscribers, facts.services)
+    return any(not is_infrastructure(name) for table in tables for _, name in list(table)) or bool(facts.lookups)
+
+
+def _ended(code: int, sent: bool) -> str:
+    how = "it was ended by signal {}".format(-code) if code < 0 else "it ended by itself with status {}".format(code)
+    return how + (" when it was sent empty messages" if sent else "")
+
+
+def _signs(output: str, said: str) -> List[Problem]:
     """What the output says, the most telling first."""
     found = []
-    plain = _COLOUR.sub("", output[-20000:])
-    shown = "\n".join(line[:LONGEST_LINE] for line in plain.splitlines())  # patterns take their time with long lines
+    shown = _shown(output)
+    last = "\n".join(_shown(said).splitlines()[-LAST_LINES:])
     for code, pattern in _COMPILED:
-        matches = pattern.findall(shown)
+        matches = pattern.findall(last if code == "waits" else shown)
         if matches:
-            last = matches[-1]
-            text = last if isinstance(last, str) else next((each for each in last if each), "")
+            match = matches[-1]
+            text = match if isinstance(match, str) else next((each for each in match if each), "")
             found.append(_problem(code, text))
     return found
+
+
+def _shown(output: str) -> str:
+    """The last of some output without colours; patterns take their time with long lines, so they are cut."""
+    return "\n".join(line[:LONGEST_LINE] for line in _COLOUR.sub("", output[-20000:]).splitlines())
 
 
 _PASSING = (

@@ -53,10 +53,11 @@ class Harvest:
     Args:
         headers: topic → header of a connection to its publisher.
         services: service → header of its answer to a probe.
-        woken: names that appeared only after somebody subscribed → ``subscriber``.
+        woken: names that were not there from the start → what they appeared upon, ``subscriber`` or ``message``.
         reconfigure: full name of a param → what dynamic_reconfigure says of it.
         given: full names of params that the probe itself set.
         tokens: words that the probe gave the node → templates, see :func:`spelled`.
+        clients: service → what the node's client said of it: type and MD5 sum.
     """
 
     def __init__(
@@ -67,6 +68,7 @@ class Harvest:
         reconfigure: Dict[str, Dict[str, Any]],
         given: Dict[str, Any],
         tokens: Dict[str, str],
+        clients: Optional[Dict[str, Dict[str, str]]] = None,
     ) -> None:
         self.headers = headers
         self.services = services
@@ -74,6 +76,7 @@ class Harvest:
         self.reconfigure = reconfigure
         self.given = given
         self.tokens = tokens
+        self.clients = clients or {}
 
 
 def interface(facts: Facts, harvest: Harvest) -> Dict[str, List[Entry]]:
@@ -86,7 +89,7 @@ def interface(facts: Facts, harvest: Harvest) -> Dict[str, List[Entry]]:
         "subscribers": [_topic(name, kind, None, harvest.woken) for name, kind in subscribers.items()],
         "services": [_typed(name, harvest.services.get(name, {})) for _, name in facts.services if not is_infrastructure(name)],
         "clients": [
-            {"name": name}
+            _typed(name, harvest.clients.get(name, {}))
             for name in facts.lookups
             if not is_infrastructure(name) and not any(name == served for _, served in facts.services)
         ],

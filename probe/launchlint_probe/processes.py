@@ -2,6 +2,7 @@
 
 import ctypes
 import os
+import resource
 import signal
 import time
 from typing import Dict, List, Set, Tuple
@@ -123,6 +124,28 @@ def prefer_as_victim(process: int) -> None:
             file.write("1000")
     except OSError:
         return
+
+
+def bound_files(process: int, largest: int) -> None:
+    """No file that this process, or one that it starts, writes may have more bytes."""
+    try:
+        resource.prlimit(process, resource.RLIMIT_FSIZE, (largest, largest))
+    except (OSError, ValueError):  # it has ended, or there is a tighter bound
+        return
+
+
+def memory(processes: List[int]) -> int:
+    """Bytes of memory that these take, without what they share with others."""
+    page = os.sysconf("SC_PAGE_SIZE")
+    total = 0
+    for process in processes:
+        try:
+            with open("/proc/{}/statm".format(process), "rb") as file:
+                fields = file.read().split()
+            total += (int(fields[1]) - int(fields[2])) * page
+        except (OSError, IndexError, ValueError):
+            continue
+    return total
 
 
 _ORDINARY = ("/dev/null", "/dev/zero", "/dev/pts", "/dev/ptmx", "/dev/tty ", "/dev/random", "/dev/urandom", "/dev/shm", "/dev/full")

@@ -8,7 +8,7 @@ import socketserver
 import threading
 import time
 import xmlrpc.client
-from typing import Any, Dict, List, Optional, Set, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 from xmlrpc.server import SimpleXMLRPCDispatcher, SimpleXMLRPCRequestHandler, SimpleXMLRPCServer
 
 SUCCESS, ERROR = 1, -1
@@ -21,7 +21,9 @@ Answer = Tuple[int, str, Any]
 
 
 class Facts:
-    """What one node has done. ``changed`` is when something new was learnt last, in seconds of the monotonic clock."""
+    """What one node has done. ``changed`` is when something new was learnt last, in seconds of the monotonic clock; ``missed`` counts how
+    often a param was asked for that is not set.
+    """
 
     def __init__(self) -> None:
         self.lock = threading.Lock()
@@ -34,7 +36,7 @@ class Facts:
         self.searches: Dict[str, str] = {}
         self.writes: Dict[str, Any] = {}
         self.nodes: Dict[str, str] = {}
-        self.gone: Set[str] = set()
+        self.missed: Dict[str, int] = {}
         self.overflow = False
 
     def add(self, table: Dict[Any, Any], key: Any, value: Any) -> None:
@@ -48,8 +50,12 @@ class Facts:
                 self.changed = time.monotonic()
             table[key] = value
 
+    def touch(self) -> None:
+        """The node was given something: whatever follows from that is new."""
+        self.changed = time.monotonic()
 
-class _Handler(SimpleXMLRPCRequestHandler):
+
+class Handler(SimpleXMLRPCRequestHandler):
     """Requests at ``/`` and ``/RPC2``, kept alive as rosmaster does."""
 
     rpc_paths = ()
@@ -66,7 +72,9 @@ class _Handler(SimpleXMLRPCRequestHandler):
         super().do_POST()
 
 
-class _Server(socketserver.ThreadingMixIn, SimpleXMLRPCServer):
+class Server(socketserver.ThreadingMixIn, SimpleXMLRPCServer):
+    """An XML-RPC server with a thread for each connection, which ends when the program does."""
+
     daemon_threads = True
     block_on_close = False
     request_queue_size = 64
@@ -76,15 +84,19 @@ class _Server(socketserver.ThreadingMixIn, SimpleXMLRPCServer):
 
 
 class Recorder:
-    """The server. ``uri`` is what ``ROS_MASTER_URI`` must say; ``parameters`` are set before the node starts."""
+    """The server. ``uri`` is what ``ROS_MASTER_URI`` must say; ``parameters`` are set before the node starts.
+
+    ``served`` and ``offered`` are services and topics that are not the node's, with their API: what the probe gives it.
+    """
 
     def __init__(self, parameters: Optional[Dict[str, Any]] = None, host: str = "127.0.0.1") -> None:
         self.facts = Facts()
+        self.served: Dict[str, str] = {}
+        self.offered: Dict[str, str] = {}
         self._parameters: Dict[str, Any] = {}
-        self._watchers: Dict[str, Set[str]] = {}
         for name, value in (parameters or {}).items():
             self._store(name, value)
-        self._server = _Server((host, 0), _Handler, logRequests=False, allow_none=True)
+        self._server = Server((host, 0), Handler, logRequests=False, allow_none=True)
         self._server.register_instance(_Api(self))
         self._server.register_multicall_functions()
         self.uri = "http://{}:{}/".format(host, self._server.server_address[1])
@@ -96,6 +108,18 @@ class Recorder:
         """Stop answering."""
         self._server.shutdown()
         self._server.server_close()
+
+    def offer(self, topic: str, api: str) -> None:
+        """Say to all who hear a topic, now and later, that somebody publishes it."""
+        self.offered[topic] = api
+        publishers = self.publishers(topic)
+        for listener in sorted({known for (_, name), (_, known) in list(self.facts.subscribers.items()) if name == topic}):
+            _in_background(_update, listener, topic, publishers)
+
+    def publishers(self, topic: str) -> List[str]:
+        """The APIs of those who publish a topic."""
+        own = {api for (_, name), (_, api) in list(self.facts.publishers.items()) if name == topic}
+        return sorted(own | ({self.offered[topic]} if topic in self.offered else set()))
 
     # -- parameters ---------------------------------------------------------------------------------------------
 
@@ -192,7 +216,7 @@ class _Api(SimpleXMLRPCDispatcher):
         topic = absolute(topic, caller)
         self._add(self._facts.publishers, caller, topic, kind, api)
         listeners = [known for (_, name), (_, known) in list(self._facts.subscribers.items()) if name == topic]
-        publishers = self._publishers(topic)
+        publishers = self._recorder.publishers(topic)
         for listener in listeners:
             _in_background(_update, listener, topic, publishers)
         return SUCCESS, "registered", listeners
@@ -205,10 +229,7 @@ class _Api(SimpleXMLRPCDispatcher):
         """Record a subscriber."""
         topic = absolute(topic, caller)
         self._add(self._facts.subscribers, caller, topic, kind, api)
-        return SUCCESS, "registered", self._publishers(topic)
-
-    def _publishers(self, topic: str) -> List[str]:
-        return sorted({api for (_, name), (_, api) in list(self._facts.publishers.items()) if name == topic})
+        return SUCCESS, "registered", self._recorder.publishers(topic)
 
     def register_service(self, caller: str, service: str, service_api: str, api: str) -> Answer:
         """Record a service."""
@@ -222,6 +243,8 @@ class _Api(SimpleXMLRPCDispatcher):
         for (_, name), (service_api, _) in list(self._facts.services.items()):
             if name == service:
                 return SUCCESS, "found", service_api
+        if service in self._recorder.served:
+            return SUCCESS, "found", self._recorder.served[service]
         return ERROR, "no provider", ""
 
     def look_up_node(self, caller: str, name: str) -> Answer:
@@ -232,6 +255,7 @@ class _Api(SimpleXMLRPCDispatcher):
     def published_topics(self, caller: str, subgraph: str = "") -> Answer:
         """Topics and their types."""
         listed = {(name, kind) for (_, name), (kind, _) in list(self._facts.publishers.items())}
+        listed |= {(name, kind) for (_, name), (kind, _) in list(self._facts.subscribers.items()) if name in self._recorder.offered}
         return SUCCESS, "current topics", [list(each) for each in sorted(listed)]
 
     def topic_types(self, caller: str) -> Answer:
@@ -257,18 +281,26 @@ class _Api(SimpleXMLRPCDispatcher):
         """A process id: of nobody in particular."""
         return SUCCESS, "", 1
 
+    def _read(self, name: str, caller: str, found: bool) -> None:
+        self._facts.add(self._facts.reads, name, (caller, found))
+        with self._facts.lock:
+            if found:
+                self._facts.missed.pop(name, None)
+            elif name in self._facts.reads:
+                self._facts.missed[name] = self._facts.missed.get(name, 0) + 1
+
     def get_parameter(self, caller: str, name: str) -> Answer:
         """Record that a param is read."""
         name = absolute(name, caller)
         found, value = self._recorder.parameter(name)
-        self._facts.add(self._facts.reads, name, (caller, found))
+        self._read(name, caller, found)
         return (SUCCESS, "param {}".format(name), value) if found else (ERROR, "param {} is not set".format(name), 0)
 
     def has_parameter(self, caller: str, name: str) -> Answer:
         """Record that a param is asked for."""
         name = absolute(name, caller)
         found, _ = self._recorder.parameter(name)
-        self._facts.add(self._facts.reads, name, (caller, found))
+        self._read(name, caller, found)
         return SUCCESS, name, found
 
     def subscribe_parameter(self, caller: str, api: str, name: str) -> Answer:

@@ -5,30 +5,24 @@ import shlex
 import subprocess
 import tempfile
 import time
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Set, Tuple
 
 from launchlint_probe import processes
-from launchlint_probe.diagnose import MOST_PRINTED, Outcome, diagnose
+from launchlint_probe.answering import Answers
+from launchlint_probe.bounds import Bounds, Usage
+from launchlint_probe.diagnose import Outcome, diagnose
 from launchlint_probe.interface import FULL, NAMESPACE, NODE, Harvest, interface, is_infrastructure, per_node, spelled
+from launchlint_probe.messages import Definitions
 from launchlint_probe.recorder import Recorder
 from launchlint_probe.tcpros import Subscription, reconfigure_description, service_header
+from launchlint_probe.watching import MOST_WOKEN, Name, Seen, Watch, names
 
-STEP = 0.05
-"""Seconds between two looks at a node."""
 OUTPUT_KEPT = 64 * 1024
 """Bytes of a node's output that are kept, from its end."""
-MOST_WOKEN = 500
-"""Publishers that are connected to."""
-PATIENCE = 5
-"""A node that has contacted the master but registered nothing of its own is given this many times ``quiet``: it may be slow to begin."""
-HALF = 0.5
-"""Where a node's publishers are woken, there is a silence before and one after it, each this part of ``quiet``."""
-RESTLESS = 4
-"""What never rests is taken to be ready when nothing new has come for this many times as long."""
-ANSWERING = 2.0
-"""Seconds that publishers are given to answer after all else is quiet."""
 LOOKS = 10
 """How often, within a tenth of a second, it is looked whether a node computes."""
+ROBOT = '<robot name="launchlint"><link name="base_link"/></robot>'
+"""What a node finds as ``robot_description``, where the plan sets none: nodes that need one go no further without."""
 PLACE = "{}"
 """Stands in arguments and params for a word that the probe makes up, to find it again in names."""
 
@@ -47,6 +41,7 @@ class Plan:
         limit: it is stopped after this.
         with_name: whether it is given ``__name`` and ``__log``.
         many: whether it starts nodes rather than being one (a launch file).
+        bounds: what it may take.
 
     ``tokens`` are the words put where arguments and params say ``{}``, each with the template that stands for it.
     """
@@ -64,7 +59,9 @@ class Plan:
         with_name: bool = True,
         arguments: str = "",
         many: bool = False,
+        bounds: Optional[Bounds] = None,
     ) -> None:
+        self.bounds = bounds or Bounds()
         self.label = label
         self.tokens: Dict[str, str] = {}
         words = shlex.split(arguments)
@@ -97,98 +94,152 @@ def full_name(name: str) -> str:
     return "{}/{}".format(FULL, name[1:]) if name.startswith("~") else "{}/{}".format(NAMESPACE, name)
 
 
-def run(plan: Plan) -> Dict[str, Any]:
-    """Run a node. Returns its record: ``status``, ``interface``, ``problems``, ``seconds``, and what was left running (nothing, if all
-    is well).
+class Run:
+    """One run: its record (``status``, ``interface``, ``problems``, ``seconds``, and what was ``left`` running: nothing, if all is well),
+    all its topics and services, and whether all those of another run were seen again.
     """
+
+    def __init__(self, record: Dict[str, Any], every: Set[Name], reached: bool = False) -> None:
+        self.record = record
+        self.every = every
+        self.reached = reached
+
+
+def run(plan: Plan, definitions: Definitions, expected: Optional[Set[Name]] = None) -> Run:
+    """Run a node. With ``expected`` (``every`` name of another run) it is stopped as soon as it has those again."""
     given = {full_name(name): value for name, value in plan.params.items()}
-    recorder = Recorder(given)
+    robot = dict.fromkeys(("/robot_description", NAMESPACE + "/robot_description"), ROBOT)
+    recorder = Recorder({**({} if plan.many else robot), **given})
     mark = "{}-{}".format(os.getpid(), int(time.monotonic() * 1e6))
-    began = time.monotonic()
     try:
         with tempfile.TemporaryDirectory(prefix="probe-") as directory:
-            return _run(plan, recorder, given, mark, directory, began)
+            answers = None if plan.many else Answers(recorder, definitions)
+            try:
+                return _Session(plan, recorder, answers, given, mark, directory).run(expected)
+            finally:
+                if answers is not None:
+                    answers.close()
     finally:
         recorder.close()
 
 
-def _run(plan: Plan, recorder: Recorder, given: Dict[str, Any], mark: str, directory: str, began: float) -> Dict[str, Any]:
-    for name, text in plan.files.items():
-        with open(os.path.join(directory, os.path.basename(name)), "w", encoding="utf-8") as file:
-            file.write(text)
-    output_path = os.path.join(directory, ".output")
-    controller, terminal = os.openpty()
-    subscriptions: Dict[Tuple[str, str], Subscription] = {}
-    started = 0
-    try:
-        with open(output_path, "wb") as output:
+class _Session:
+    """One node, from its start to its end, in a directory of its own."""
+
+    def __init__(
+        self, plan: Plan, recorder: Recorder, answers: Optional[Answers], given: Dict[str, Any], mark: str, directory: str
+    ) -> None:
+        self.plan = plan
+        self.recorder = recorder
+        self.answers = answers
+        self.given = given
+        self.mark = mark
+        self.directory = directory
+        self.output = os.path.join(directory, ".output")
+        self.began = time.monotonic()
+
+    def run(self, expected: Optional[Set[Name]]) -> Run:
+        """Start it, watch it, end it, and say what it was."""
+        for name, text in self.plan.files.items():
+            with open(os.path.join(self.directory, os.path.basename(name)), "w", encoding="utf-8") as file:
+                file.write(text)
+        controller, terminal = os.openpty()
+        started = 0
+        try:
             try:
-                process = subprocess.Popen(
-                    _command(plan, directory),
-                    cwd=directory,
-                    env=_environment(plan, recorder, mark, directory),
-                    stdin=terminal,
-                    stdout=output,
-                    stderr=subprocess.STDOUT,
-                    start_new_session=True,
-                )
+                process = self._start(terminal)
             except OSError as error:
-                return {
-                    "label": plan.label,
-                    "status": "failed",
-                    "interface": {},
-                    "seconds": 0.0,
-                    "left": [],
-                    "problems": [{"code": "not-started", "detail": "it cannot be started: {}".format(error.strerror or error)}],
-                }
-        started = process.pid
-        os.close(terminal)
-        terminal = -1
-        processes.prefer_as_victim(process.pid)
-        before, ended = _watch(plan, recorder, process, mark, output_path, began, subscriptions)
-        facts = recorder.facts
+                problem = {"code": "not-started", "detail": "it cannot be started: {}".format(error.strerror or error)}
+                failed = {"status": "failed", "interface": {}, "seconds": 0.0, "left": [], "problems": [problem]}
+                return Run(dict(failed, label=self.plan.label), set())
+            started = process.pid
+            os.close(terminal)
+            terminal = -1
+            processes.prefer_as_victim(process.pid)
+            processes.bound_files(process.pid, self.plan.bounds.disk)
+            return self._watch(process, expected)
+        finally:
+            if started:
+                processes.stop(self.mark, started, 0.1)
+            os.close(controller)
+            if terminal >= 0:
+                os.close(terminal)
+
+    def _start(self, terminal: int) -> Any:
+        with open(self.output, "wb") as output:
+            return subprocess.Popen(
+                _command(self.plan, self.directory),
+                cwd=self.directory,
+                env=_environment(self.plan, self.recorder, self.mark, self.directory),
+                stdin=terminal,
+                stdout=output,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
+            )
+
+    def _watch(self, process: Any, expected: Optional[Set[Name]]) -> Run:
+        plan, facts = self.plan, self.recorder.facts
+        usage = Usage(plan.bounds, self.directory)
+        watch = Watch(self.recorder, self.answers, process, self.mark, self.output, plan.quiet, plan.limit, usage, expected)
+        seen = watch.run()
         services = {
             name: service_header(api, name)
             for (_, name), (api, _) in list(facts.services.items())[:MOST_WOKEN]
-            if not is_infrastructure(name)
+            if not is_infrastructure(name) and not seen.reached
         }
-        headers = {name: each.header for (_, name), each in subscriptions.items() if each.header}
-        harvest = Harvest(headers, services, _woken(recorder, before), _reconfigure(subscriptions), given, plan.tokens)
-        alive = processes.belonging(mark, process.pid)
+        harvest = self._harvest(watch, seen, services)
+        alive = processes.belonging(self.mark, process.pid)
         busy = bool(alive) and not facts.nodes and _is_busy(alive)
         devices = processes.open_devices(alive)
-        timed_out = time.monotonic() - began >= plan.limit and not ended
-        for each in subscriptions.values():
-            each.close()
-        left = processes.stop(mark, process.pid)
+        timed_out = time.monotonic() - self.began >= plan.limit and not seen.ended
+        said = _tail(self.output)
+        before = said if seen.sent is None else _tail(self.output, seen.sent)
+        watch.close()
+        left = processes.stop(self.mark, process.pid)
         code = process.poll() if left else process.wait()
+        printed = os.path.getsize(self.output)
         outcome = Outcome(
             facts,
-            _tail(output_path).replace(directory, "."),
-            code if ended else None,
+            _tail(self.output).replace(self.directory, "."),
+            said.replace(self.directory, "."),
+            before.replace(self.directory, "."),
+            code if seen.ended else None,
             timed_out,
             busy,
             devices,
-            os.path.getsize(output_path),
+            printed,
+            self._unanswered(),
+            self.answers.untold() if self.answers is not None and not seen.ended else [],
+            seen.sent is not None,
+            seen.excess,
         )
         status, problems = diagnose(outcome)
         found: Dict[str, Any] = {}
         if status != "not-a-node" and not any(problem["code"] == "too-many-names" for problem in problems):
             found = {"nodes": per_node(facts), "params": _set_params(facts)} if plan.many else interface(facts, harvest)
-        return {
+        record = {
             "label": plan.label,
             "status": status,
             "interface": found,
             "problems": problems,
-            "seconds": round(time.monotonic() - began, 3),
+            "seconds": round(time.monotonic() - self.began, 3),
             "left": left,
         }
-    finally:
-        if started:
-            processes.stop(mark, started, 0.1)
-        os.close(controller)
-        if terminal >= 0:
-            os.close(terminal)
+        return Run(record, names(self.recorder), seen.reached)
+
+    def _harvest(self, watch: Watch, seen: Seen, services: Dict[str, Dict[str, str]]) -> Harvest:
+        headers = {name: each.header for (_, name), each in watch.subscriptions.items() if each.header}
+        clients = {} if self.answers is None else self.answers.clients
+        return Harvest(
+            headers, services, _upon(self.recorder, seen), _reconfigure(watch.subscriptions), self.given, self.plan.tokens, clients
+        )
+
+    def _unanswered(self) -> List[str]:
+        """The services that the node looked for and that nobody could answer."""
+        facts = self.recorder.facts
+        own = {name for _, name in list(facts.services)}
+        served = set() if self.answers is None else set(self.recorder.served) - self.answers.refused
+        return sorted(name for name in list(facts.lookups) if name not in own and name not in served)
 
 
 def _command(plan: Plan, directory: str) -> List[str]:
@@ -208,6 +259,7 @@ def _environment(plan: Plan, recorder: Recorder, mark: str, directory: str) -> D
             "ROS_HOME": directory,
             "HOME": directory,
             "ROS_LOG_DIR": directory,
+            "TMPDIR": directory,
             "PYTHONUNBUFFERED": "1",
             "QT_QPA_PLATFORM": "offscreen",
             processes.MARK: mark,
@@ -218,54 +270,6 @@ def _environment(plan: Plan, recorder: Recorder, mark: str, directory: str) -> D
     # Scripts ask for "python3": that must be the one ROS is installed for, not another one that the user has.
     environment["PATH"] = os.pathsep.join(["/usr/bin", environment.get("PATH", "/bin")])
     return environment
-
-
-def _watch(
-    plan: Plan, recorder: Recorder, process: Any, mark: str, output: str, began: float, subscriptions: Dict[Tuple[str, str], Subscription]
-) -> Tuple[Any, bool]:
-    """Wait until the node is ready, wake it, wait again. Returns the names it had before it was woken, and whether it ended by itself."""
-    before: Any = None
-    facts = recorder.facts
-    idle_since = time.monotonic()
-    last_busy = 0.0
-    wants = False
-    gone = 0
-    while True:
-        now = time.monotonic()
-        if now - began >= plan.limit or facts.overflow or os.path.getsize(output) > MOST_PRINTED:
-            return before, False
-        alive = processes.belonging(mark, process.pid)
-        gone = gone + 1 if not alive and process.poll() is not None else 0
-        if gone > 1:  # once is not enough: a daemon forks between two looks
-            return before, True
-        busy = processes.busy_time(alive)
-        wanted, wants = wants, processes.want_to_run(alive)
-        if busy > last_busy + 1 or (wanted and wants):  # on a busy machine it may want to and not be let
-            last_busy, idle_since = busy, now
-        registered = any(
-            not is_infrastructure(name) for table in (facts.publishers, facts.subscribers, facts.services) for _, name in list(table)
-        )
-        new = [(api, name) for (_, name), (_, api) in list(facts.publishers.items()) if _wants_waking(api, name, subscriptions)]
-        wakes = before is not None or bool(new)
-        needed = plan.quiet * (HALF if wakes else 1.0) * (1 if registered else PATIENCE)
-        silence = now - facts.changed
-        if facts.nodes and silence >= needed and (now - idle_since >= min(plan.quiet, 0.5) or silence >= RESTLESS * needed):
-            if before is None:
-                before = set(list(facts.publishers) + list(facts.subscribers) + list(facts.services))
-            if not new or len(subscriptions) >= MOST_WOKEN:
-                if silence < needed + ANSWERING and not all(each.is_settled for each in list(subscriptions.values())):
-                    time.sleep(STEP)
-                    continue
-                return before, False
-            for api, name in new[:MOST_WOKEN]:
-                subscriptions[(api, name)] = Subscription(api, name)
-            facts.changed = time.monotonic()
-        time.sleep(STEP)
-
-
-def _wants_waking(api: str, name: str, subscriptions: Dict[Tuple[str, str], Subscription]) -> bool:
-    """Whether a publisher has not been listened to yet. To /rosout nobody needs to listen."""
-    return (api, name) not in subscriptions and not name.startswith("/rosout")
 
 
 def _is_busy(alive: List[int]) -> bool:
@@ -283,10 +287,17 @@ def _set_params(facts: Any) -> List[str]:
     return sorted({spelled(name) for name in list(facts.writes) if not is_infrastructure(name)})
 
 
-def _woken(recorder: Recorder, before: Any) -> Dict[str, str]:
-    facts = recorder.facts
-    tables = (facts.publishers, facts.subscribers, facts.services)
-    return {} if before is None else {name: "subscriber" for table in tables for _, name in table if (_, name) not in before}
+def _upon(recorder: Recorder, seen: Seen) -> Dict[str, str]:
+    """Name → what it appeared upon (``subscriber``, ``message``), of those that were not there from the start.
+
+    What came when a service, an action or the clock was there belongs to the start: on a robot all that is there.
+    """
+    if seen.start is None:
+        return {}
+    found = {name: "subscriber" for _, name in (seen.woken or set()) - seen.start}
+    if seen.served is not None:
+        found.update({name: "message" for _, name in names(recorder) - seen.served})
+    return found
 
 
 def _reconfigure(subscriptions: Dict[Tuple[str, str], Subscription]) -> Dict[str, Dict[str, Any]]:
@@ -299,8 +310,9 @@ def _reconfigure(subscriptions: Dict[Tuple[str, str], Subscription]) -> Dict[str
     return found
 
 
-def _tail(path: str) -> str:
+def _tail(path: str, end: Optional[int] = None) -> str:
+    """The last of what was printed; with ``end`` of what had been printed when it was so many bytes."""
     with open(path, "rb") as file:
-        file.seek(0, os.SEEK_END)
-        file.seek(max(0, file.tell() - OUTPUT_KEPT))
-        return file.read().decode("utf-8", "replace")
+        size = file.seek(0, os.SEEK_END) if end is None else end
+        file.seek(max(0, size - OUTPUT_KEPT))
+        return file.read(min(size, OUTPUT_KEPT)).decode("utf-8", "replace")

@@ -22,7 +22,8 @@ LONGEST_MESSAGE = 4 * 1024 * 1024
 Header = Dict[str, str]
 
 
-def _packed(fields: Header) -> bytes:
+def packed(fields: Header) -> bytes:
+    """A connection header as it goes over the wire, with its length first."""
     lines = [("{}={}".format(key, value)).encode("utf-8") for key, value in fields.items()]
     body = b"".join(struct.pack("<I", len(line)) + line for line in lines)
     return struct.pack("<I", len(body)) + body
@@ -39,14 +40,16 @@ def _receive(connection: socket.socket, length: int) -> bytes:
     return b"".join(parts)
 
 
-def _block(connection: socket.socket, longest: int) -> bytes:
+def block(connection: socket.socket, longest: int) -> bytes:
+    """What comes next on a connection: a length, and so many bytes. Raises OSError where it is longer than ``longest``."""
     length = struct.unpack("<I", _receive(connection, 4))[0]
     if length > longest:
         raise OSError("the answer is too long")
     return _receive(connection, length)
 
 
-def _unpacked(data: bytes) -> Header:
+def unpacked(data: bytes) -> Header:
+    """The fields of a connection header. Raises struct.error where it is none."""
     fields: Header = {}
     at = 0
     while at + 4 <= len(data):
@@ -65,8 +68,8 @@ def service_header(service_api: str, service: str) -> Header:
     try:
         with socket.create_connection((where.hostname, where.port), TIMEOUT) as connection:
             connection.settimeout(TIMEOUT)
-            connection.sendall(_packed({"probe": "1", "md5sum": "*", "callerid": CALLER, "service": service}))
-            return _unpacked(_block(connection, LONGEST_HEADER))
+            connection.sendall(packed({"probe": "1", "md5sum": "*", "callerid": CALLER, "service": service}))
+            return unpacked(block(connection, LONGEST_HEADER))
     except (OSError, struct.error, ValueError):
         return {}
 
@@ -105,20 +108,20 @@ class Subscription:
         self._failed = True
 
     def _listen(self, api: str, topic: str) -> None:
-        answer = xmlrpc.client.ServerProxy(api, transport=_Transport()).requestTopic(CALLER, topic, [["TCPROS"]])
+        answer = xmlrpc.client.ServerProxy(api, transport=Transport()).requestTopic(CALLER, topic, [["TCPROS"]])
         host, port = _address(answer)
         with socket.create_connection((host, port), TIMEOUT) as connection:
             self._connection = connection
             connection.settimeout(TIMEOUT)
-            connection.sendall(_packed({"callerid": CALLER, "topic": topic, "type": "*", "md5sum": "*", "tcp_nodelay": "1"}))
-            header = _unpacked(_block(connection, LONGEST_HEADER))
+            connection.sendall(packed({"callerid": CALLER, "topic": topic, "type": "*", "md5sum": "*", "tcp_nodelay": "1"}))
+            header = unpacked(block(connection, LONGEST_HEADER))
             if "error" in header:
                 raise OSError(header["error"])
             self._answered = time.monotonic()
             self.header = header
             connection.settimeout(None)
             while not self._closed:
-                message = _block(connection, LONGEST_MESSAGE)
+                message = block(connection, LONGEST_MESSAGE)
                 self.message = self.message or message
 
     def close(self) -> None:
@@ -132,7 +135,7 @@ class Subscription:
             self._connection.close()
 
 
-class _Transport(xmlrpc.client.Transport):
+class Transport(xmlrpc.client.Transport):
     """Calls that do not wait for ever."""
 
     def make_connection(self, host: Any) -> Any:

@@ -13,6 +13,7 @@ from functools import partial
 from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 
 from launchlint_probe import changing, discover, processes, session
+from launchlint_probe.bounds import Bounds
 from launchlint_probe.messages import Definitions, used
 
 Job = Dict[str, Any]
@@ -62,9 +63,9 @@ def run_all(job: Job) -> int:
     """Do a job. Returns the number of processes that could not be ended: 0, if all is well.
 
     Keys of the job, all optional: ``packages`` (names), ``everything`` (all packages that can be seen, not only those of source spaces),
-    ``skip`` (packages and labels), ``nodes`` (label → settings), ``launch``, ``limits`` (``quiet``, ``limit``, ``jobs``), ``shard``
-    (number from 1, count), ``done`` (fingerprints of what need not be run), ``only`` (those of what shall), ``prefixes``, ``sources``
-    (source spaces), ``reports`` (a directory), ``image``.
+    ``skip`` (packages and labels), ``nodes`` (label → settings), ``launch``, ``limits`` (``quiet``, ``limit``, ``jobs``; of each node
+    ``memory`` and ``disk`` in bytes, ``processes``), ``shard`` (number from 1, count), ``done`` (fingerprints of what need not be run),
+    ``only`` (those of what shall), ``prefixes``, ``sources`` (source spaces), ``reports`` (a directory), ``image``.
     """
     processes.adopt()
     prefixes = job.get("prefixes") or discover.default_prefixes()
@@ -72,7 +73,7 @@ def run_all(job: Job) -> int:
     for name in REPORTS if job.get("reports") else ():
         _report(os.path.join(job["reports"], name))
     definitions = Definitions(seen.shares, _module_directories(prefixes))
-    tasks = list(_node_tasks(job, _programs(job, seen))) + list(_launch_tasks(job, seen))
+    tasks = list(_node_tasks(job, _programs(job, seen), definitions)) + list(_launch_tasks(job, seen, definitions))
     done = set(job.get("done", []))
     only = set(job.get("only", []))
     todo = [task for task in tasks if task.frame["hash"] not in done and (not only or task.frame["hash"] in only)]
@@ -135,10 +136,10 @@ def is_mine(label: str, shard: Optional[List[int]]) -> bool:
     return int(hashlib.sha256(label.encode("utf-8", "replace")).hexdigest(), 16) % shard[1] == shard[0] - 1
 
 
-def _node_tasks(job: Job, programs: List[discover.Found]) -> Iterator[Task]:
+def _node_tasks(job: Job, programs: List[discover.Found], definitions: Definitions) -> Iterator[Task]:
     for program in programs:
         for variant, settings, plan in plans(job, program):
-            mark = discover.fingerprint(program, [variant, settings, job.get("limits"), job.get("image")])
+            mark = discover.fingerprint(program, [variant, settings, _times(job), job.get("image")])
             frame = {
                 "kind": "node",
                 "label": program.label,
@@ -153,7 +154,13 @@ def _node_tasks(job: Job, programs: List[discover.Found]) -> Iterator[Task]:
                 if variant == "default":
                     yield Task(frame, partial(_not_run, "not-a-node"))
             else:
-                yield Task(frame, partial(_once, plan))
+                yield Task(frame, partial(_twice, plan, definitions))
+
+
+def _times(job: Job) -> List[Any]:
+    """Of the limits of a job those that what a run shows hangs on: how many nodes run at once is not among them."""
+    limits = job.get("limits", {})
+    return [limits.get("quiet"), limits.get("limit")]
 
 
 def plans(job: Job, program: discover.Found) -> Iterator[Tuple[str, Dict[str, Any], session.Plan]]:
@@ -179,27 +186,70 @@ def plans(job: Job, program: discover.Found) -> Iterator[Tuple[str, Dict[str, An
                 settings.get("quiet", limits.get("quiet", 1.0)),
                 settings.get("limit", limits.get("limit", 15.0)),
                 arguments=settings.get("args", ""),
+                bounds=_bounds(limits),
             ),
         )
 
 
-def _once(plan: session.Plan) -> Record:
-    """Run a node; once more without a name where it choked on that, and once more where its names look made up on the spot."""
-    record = session.run(plan)
-    texts = " ".join(problem["detail"] for problem in record["problems"])
-    if record["status"] == "failed" and ("__name" in texts or "__log" in texts):
+def _bounds(limits: Dict[str, Any]) -> Bounds:
+    """What one node may take: of what the container has, so that another one has its share."""
+    known = Bounds()
+    return Bounds(int(limits.get("memory", known.memory)), int(limits.get("disk", known.disk)), int(limits.get("processes", known.count)))
+
+
+def _twice(plan: session.Plan, definitions: Definitions) -> Record:
+    """Run a node; without a name where it refuses that; then once more, to see which of its names are made up on the spot.
+
+    The second run is in a hurry and ends as soon as all names have come again. Where they do not, a third one is made like the first.
+    """
+    first = session.run(plan, definitions)
+    record = first.record
+    if record["status"] == "failed" and _refuses_name(record):
         plan.with_name = False
-        record = session.run(plan)
-    if record["status"] == "ok" and changing.is_suspicious(record["interface"]):
-        again = session.run(plan)
-        if again["status"] == record["status"]:
-            record["interface"] = changing.common(record["interface"], again["interface"])
-        record["seconds"] = round(record["seconds"] + again["seconds"], 3)
-        record["left"] += again["left"]
-    return record
+        again = session.run(plan, definitions)
+        if again.record["status"] != "failed" or _quotes_name(record):
+            first, record = again, again.record
+        else:
+            plan.with_name = True
+    if record["status"] != "ok":
+        return record
+    problems = list(record["problems"])
+    second = session.run(plan, definitions, first.every)
+    if not second.reached:
+        other = session.run(plan, definitions)
+        for key in ("left", "seconds"):
+            second.record[key] = second.record[key] + other.record[key]
+        if other.record["status"] != "ok":
+            problems.append({"code": "unsteady", "detail": "it ran once and not a second time"})
+        else:
+            record["interface"], left_out = changing.common(record["interface"], other.record["interface"])
+            if left_out:
+                detail = "a second run had other names: {}".format(", ".join(left_out[:5]))
+                problems.append({"code": "unsteady", "detail": detail[:300]})
+    return dict(
+        record,
+        interface=changing.today(record["interface"]),
+        problems=problems,
+        left=record["left"] + second.record["left"],
+        seconds=round(record["seconds"] + second.record["seconds"], 3),
+    )
 
 
-def _launch_tasks(job: Job, seen: discover.Packages) -> Iterator[Task]:
+def _refuses_name(record: Record) -> bool:
+    """Whether a node may have ended because of the arguments that roslaunch gives to every node."""
+    return _quotes_name(record) or any(problem["code"] == "arguments-required" for problem in record["problems"])
+
+
+def _quotes_name(record: Record) -> bool:
+    texts = " ".join(problem["detail"] for problem in record["problems"])
+    return "__name" in texts or "__log" in texts
+
+
+def _launched(plan: session.Plan, definitions: Definitions) -> Record:
+    return session.run(plan, definitions).record
+
+
+def _launch_tasks(job: Job, seen: discover.Packages, definitions: Definitions) -> Iterator[Task]:
     """The launch files, each a run of roslaunch."""
     limits = job.get("limits", {})
     for entry in job.get("launch", []):
@@ -216,13 +266,13 @@ def _launch_tasks(job: Job, seen: discover.Packages) -> Iterator[Task]:
             "package": package,
             "file": file,
             "args": entry.get("args", {}),
-            "hash": discover.fingerprint(program, [limits, job.get("image")]),
+            "hash": discover.fingerprint(program, [_times(job), job.get("image")]),
         }
         plan = session.Plan(
             label, program.command, quiet=limits.get("quiet", 1.0), limit=2 * limits.get("limit", 15.0), with_name=False, many=True
         )
         if path:
-            yield Task(frame, partial(session.run, plan))
+            yield Task(frame, partial(_launched, plan, definitions))
         else:
             why = "there is no such file in the package" if package in seen.shares else "there is no such package"
             yield Task(frame, partial(_not_run, "failed", {"code": "launch-missing", "detail": why}))

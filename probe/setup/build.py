@@ -19,6 +19,8 @@ LONGEST = int(os.environ.get("LAUNCHLINT_BUILD_LIMIT", "900"))
 KEPT = 4 * 1024 * 1024
 """Bytes of a build log that are looked at, from its end."""
 MOST_ERRORS = 5
+LAST_LINES = 12
+"""Lines of a failed build that are shown."""
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 _ERROR = re.compile(r"(?m)^.*(?:\berror\b ?:|CMake Error|\*\*\* \[|undefined reference|No such file|Could NOT find|Could not find).*$")
 _DEPENDS = {"depend", "build_depend", "build_export_depend", "buildtool_depend", "buildtool_export_depend", "exec_depend", "run_depend"}
@@ -92,9 +94,9 @@ def build(package: Package, workspace: str, environment: Dict[str, str]) -> Dict
     if os.environ.get("LAUNCHLINT_CXX"):
         configure.append("-DCMAKE_CXX_COMPILER=" + os.environ["LAUNCHLINT_CXX"])
     if not _run(configure, directory, log, environment):
-        return dict(record, result="failed", errors=_errors(log, workspace))
+        return dict(record, result="failed", errors=_errors(log, workspace), log=_last_lines(log, workspace))
     if not _run(["make", "-k", "-j{}".format(os.cpu_count() or 1)], directory, log, environment):
-        return dict(record, result="partial", errors=_errors(log, workspace))
+        return dict(record, result="partial", errors=_errors(log, workspace), log=_last_lines(log, workspace))
     return record
 
 
@@ -124,16 +126,31 @@ def _run(command: List[str], directory: str, log: str, environment: Dict[str, st
 
 
 def _errors(log: str, workspace: str) -> List[str]:
-    with open(log, "rb") as file:
-        file.seek(0, os.SEEK_END)
-        file.seek(max(0, file.tell() - KEPT))
-        text = file.read().decode("utf-8", "replace")
+    text = _end_of(log)
     text = re.sub(r"(CMake Error at [^\n]*):\n\s*\n?([^\n]*)", r"\1: \2", text[:KEPT])  # CMake says what is wrong below where it is
     lines = list(dict.fromkeys(" ".join(found.split())[:300] for found in _ERROR.findall(text)))
     if not lines:
         lines = [line.strip()[:300] for line in text.splitlines() if line.strip()][-1:] or ["it failed without a word"]
+    return [_harmless(line, workspace) for line in lines[:MOST_ERRORS]]
+
+
+def _last_lines(log: str, workspace: str) -> List[str]:
+    """The end of what the build said, for people."""
+    lines = [line.rstrip()[:200] for line in _end_of(log).splitlines() if line.strip()]
+    return [_harmless(line, workspace) for line in lines[-LAST_LINES:]]
+
+
+def _end_of(log: str) -> str:
+    with open(log, "rb") as file:
+        file.seek(0, os.SEEK_END)
+        file.seek(max(0, file.tell() - KEPT))
+        return file.read().decode("utf-8", "replace")
+
+
+def _harmless(line: str, workspace: str) -> str:
+    """A line without the place of the workspace, and without what a terminal obeys."""
     inside = r"(?<![\w./-])" + re.escape(workspace) + "/"
-    return ["".join(each if each.isprintable() else " " for each in re.sub(inside, "", line)) for line in lines[:MOST_ERRORS]]
+    return "".join(each if each.isprintable() else " " for each in re.sub(inside, "", line))
 
 
 def _environment(workspace: str) -> Dict[str, str]:

@@ -14,6 +14,22 @@ PROGRAM = HERE.parent.parent / "probe" / "launchlint_probe" / "__main__.py"
 PACKAGE = "odd_nodes"
 
 
+MESSAGES = {
+    "std_msgs/msg/String.msg": "string data\n",
+    "std_msgs/msg/Header.msg": "uint32 seq\ntime stamp\nstring frame_id\n",
+    "rosgraph_msgs/msg/Clock.msg": "time clock\n",
+    "actionlib_msgs/msg/GoalID.msg": "time stamp\nstring id\n",
+    "actionlib_msgs/msg/GoalStatus.msg": "GoalID goal_id\nuint8 status\nuint8 SUCCEEDED=3\nstring text\n",
+    "actionlib_msgs/msg/GoalStatusArray.msg": "Header header\nGoalStatus[] status_list\n",
+    "odd_msgs/msg/MoveResult.msg": "float64[2] place\n",
+    "odd_msgs/msg/MoveFeedback.msg": "",
+    "odd_msgs/msg/MoveActionResult.msg": "Header header\nactionlib_msgs/GoalStatus status\nMoveResult result\n",
+    "odd_msgs/msg/MoveActionFeedback.msg": "Header header\nactionlib_msgs/GoalStatus status\nMoveFeedback feedback\n",
+    "odd_msgs/srv/Load.srv": "string file\n---\nbool good\nint32[] cells\nstring why\n",
+}
+"""What the install space has of messages and services."""
+
+
 def install(prefix: Path, names: list[str] | None = None) -> Path:
     """Make ``prefix`` an install space with the package ``odd_nodes``; each program says that it is a rospy node."""
     programs = prefix / "lib" / PACKAGE
@@ -21,6 +37,11 @@ def install(prefix: Path, names: list[str] | None = None) -> Path:
     programs.mkdir(parents=True)
     share.mkdir(parents=True)
     (share / "package.xml").write_text(f"<package format='2'><name>{PACKAGE}</name><version>4.5.6</version></package>\n")
+    for path, text in MESSAGES.items():
+        file = prefix / "share" / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+        (prefix / "share" / path.split("/")[0] / "package.xml").write_text(f"<package><name>{path.split('/')[0]}</name></package>\n")
     for script in sorted((HERE / "nodes").glob("*.py")):
         target = programs / script.name
         if script.name == "wire.py":

@@ -91,7 +91,10 @@ NOTES = [
     Note("environment", {"distro": "debian", "base": "Debian GNU/Linux 12"}),
     Note("package", {"package": "robot", "status": "found", "version": "1.0.0"}),
     Note("package", {"package": "rowbot", "status": "missing", "version": ""}),
-    Note("build", {"package": "robot", "result": "partial", "errors": ["a.cpp:1: error: no"]}),
+    Note(
+        "build",
+        {"package": "robot", "result": "partial", "errors": ["a.cpp:1: error: no"], "log": ["make: a.o", "make: *** [a.o] Error 1"]},
+    ),
     Note("dependency", {"name": "qt6", "needed_by": ["robot"], "detail": "apt has no package for it"}),
     Note("unknown", {"label": "robot/dirver"}),
 ]
@@ -124,7 +127,7 @@ def outcome(records: list[Any], notes: list[Note], **changes: Any) -> Outcome:
 def test_summary() -> None:
     lines = summary(outcome(RECORDS[1:], NOTES, left=1, refused=(3, "it is no JSON"), lost="time was up"), "library.json")
     assert "\n".join(lines) == (
-        "library.json: 3 nodes recorded, 1 could not be run, 1 program is no node\n"
+        "library.json: 2 executables and 1 nodelet recorded, 1 could not be run, 1 program is no node\n"
         "1 of 1 launch file recorded\n"
         "could not be run:\n"
         "  ended by itself: 1\n"
@@ -132,10 +135,12 @@ def test_summary() -> None:
         "  Python module missing: 1 (install it by `apt` or `pip`)\n"
         "    robot/broken: No module named 'x'\n"
         "recorded, but there may be more to them:\n"
-        "  service waited for: 1\n"
+        "  service waited for, of a type that is not installed: 1 (install its package by `apt`)\n"
         "    robot/waiter: map\n"
         "there is no package rowbot: correct `packages`, or install it by `apt`\n"
         "robot: built in part: a.cpp:1: error: no\n"
+        "    make: a.o\n"
+        "    make: *** [a.o] Error 1\n"
         "robot: the dependency qt6 was not installed: apt has no package for it\n"
         "`nodes` names robot/dirver, which no probed package has\n"
         "3 lines of the container's output were no records and were left out: it is no JSON\n"
@@ -151,5 +156,8 @@ def test_when_the_exit_status_says_that_something_is_missing() -> None:
     assert is_worth_a_failure(outcome([bad], []))
     assert is_worth_a_failure(outcome([good], [NOTES[2]]))
     assert is_worth_a_failure(outcome([good], [NOTES[5]]))
+    built = Note("build", {"package": "a", "result": "ok", "errors": [], "log": []})
+    assert not is_worth_a_failure(outcome([good], [built]))
+    assert is_worth_a_failure(outcome([good], [Note("build", {**built.facts, "result": "failed"})]))
     assert is_worth_a_failure(outcome([good], [], lost="x"))
     assert is_worth_a_failure(outcome([good], [], left=1))

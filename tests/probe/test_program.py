@@ -6,6 +6,7 @@ import ast
 import json
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
@@ -105,6 +106,91 @@ def test_sums_of_messages_are_those_of_genpy(ros_python: str) -> None:
     found = json.loads(done.stdout)
     assert "std_msgs/Header" in found
     assert {kind: sums for kind, sums in found.items() if sums[0] != sums[1]} == {}
+
+
+COMPARE_VALUES = """
+import glob, io, json, os, sys
+sys.path.insert(0, sys.argv[1])
+from launchlint_probe.messages import SENSIBLE, Definitions
+import roslib.message
+modules = "/usr/lib/python3/dist-packages"
+definitions = Definitions({}, [modules])
+wrong, count = [], 0
+def look(kind, folder):
+    known = roslib.message.get_message_class(kind) if folder == "msg" else roslib.message.get_service_class(kind)
+    if known is None:
+        return
+    if folder == "msg":
+        value = definitions.empty(kind)
+        good = value is not None and known().deserialize(value) is not None
+    else:
+        value = definitions.empty_answer(kind)
+        good = value is not None and known._response_class().deserialize(value) is not None
+        twin = definitions.service_of(known._md5sum)
+        good = good and definitions.service_md5(kind) == known._md5sum and definitions.service_md5(twin) == known._md5sum
+    written = io.BytesIO()
+    if good:
+        again = (known() if folder == "msg" else known._response_class()).deserialize(value)
+        again.serialize(written)
+    if not good or written.getvalue() != value:
+        wrong.append(kind)
+for folder in ("msg", "srv"):
+    for path in sorted(glob.glob(modules + "/*/" + folder + "/_*.py")):
+        name = os.path.basename(path)[1:-3]
+        if not name.startswith("_"):
+            count += 1
+            look(path.split("/")[-3] + "/" + name, folder)
+print(json.dumps([count, wrong, sorted(set(SENSIBLE) - {kind for kind in SENSIBLE if definitions.md5(kind) == SENSIBLE[kind][0]})]))
+"""
+
+
+@pytest.mark.ros
+def test_empty_values_are_what_genpy_reads(ros_python: str) -> None:
+    done = subprocess.run([ros_python, "-c", COMPARE_VALUES, str(PROBE)], capture_output=True, text=True, timeout=120, check=True)
+    count, wrong, unknown = json.loads(done.stdout)
+    assert count > 100
+    assert (wrong, unknown) == ([], [])
+
+
+def test_empty_values(tmp_path: Path) -> None:
+    folder = tmp_path / "demo"
+    for name, text in (
+        ("msg/Pair.msg", "uint8 A=1\nint16 one\nfloat64[3] three\n"),
+        ("msg/All.msg", "Pair[2] pairs\nPair[] more\nstring name\ntime stamp\nbool good\n"),
+        ("msg/Huge.msg", "float64[999999999] x\n"),
+        ("msg/Longer.msg", "float64[99999999999999999999] x\n"),
+        ("msg/Lacks.msg", "other/Thing x\n"),
+        ("msg/Loop.msg", "Loop x\n"),
+        ("srv/Ask.srv", "Pair pair\n---\nint8 code\nstring[] names\n"),
+        ("srv/Odd.srv", "int8 only\n"),
+    ):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    definitions = load("messages").Definitions({"demo": [str(folder)]}, [])
+    assert definitions.empty("demo/Pair") == bytes(26)
+    assert definitions.empty("demo/All") == bytes(2 * 26 + 4 + 4 + 8 + 1)
+    assert [definitions.empty(f"demo/{name}") for name in ("Huge", "Longer", "Lacks", "Loop", "Nothing", "../x")] == [None] * 6
+    assert definitions.empty_answer("demo/Ask") == bytes(5)
+    assert definitions.empty_answer("demo/Odd") is None
+    assert definitions.service_of(definitions.service_md5("demo/Ask")) == "demo/Ask"
+    assert definitions.service_of("0" * 32) is None
+
+
+def test_names_that_hold_the_machine_or_the_day() -> None:
+    changing = load("changing")
+    day = time.strptime("2026-11-22", "%Y-%m-%d")
+    names = ["/rover-7/scan", "log_20261122", "run_2026_11_22/state", "rover/scan", "cell_2026"]
+    found = changing.steady({"publishers": [{"name": name} for name in names]}, "rover-7", day)
+    assert [entry["name"] for entry in found["publishers"]] == ["/{any}/scan", "log_{any}", "run_{any}/state", "rover/scan", "cell_2026"]
+
+
+def test_what_one_run_has_alone_is_kept_and_told() -> None:
+    one = {"publishers": [{"name": "a"}, {"name": "item_1"}, {"name": "item_2"}], "params": [{"name": "~x"}]}
+    other = {"publishers": [{"name": "a"}, {"name": "item_8"}, {"name": "b", "type": "std_msgs/String"}], "params": [{"name": "rate"}]}
+    found, alone = load("changing").common(one, other)
+    assert [entry["name"] for entry in found["publishers"]] == ["a", "b", "item_2", "item_{any}"]
+    assert [entry["name"] for entry in found["params"]] == ["rate", "~x"]
+    assert alone == ["item_2", "b"]
 
 
 @pytest.mark.parametrize(

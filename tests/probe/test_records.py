@@ -203,7 +203,7 @@ def test_notes() -> None:
     ]
     assert records("".join(json.dumps(line) + "\n" for line in lines).encode()) == [
         Note("environment", {"distro": "noetic", "base": ""}),
-        Note("build", {"package": "demo", "result": "failed", "errors": ["a [0m", ""] * 10}),
+        Note("build", {"package": "demo", "result": "failed", "errors": ["a [0m", ""] * 10, "log": []}),
         Note("end", {"left": 0}),
         Note("plan", {"count": 0, "all": 7}),
     ]

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Publishes only after a first message, which nobody sends."""
+"""Publishes only when a first message has come."""
 
 from wire import Node, spin
 
-Node().subscribe("first")
+node = Node()
+assert node.wait_for_message("first") == bytes(4)
+node.publish("answer")
 spin()
