@@ -18,7 +18,8 @@ _ALL_BELOW = "**"
 
 T = TypeVar("T")
 
-_noted: set[str] = set()
+_noted: list[set[str]] = [set()]
+"""What was looked at: by everything, then by each piece of work inside of another that is watched."""
 
 
 def exists(path: str) -> bool:
@@ -89,31 +90,30 @@ def read_bytes(path: str, largest: int = LARGEST_FILE) -> bytes:
 
 def note_tree(directory: str) -> None:
     """Note that which files there are below ``directory``, and which of them can be run, matters."""
-    _noted.add(os.path.join(os.path.abspath(directory), _ALL_BELOW))
+    _noted[-1].add(os.path.join(os.path.abspath(directory), _ALL_BELOW))
 
 
 def noted() -> frozenset[str]:
     """What was looked at since this was called last; absolute paths."""
-    taken = frozenset(_noted)
-    _noted.clear()
+    taken = frozenset(_noted[-1])
+    _noted[-1].clear()
     return taken
 
 
 def watched(work: Callable[[], T]) -> tuple[T, frozenset[str]]:
     """What ``work`` gives, and what it looked at; that stays noted."""
-    before = noted()
+    _noted.append(set())
     try:
         result = work()
     finally:
-        looked = noted()
-        note(before)
+        looked = frozenset(_noted.pop())
         note(looked)
     return result, looked
 
 
 def note(paths: Iterable[str]) -> None:
     """Note ``paths`` (absolute) again."""
-    _noted.update(paths)
+    _noted[-1].update(paths)
 
 
 def state(path: str) -> str:
@@ -143,5 +143,5 @@ def _tree(directory: str) -> bytes:
 
 
 def _note(path: str) -> str:
-    _noted.add(os.path.abspath(path))
+    _noted[-1].add(os.path.abspath(path))
     return path

@@ -115,8 +115,7 @@ def test_modules_of_packages(tmp_path: Path) -> None:
             "one/src/one/names.py": "NAME = 'from_a_module'\n",
             "one/scripts/beside.py": "BESIDE = 'from_beside'\n",
             "one/scripts/talk": "#!/usr/bin/env python\nimport rospy\nfrom one import talk\nfrom beside import BESIDE\n"
-            "import missing.thing\n"
-            "talk.main()\nrospy.get_param(BESIDE)\nmissing.thing.call()\n",
+            "talk.main()\nrospy.get_param(BESIDE)\n",
             "two/package.xml": MANIFEST.format(name="two", more=""),
             "two/src/two/__init__.py": "",
             "two/src/two/tool.py": "import rospy\nfrom std_msgs.msg import Bool\n\ndef listen(name):\n    rospy.Subscriber(name, Bool)\n",
@@ -125,8 +124,26 @@ def test_modules_of_packages(tmp_path: Path) -> None:
     assert program(root, "one", "talk")["variants"]["default"] == {
         "publishers": [{"name": "from_a_module", "type": "two/Thing", "evidence": at("one/src/one/talk.py:6")}],
         "subscribers": [{"name": "in", "type": "std_msgs/Bool", "evidence": at("two/src/two/tool.py:5")}],
-        "params": [{"name": "from_beside", "evidence": at("one/scripts/talk:7")}],
+        "params": [{"name": "from_beside", "evidence": at("one/scripts/talk:6")}],
     }
+
+
+def test_libraries_that_a_package_says_are_of_python(tmp_path: Path) -> None:
+    root = grow(
+        tmp_path / "ws",
+        {
+            "requirements.txt": "# tools\nlast_one>=1.0\n",
+            "one/package.xml": MANIFEST.format(name="one", more="<exec_depend>python3-fast-laser-pip</exec_depend>"),
+            "one/requirements.txt": "some.thing\n",
+            "one/scripts/told": "#!/usr/bin/env python\nimport rospy\nimport fast_laser, some_thing\nfast_laser.go()\nsome_thing.go()\n",
+            "one/scripts/not_told": "#!/usr/bin/env python\nimport rospy\nimport slow_laser\nslow_laser.go()\n",
+        },
+    )
+    (root / "one/scripts/told").chmod(0o755)
+    (root / "one/scripts/not_told").chmod(0o755)
+    assert program(root, "one", "told")["variants"]["default"] == {}
+    reason = "it uses slow_laser, whose source was not given (one/scripts/not_told:4)"
+    assert set(program(root, "one", "not_told")["variants"]["default"]["open"].values()) == {reason}
 
 
 def test_dynamic_reconfigure(tmp_path: Path) -> None:
@@ -197,7 +214,7 @@ def test_several_places_of_one_name(tmp_path: Path) -> None:
         ],
         "clients": [{"name": "s", "evidence": at("demo/n:8")}],
         "params": [
-            {"name": "~a", "type": "double", "evidence": at("demo/n:4", "demo/n:9")},
+            {"name": "~a", "evidence": at("demo/n:4", "demo/n:9")},
             {"name": "~b", "evidence": at("demo/n:10")},
             {"name": "~c", "evidence": at("demo/n:12", "demo/n:14")},
         ],

@@ -55,7 +55,7 @@ def test_rewritten(before: str, after: str) -> None:
 
 
 def test_what_is_in_order_is_not_rewritten() -> None:
-    assert ast.dump(parse_text("print(f'{x!r}')\nasync def f(): await g()\n")) == ast.dump(
+    assert ast.dump(parse_text("print(f'{x!r}')\nasync def f(): await g()\n").tree) == ast.dump(
         ast.parse("print(f'{x!r}')\nasync def f(): await g()\n")
     )
 

@@ -7,6 +7,7 @@ from typing import Any
 from launchlint.extract.python.text import ros_name
 from launchlint.extract.python.values import (
     MISSING,
+    MORE,
     UNKNOWN,
     Map,
     Scope,
@@ -34,7 +35,7 @@ class Call:
         self.run = run
         self.name = name
         self.positional = positional
-        self.keywords = keywords
+        self.keywords = {key: value for key, value in keywords.items() if key != MORE} if MORE in keywords else keywords
         self.node = node
         self.scope = scope
         self.path = scope.module.path
@@ -96,13 +97,3 @@ def plain(value: Value, depth: int = 0) -> Any:
         bad = any(each is MISSING for each in entries.values()) or not all(isinstance(key, str) for key in entries)
         return MISSING if bad else entries
     return MISSING
-
-
-def value_type(value: Value) -> str:
-    """The type of a param with this default."""
-    if isinstance(value, bool):
-        return "bool"
-    for kind, name in ((int, "int"), (float, "double"), (str, "str"), (Seq, "list"), (Map, "dict")):
-        if isinstance(value, kind):
-            return name
-    return ""

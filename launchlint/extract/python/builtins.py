@@ -142,7 +142,7 @@ def _is_instance(value: Value, types: Value) -> Value:
         own = _KINDS[type(value).__name__].split()
         return bool(names.intersection(own)) if len(names) == len(wanted) else UNKNOWN
     if isinstance(value, Instance) and all(isinstance(each, Class) for each in wanted):
-        return any(each is above for each in wanted for above in value.type.ancestors())
+        return any(each is above for each in wanted for above in value.type.order)
     return UNKNOWN
 
 

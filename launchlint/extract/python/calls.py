@@ -12,6 +12,7 @@ from launchlint.extract.python.memory import ENDED, GOES_ON, Ended
 from launchlint.extract.python.text import may_be
 from launchlint.extract.python.values import (
     MISSING,
+    MORE,
     UNKNOWN,
     Argv,
     Bound,
@@ -38,6 +39,7 @@ from launchlint.extract.python.values import (
 
 DEEPEST_CALL = 30
 MOST_CALLBACKS = 500
+MOST_INSTANCES = 2_000
 MOST_SPENT = 15_000
 """Steps in calls of one function that made nothing, before it is not followed any more."""
 
@@ -67,6 +69,7 @@ class Calls(Expressions):
         self.arranged: set[tuple[int, int]] = set()
         self.instances: list[Instance] = []
         self.escaped: list[Instance] = []
+        self.given_classes: list[Class] = []
         self.unknown_methods: set[str] = set()
         self.options: dict[str, int] = {}
         self.function_attributes: dict[int, dict[str, Value]] = {}
@@ -95,6 +98,18 @@ class Calls(Expressions):
         """Note a param that a ``.cfg`` file describes."""
         raise NotImplementedError
 
+    def is_silent(self, name: str) -> bool:
+        """Whether a module, or what is in it, is known to make no names that are not recognised."""
+        raise NotImplementedError
+
+    def module(self, name: Value, made: Call) -> Value:
+        """A module by a name that the program has worked out."""
+        raise NotImplementedError
+
+    def made_code(self, word: str, positional: list[Value], node: ast.AST, scope: Scope) -> Value:
+        """Code, or the name of a module, that the program has worked out."""
+        raise NotImplementedError
+
     def submodule(self, module: Module, name: str) -> Value:
         """A module of a package, by its name in it; MISSING where there is none."""
         raise NotImplementedError
@@ -121,15 +136,27 @@ class Calls(Expressions):
                 return self.call(method, positional, keywords, node, scope)
         if isinstance(function, Choice):
             return choice([(condition, self.call(each, positional, keywords, node, scope)) for condition, each in function.alternatives])
-        self.escape([*positional, *keywords.values()], "start")
+        self._give([*positional, *keywords.values()], node, scope)
         return UNKNOWN
+
+    def _give(self, values: list[Value], node: ast.AST, scope: Scope) -> None:
+        """Values are given to something of which nothing is known."""
+        self.escape(values, "start")
+        for value in values:
+            if isinstance(value, External) and recognised.makes(value.name):
+                self.doubt(f"{value.name} is given to code that is not known", scope.module.path, getattr(node, "lineno", 1))
 
     def call_external(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
         """Call something of a module that is not followed."""
         if name.startswith("builtins."):
             word = name[len("builtins.") :]
+            keywords = {key: value for key, value in keywords.items() if key != MORE}
             if word in ("exit", "quit"):
                 raise Ended
+            if word in ("eval", "exec", "execfile", "__import__"):
+                return self.made_code(word, positional, node, scope)
+            if word == "object.__new__" and positional and isinstance(positional[0], Class):
+                return self.instance(positional[0])
             if word == "super":
                 return self._super(positional, scope)
             if word in ("getattr", "hasattr") and len(positional) > 1:
@@ -173,6 +200,8 @@ class Calls(Expressions):
         self.step()
         spent = self._spent.get(id(node), 0)
         if self.active.count(id(node)) >= 2 or len(self.active) >= DEEPEST_CALL or spent > MOST_SPENT:
+            if id(node) not in self.executed:
+                self.doubt("it calls functions in functions too deep to be followed", function.scope.module.path, node.lineno)
             return UNKNOWN
         begin, before = self.steps, (len(self.facts), len(self.callbacks))
         result = self._run(function, positional, keywords)
@@ -235,30 +264,52 @@ class Calls(Expressions):
         variables.update(function.keyword_defaults)
         variables.update(zip(names, positional, strict=False))
         known = {*names, *(each.arg for each in arguments.kwonlyargs)}
+        if MORE in keywords:  # any of those that are not given otherwise may be given, too
+            variables.update(dict.fromkeys(known.difference(names[: len(positional)]), UNKNOWN))
         variables.update({name: value for name, value in keywords.items() if name in known})
         for name in known:
             variables.setdefault(name, UNKNOWN)
         if arguments.vararg is not None:
             variables[arguments.vararg.arg] = Seq(positional[len(names) :])
         if arguments.kwarg is not None:
-            variables[arguments.kwarg.arg] = Map({name: value for name, value in keywords.items() if name not in known})
+            others = {name: value for name, value in keywords.items() if name not in known and name != MORE}
+            variables[arguments.kwarg.arg] = Map(others, MORE not in keywords)
 
     def create(self, type_: Class, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
         """Make an object of a followed class."""
-        instance = Instance(type_)
-        self.instances.append(instance)
-        if len(self.instances) > 2_000:
-            return UNKNOWN
-        for base in type_.ancestors():
-            if isinstance(base, External):
+        instance: Value = self.instance(type_)
+        maker = next((each.attributes["__new__"] for each in type_.order if isinstance(each, Class) and "__new__" in each.attributes), None)
+        if isinstance(maker, Function):
+            made = self.call_function(maker, [type_, *positional], keywords)
+            instance = next((each for _, each in alternatives(made) if isinstance(each, Instance)), instance)
+        place = (scope.module.path, getattr(node, "lineno", 1))
+        for base in type_.order:
+            if not isinstance(base, (Class, External)):
+                self.doubt(f"{type_.name} inherits from a class that is not known", *place)
+            elif isinstance(base, External) and recognised.is_open(self, base.name):
+                self.doubt(f"it inherits from {base.name}, whose source was not given", *place)
+        foreign = False
+        for base in type_.order:
+            if isinstance(base, External) and base.name != "builtins.object" and not foreign:
                 recognised.inherited(self, base.name, instance, positional, keywords, node, scope)
-                break
-            if isinstance(base, Class) and "__init__" in base.attributes:
-                constructor = base.attributes["__init__"]
-                for _, each in alternatives(constructor):
+                foreign = True
+            elif isinstance(base, Class) and "__init__" in base.attributes:
+                if foreign:  # whether the class before it calls it cannot be seen
+                    self.escape([Bound(instance, each) for _, each in alternatives(base.attributes["__init__"])], "start")
+                    break
+                for _, each in alternatives(base.attributes["__init__"]):
                     if isinstance(each, Function):
                         self.call_function(each, [instance, *positional], keywords)
                 break
+        return instance
+
+    def instance(self, type_: Class) -> Instance:
+        """A new object of a class, before its constructor is called."""
+        instance = Instance(type_)
+        if len(self.instances) < MOST_INSTANCES:
+            self.instances.append(instance)
+        elif len(self.instances) == MOST_INSTANCES:
+            self.doubt("it makes too many objects to be followed", type_.scope.module.path, 1)
         return instance
 
     def _names(self, word: str, positional: list[Value], scope: Scope) -> Value:
@@ -268,7 +319,7 @@ class Calls(Expressions):
             names = dict((scope.module.scope if word == "globals" else scope).variables)
         elif isinstance(positional[0], (Instance, Class)):
             type_ = positional[0].type if isinstance(positional[0], Instance) else positional[0]
-            for each in reversed([base for base in type_.ancestors() if isinstance(base, Class)]):
+            for each in reversed([base for base in type_.order if isinstance(base, Class)]):
                 names.update(each.attributes)
             names.update(positional[0].attributes)
         else:
@@ -286,17 +337,34 @@ class Calls(Expressions):
         return Super(here.variables["__class__"], next(iter(here.variables.values()), UNKNOWN))
 
     def _getattr(self, word: str, positional: list[Value], node: ast.AST, scope: Scope) -> Value:
-        if word == "getattr" and isinstance(positional[0], Instance) and isinstance(positional[1], (Text, Unknown)):
-            names = [name for each in positional[0].type.ancestors() if isinstance(each, Class) for name in each.attributes]
-            pattern = positional[1]
-            if isinstance(pattern, Text):
-                self.escape([self.attribute(positional[0], name, node, scope) for name in names if may_be(name, pattern)], "start")
-            else:
-                self.unknown_methods.update(names)
+        if word == "getattr" and not isinstance(positional[1], str):
+            for _, owner in alternatives(positional[0]):
+                self._any_attribute(owner, positional[1], node, scope)
         if word == "hasattr" or not isinstance(positional[1], str):
             return UNKNOWN
         found = self.attribute(positional[0], positional[1], node, scope)
         return found if found is not UNKNOWN or len(positional) < 3 else choice([("", UNKNOWN), ("", positional[2])])
+
+    def _any_attribute(self, owner: Value, pattern: Value, node: ast.AST, scope: Scope) -> None:
+        """An attribute is asked for by a name that is not known."""
+        if isinstance(owner, External):
+            for name in recognised.makers(owner.name):
+                if may_be(name, pattern):
+                    reason = f"something of {owner.name} is asked for by a name that is not known"
+                    self.doubt(reason, scope.module.path, getattr(node, "lineno", 1))
+                    break
+            return
+        names: list[str] = []
+        if isinstance(owner, (Instance, Class)):
+            type_ = owner.type if isinstance(owner, Instance) else owner
+            names = [name for each in type_.order if isinstance(each, Class) for name in each.attributes]
+        elif isinstance(owner, Module):
+            names = list(owner.scope.variables)
+        fitting = [name for name in dict.fromkeys(names) if may_be(name, pattern)]
+        if isinstance(pattern, Text) or isinstance(owner, Module):
+            self.escape([self.attribute(owner, name, node, scope) for name in fitting], "start")
+        else:
+            self.unknown_methods.update(fitting)
 
     # -- attributes -----------------------------------------------------------------------------------------------------
 
@@ -314,7 +382,7 @@ class Calls(Expressions):
         if isinstance(value, Class):
             return self._of_class(value, name, None, value)
         if isinstance(value, Super):
-            return self._of_class(value.after, name, value.receiver if isinstance(value.receiver, Instance) else None, None, skip=True)
+            return self._of_super(value, name)
         if isinstance(value, Handle):
             found = value.state.get(("attribute", name), MISSING)
             return Bound(value, name) if found is MISSING else found
@@ -339,12 +407,20 @@ class Calls(Expressions):
             self.unknown_methods.add(name)
         return found
 
-    def _of_class(self, type_: Class, name: str, receiver: Instance | None, cls: Class | None, *, skip: bool = False) -> Value:
+    def _of_super(self, value: Super, name: str) -> Value:
+        receiver = value.receiver
+        type_ = receiver.type if isinstance(receiver, Instance) else receiver
+        order = type_.behind(value.after) if isinstance(type_, Class) else value.after.order[1:]
+        found = self._found(order, name, receiver if isinstance(receiver, Instance) else None, type_ if isinstance(type_, Class) else None)
+        return External("builtins.object.__new__") if found is UNKNOWN and name == "__new__" else found
+
+    def _of_class(self, type_: Class, name: str, receiver: Instance | None, cls: Class | None) -> Value:
         if name == "__name__":
             return type_.name
-        for base in type_.ancestors():
-            if skip and base is type_:
-                continue
+        return self._found(type_.order, name, receiver, cls)
+
+    def _found(self, order: Sequence[Value], name: str, receiver: Instance | None, cls: Class | None) -> Value:
+        for base in order:
             if isinstance(base, External):
                 if base.name == "builtins.object":
                     continue
@@ -365,6 +441,10 @@ class Calls(Expressions):
             return found
         return self.call_function(found, [receiver], {}) if found.kind == "property" else Bound(receiver, found)
 
+    def lost(self, values: list[Value]) -> None:
+        """Values that can be one of too many to be told apart any more: what can be called may be."""
+        self.escape(values, "start")
+
     # -- what others call -------------------------------------------------------------------------------------------------
 
     def escape(self, values: Sequence[Value], when: str, depth: int = 0) -> None:
@@ -377,10 +457,13 @@ class Calls(Expressions):
                     if not any(each is other for other in self.escaped):
                         self.escaped.append(each)
                 elif isinstance(each, Class):
-                    if any(isinstance(base, External) and not base.name.startswith("builtins.") for base in each.ancestors()):
+                    if any(isinstance(base, External) and not base.name.startswith("builtins.") for base in each.order):
                         self.arrange(each, when)
-                elif isinstance(each, Seq) and len(each.items) <= 64 and depth < 4:
-                    self.escape(each.items, when, depth + 1)
+                    else:
+                        self.given_classes.append(each)
+                elif isinstance(each, (Seq, Map)) and depth < 4:
+                    inner = each.items if isinstance(each, Seq) else list(each.entries.values())
+                    self.escape(inner, when, depth + 1)
 
     def arrange(self, function: Value, when: str, positional: list[Value] | None = None, keywords: dict[str, Value] | None = None) -> None:
         """Have a function called when the program has come to its end; ``positional`` where it is known with what."""
@@ -393,7 +476,10 @@ class Calls(Expressions):
             elif not isinstance(code, Function):
                 continue
             key = (id(code.node) if isinstance(code, Function) else 0, id(receiver))
-            if (key in self.arranged and positional is None) or len(self.callbacks) >= MOST_CALLBACKS:
+            if key in self.arranged and positional is None:
+                continue
+            if len(self.callbacks) >= MOST_CALLBACKS:
+                self.doubt("it has too many callbacks to be followed", "", 0)
                 continue
             self.arranged.add(key)
             self.callbacks.append(Callback(each, positional, keywords or {}, when, conjunction(self.conditions)))

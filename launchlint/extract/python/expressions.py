@@ -8,9 +8,10 @@ from collections.abc import Callable, Sequence
 
 from launchlint.extract.python.conditions import negated, written
 from launchlint.extract.python.memory import Ended, Memory
-from launchlint.extract.python.text import interpolated, joined, may_be, percent, template, text
+from launchlint.extract.python.text import interpolated, joined, may_be, or_default, percent
 from launchlint.extract.python.values import (
     MISSING,
+    MORE,
     MOST_ALTERNATIVES,
     NODE,
     UNKNOWN,
@@ -113,10 +114,12 @@ class Expressions(Memory):
     def _call(self, node: ast.Call, scope: Scope) -> Value:
         function = self.evaluate(node.func, scope)
         positional: list[Value] = []
+        more = False
         for argument in node.args:
             if isinstance(argument, ast.Starred):
                 value = self.evaluate(argument.value, scope)
                 positional += value.items if isinstance(value, Seq) else [UNKNOWN]
+                more = more or not isinstance(value, Seq) or not value.complete
             else:
                 positional.append(self.evaluate(argument, scope))
         keywords: dict[str, Value] = {}
@@ -126,6 +129,11 @@ class Expressions(Memory):
                 keywords[keyword.arg] = value
             elif isinstance(value, Map):
                 keywords.update({key: item for key, item in value.entries.items() if isinstance(key, str)})
+                more = more or not value.complete
+            else:
+                more = True
+        if more:
+            keywords[MORE] = UNKNOWN
         if not isinstance(function, Choice):
             return self.call(function, positional, keywords, node, scope)
         results: list[tuple[str, Value]] = []
@@ -482,15 +490,3 @@ def _is_text(value: Value) -> bool:
     return isinstance(value, (str, Text)) or (
         isinstance(value, Choice) and any(isinstance(each, (str, Text)) for _, each in value.alternatives)
     )
-
-
-def or_default(first: Value, second: Value) -> Value:
-    """``first or second`` where ``first`` is one slot without default, which then gets one; MISSING where it is not so."""
-    spelled = template(first)
-    if isinstance(second, Choice) or not isinstance(second, (str, int, float)):
-        return MISSING
-    if isinstance(first, Param) and first.default in (None, "", MISSING):
-        return Param(first.name, second)
-    if spelled.startswith("{arg:") and spelled.endswith("}") and "|" not in spelled and spelled.count("{") == 1:
-        return text(f"{spelled[:-1]}|{template(second)}}}")
-    return MISSING

@@ -7,7 +7,19 @@ from contextlib import contextmanager
 from typing import Any
 
 from launchlint.extract.fact import Doubt, Fact
-from launchlint.extract.python.values import COMPLETE, ENTRIES, ITEMS, MISSING, MOST_ITEMS, Choice, Value, choice, conjunction, same
+from launchlint.extract.python.values import (
+    COMPLETE,
+    ENTRIES,
+    ITEMS,
+    MISSING,
+    MOST_ITEMS,
+    UNKNOWN,
+    Choice,
+    Value,
+    choice,
+    conjunction,
+    same,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -99,7 +111,14 @@ class Memory:
                 if way.flow < RETURNED or (mapping is not local and way.flow != ENDED):
                     outcomes.append((condition, way.written[place][2] if place in way.written else before))
             if outcomes:
-                self.store(mapping, key, _merged(key, outcomes))
+                merged = _merged(key, outcomes)
+                self.store(mapping, key, merged)
+                if merged is UNKNOWN:
+                    self.lost([value for _, value in outcomes])
+
+    def lost(self, values: list[Value]) -> None:
+        """Values that can be one of too many to be told apart any more."""
+        raise NotImplementedError
 
     def doubt(self, reason: str, path: str, line: int, categories: tuple[str, ...] = CATEGORIES) -> None:
         """Note why there may be more of some categories."""

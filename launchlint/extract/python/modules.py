@@ -9,10 +9,14 @@ import os
 import re
 from collections.abc import Mapping
 
+from launchlint.extract.python.foreign import declared_libraries
+from launchlint.extract.python.source import Source, SourceError, parse
 from launchlint.workspace import looking
 
 _PACKAGE_DIR = re.compile(r"""package_dir\s*=\s*\{\s*['"]{2}\s*:\s*['"]([\w./-]*)['"]""")
 _GENERATED = frozenset(("msg", "srv", "cfg"))
+MOST_KEPT = 1 << 20
+"""Characters of source whose trees are kept for the next program: a tree takes about a hundred times as much memory."""
 
 
 class ModuleFinder:
@@ -22,18 +26,30 @@ class ModuleFinder:
         packages: directory of each package → its name, those that win first.
     """
 
-    __slots__ = ("_found", "_packages", "_roots")
+    __slots__ = ("_asked", "_found", "_libraries", "_names", "_packages", "_parsed", "_roots")
 
     def __init__(self, packages: Mapping[str, str]) -> None:
         self._packages = dict(packages)
         self._roots: dict[str, tuple[tuple[str, ...], frozenset[str]]] = {}
+        self._asked: dict[tuple[str, str, str], tuple[str | None, frozenset[str]]] = {}
+        self._names: dict[str, tuple[frozenset[str] | None, frozenset[str]]] = {}
         self._found: dict[tuple[str, str], tuple[str | None, frozenset[str]]] = {}
+        self._parsed: dict[str, tuple[object, Source | SourceError]] = {}
+        self._libraries: dict[tuple[str, str], tuple[frozenset[str], frozenset[str]]] = {}
 
     def find(self, name: str, beside: str, package: str) -> str | None:
         """The file of module ``name`` (dotted) for a script in directory ``beside`` of the package at ``package``, or None.
 
         A module of the own package is preferred to one of the same name in another.
         """
+        key = (name, beside, package)
+        if key not in self._asked:
+            self._asked[key] = looking.watched(lambda: self._find(name, beside, package))
+        found, looked = self._asked[key]
+        looking.note(looked)
+        return found
+
+    def _find(self, name: str, beside: str, package: str) -> str | None:
         parts = name.split(".")
         if not all(part.isidentifier() for part in parts) or len(parts) > 20:
             return None
@@ -51,6 +67,39 @@ class ModuleFinder:
                 if found is not None:
                     return found
         return None
+
+    def parse(self, path: str) -> Source:
+        """A module, read once for the programs that import it one after the other.
+
+        Raises:
+            SourceError: it cannot be read, or is no Python.
+        """
+        looking.note((os.path.abspath(path),))
+        stamp = _stamp(path)
+        known = self._parsed.pop(path, None)
+        if known is None or known[0] != stamp:
+            try:
+                known = (stamp, parse(path))
+            except SourceError as error:
+                known = (stamp, error)
+        self._parsed[path] = known  # the one that was asked for last stands at the end
+        kept = 0
+        for each, (_, old) in reversed(list(self._parsed.items())):
+            kept += old.size if isinstance(old, Source) else 0
+            if kept > MOST_KEPT and each != path:
+                del self._parsed[each]
+        if isinstance(known[1], SourceError):
+            raise known[1]
+        return known[1]
+
+    def libraries(self, package: str, root: str) -> frozenset[str]:
+        """The libraries of Python that a package says it needs, by its manifest or a list of requirements in it or in ``root``."""
+        key = (package, root)
+        if key not in self._libraries:
+            self._libraries[key] = looking.watched(lambda: _declared(package, root))
+        found, looked = self._libraries[key]
+        looking.note(looked)
+        return found
 
     def configuration(self, package: str, name: str) -> str | None:
         """The ``.cfg`` file that makes ``package.cfg.<name>Config``."""
@@ -70,12 +119,35 @@ class ModuleFinder:
         return roots
 
     def _look(self, root: str, relative: str) -> str | None:
+        if root not in self._names:
+            names = looking.names(root)
+            self._names[root] = (frozenset(names) if len(names) < looking.MOST_NAMES else None, frozenset((os.path.abspath(root),)))
+        there, looked = self._names[root]
+        looking.note(looked)
+        first = relative.partition(os.sep)[0]
+        if there is not None and first not in there and f"{first}.py" not in there:
+            return None
         key = (root, relative)
         if key not in self._found:
             self._found[key] = looking.watched(lambda: _module(root, relative))
         found, looked = self._found[key]
         looking.note(looked)
         return found
+
+
+def _declared(package: str, root: str) -> frozenset[str]:
+    manifest = looking.content(os.path.join(package, "package.xml")) or b""
+    listed = [looking.content(os.path.join(each, "requirements.txt")) or b"" for each in dict.fromkeys((package, root))]
+    return declared_libraries(manifest, b"\n".join(listed))
+
+
+def _stamp(path: str) -> object:
+    """Another one where the file is another."""
+    try:
+        status = os.stat(path)
+    except (OSError, ValueError):
+        return None
+    return (status.st_mtime_ns, status.st_size, status.st_ino)
 
 
 def _module(root: str, relative: str) -> str | None:

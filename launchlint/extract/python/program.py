@@ -8,12 +8,13 @@ import re
 from typing import Any, NamedTuple
 
 from launchlint.extract.fact import Doubt, Fact
-from launchlint.extract.python import libraries, messages, recognised, rospy
+from launchlint.extract.python import messages, recognised
 from launchlint.extract.python.arguments import Call, plain
 from launchlint.extract.python.calls import Callback
+from launchlint.extract.python.foreign import is_silent
 from launchlint.extract.python.memory import Ended, Exhausted
 from launchlint.extract.python.modules import ModuleFinder
-from launchlint.extract.python.source import SourceError, parse
+from launchlint.extract.python.source import Routine, SourceError, parse
 from launchlint.extract.python.statements import Statements
 from launchlint.extract.python.text import joined, ros_name
 from launchlint.extract.python.values import MISSING, UNKNOWN, Bound, Class, External, Function, Instance, Module, Scope, Value
@@ -27,8 +28,6 @@ _NEVER_FOLLOWED = frozenset(
     genpy genmsg rospkg catkin interactive_markers cv_bridge rosparam rosbag""".split()
 )
 _PLUGIN = re.compile(r"<class\s[^>]*?\btype\s*=\s*[\"']([\w.]+)[\"'][^>]*?rqt_gui_py")
-_QUIET = {"get_name", "get_namespace", "sleep", "spin", "is_shutdown", "myargv", "ns_join", "Timer"}
-_MAKING = frozenset(name.rpartition(".")[2] for name in (*rospy.HANDLERS, *libraries.HANDLERS)) - _QUIET
 _TYPES = {f"{name}{ending}": name for name in ("bool", "int", "double", "str") for ending in ("", "_t")}
 
 
@@ -107,12 +106,12 @@ class _Run(Statements):
 
     def follow(self, path: str) -> None:
         """Follow the file at ``path`` from beginning to end."""
-        tree = parse(path)
-        main = Module("__main__", self._shown(path), tree)
+        source = parse(path)
+        main = Module("__main__", self._shown(path), source)
         main.scope.variables.update({"__name__": "__main__", "__file__": UNKNOWN, "__doc__": UNKNOWN})
         self._modules[os.path.realpath(path)] = main
         try:
-            self.execute(tree.body, main.scope)
+            self.execute(source.tree.body, main.scope)
             self._call_back()
             self._doubt_unseen()
         except Ended:
@@ -150,19 +149,24 @@ class _Run(Statements):
 
     def _framework_methods(self) -> None:
         """Objects whose class has a base that is not followed, or that were given away: whoever knows them may call their methods."""
+        escaped = {id(each) for each in self.escaped}
         for instance in list(self.instances):
-            foreign = [each for each in instance.type.ancestors() if isinstance(each, External) and each.name != "builtins.object"]
-            if not foreign and not any(instance is each for each in self.escaped):
-                continue
-            for name, when in self._callable(instance, foreign):
+            foreign = [each for each in instance.type.order if not isinstance(each, Class) and each != External("builtins.object")]
+            given = bool(foreign) or id(instance) in escaped
+            for name, when in self._callable(instance, foreign) if given else self._implied(instance):
                 method = self._of_instance(instance, name)
                 if isinstance(method, Bound) and isinstance(method.function, Function) and id(method.function.node) not in self.executed:
                     self.arrange(method, when)
 
+    def _implied(self, instance: Instance) -> list[tuple[str, str]]:
+        """Methods that are called without being named, by operators and the like."""
+        names = {name for each in instance.type.order if isinstance(each, Class) for name in each.attributes if name.startswith("__")}
+        return [(name, "message") for name in sorted(names - {"__init__", "__new__", "__owner__", "__qualname__", "__class__"})]
+
     @staticmethod
-    def _callable(instance: Instance, foreign: list[External]) -> list[tuple[str, str]]:
-        names = dict.fromkeys(name for each in instance.type.ancestors() if isinstance(each, Class) for name in each.attributes)
-        bases = {each.name for each in foreign}
+    def _callable(instance: Instance, foreign: list[Value]) -> list[tuple[str, str]]:
+        names = dict.fromkeys(name for each in instance.type.order if isinstance(each, Class) for name in each.attributes)
+        bases = {each.name if isinstance(each, External) else "" for each in foreign}
         if bases and bases <= {"threading.Thread", "multiprocessing.Process"}:
             return [("run", "start")] if "run" in names else []
         callable_ = [name for name in names if not name.startswith("__") or name == "__call__"]
@@ -170,16 +174,34 @@ class _Run(Statements):
 
     def _doubt_unseen(self) -> None:
         """Functions that make names and are called, if at all, only through values that are not known."""
-        for module in self._modules.values():
-            if module.tree is None:
-                continue
-            for node in ast.walk(module.tree):
-                if not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) or node.name not in self.unknown_methods:
-                    continue
-                if id(node) in self.executed:
-                    continue
-                if any(isinstance(each, ast.Call) and _called(each) in _MAKING for each in ast.walk(node)):
-                    self.doubt(f"{node.name}() is called through a value that is not known", module.path, node.lineno)
+        made = {id(each) for instance in self.instances for each in instance.type.order if isinstance(each, Class)}
+        given = {id(each): each for each in self.given_classes if id(each) not in made}
+        methods = {id(each.node) for class_ in given.values() for each in class_.attributes.values() if isinstance(each, Function)}
+        if not (self.unknown_methods or methods):
+            return
+        unseen = [(module, each) for module in self._modules.values() for each in module.routines if id(each.node) not in self.executed]
+        talking = [each for each in unseen if self._talks(*each)]
+        words = {each.name for _, each in talking}
+        while True:
+            more = [each for each in unseen if each not in talking and not words.isdisjoint(each[1].calls)]
+            if not more:
+                break
+            talking += more
+            words.update(each.name for _, each in more)
+        for module, each in talking:
+            if each.name in self.unknown_methods or id(each.node) in methods:
+                self.doubt(f"{each.name}() is called through a value that is not known", module.path, each.node.lineno)
+
+    def _talks(self, module: Module, routine: Routine) -> bool:
+        """Whether a function makes names by itself, or calls what may."""
+        if not recognised.MAKING.isdisjoint(routine.calls):
+            return True
+        outside = [module.scope.variables.get(each) for each in routine.roots]
+        return any(isinstance(each, External) and not self.is_silent(each.name) for each in outside)
+
+    def is_silent(self, name: str) -> bool:
+        """Whether a module, or what is in it, is known to make no names that are not recognised."""
+        return is_silent(name, self._finder.libraries(self._package, self._root))
 
     # -- modules --------------------------------------------------------------------------------------------------------
 
@@ -226,22 +248,21 @@ class _Run(Statements):
     def _module(self, name: str, path: str, node: ast.stmt, scope: Scope) -> Value:
         key = os.path.realpath(path)
         if key in self._modules:
-            known = self._modules[key]
-            return External(name) if known.name == "__main__" and name != "__main__" and known.tree is None else known
+            return self._modules[key]
         if path.endswith(os.sep):
             self._modules[key] = Module(name, self._shown(path), None)
             return self._modules[key]
         if len(self._modules) >= MOST_MODULES:
             raise Exhausted
         try:
-            tree = parse(path)
+            source = self._finder.parse(path)
         except SourceError as error:
             self.doubt(f"the module {name} {error}", scope.module.path, getattr(node, "lineno", 1))
             return External(name)
-        module = Module(name, self._shown(path), tree)
+        module = Module(name, self._shown(path), source)
         module.scope.variables.update({"__name__": name, "__file__": UNKNOWN, "__doc__": UNKNOWN})
         self._modules[key] = module
-        self.execute(tree.body, module.scope)
+        self.execute(source.tree.body, module.scope)
         return module
 
     def _shown(self, path: str) -> str:
@@ -311,7 +332,3 @@ class _Run(Statements):
         kind = type_.name.rpartition(".")[2] if isinstance(type_, External) else type_ if isinstance(type_, str) else ""
         known = plain(default) if default is not MISSING else MISSING
         made.fact("params", joined(["~", name]), default=None if known is MISSING else known, value_type=_TYPES.get(kind, ""))
-
-
-def _called(node: ast.Call) -> str:
-    return node.func.id if isinstance(node.func, ast.Name) else node.func.attr if isinstance(node.func, ast.Attribute) else ""

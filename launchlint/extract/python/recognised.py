@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from launchlint.extract.python import builtins, command_line, libraries, rospy
+from launchlint.extract.python import builtins, command_line, libraries, models, rospy
 from launchlint.extract.python.arguments import Call
-from launchlint.extract.python.foreign import is_silent
 from launchlint.extract.python.memory import Ended
 from launchlint.extract.python.values import (
     MISSING,
@@ -23,6 +22,8 @@ from launchlint.extract.python.values import (
     Scope,
     Seq,
     Value,
+    alternatives,
+    choice,
 )
 
 TYPE_CHECKING = False
@@ -114,10 +115,18 @@ def call(run: Calls, name: str, positional: list[Value], keywords: dict[str, Val
         return UNKNOWN
     when = "message" if name.startswith("rospy.") and name != "rospy.Timer" else "start"
     run.escape([*positional, *keywords.values()], when)
-    if not is_silent(name.partition(".")[0]):
-        top = name.partition(".")[0]
-        made.doubt(f"it uses {top}, whose source was not given")
+    model = models.model_of(name)
+    if model is not None:
+        models.follow(model, made)
+    elif not run.is_silent(name):
+        made.doubt(f"it uses {name.partition('.')[0]}, whose source was not given")
     return UNKNOWN
+
+
+def is_open(run: Calls, name: str) -> bool:
+    """Whether nothing is known of what something outside makes."""
+    name = canonical(name)
+    return name not in HANDLERS and models.model_of(name) is None and not run.is_silent(name)
 
 
 def method(
@@ -148,8 +157,9 @@ def inherited(
         _thread(Call(run, base, positional, keywords, node, scope))
         return
     run.escape([*positional, *keywords.values()], "start")
-    if not is_silent(base.partition(".")[0]):
-        Call(run, base, positional, keywords, node, scope).doubt(f"it inherits from {base}, whose source was not given")
+    model = models.model_of(base)
+    if model is not None:
+        models.follow(model, Call(run, base, positional, keywords, node, scope))
 
 
 def inherited_method(
@@ -222,6 +232,31 @@ def _copied(made: Call) -> Value:
     return made.positional[0] if made.positional else UNKNOWN
 
 
+def _imported(made: Call) -> Value:
+    """``importlib.import_module``: a module by a name that is worked out."""
+    name = made.get(0, "name", UNKNOWN)
+    return choice([(condition, made.run.module(each, made)) for condition, each in alternatives(name)])
+
+
+def _loaded(made: Call) -> Value:
+    made.run.module(UNKNOWN, made)
+    return UNKNOWN
+
+
+def _plain_class(made: Call) -> Value:
+    """A class that is made by a call and has no methods that talk."""
+    return External("builtins.object")
+
+
+def _with_metaclass(made: Call) -> Value:
+    return made.get(1, "base", External("builtins.object"))
+
+
+def _wrapped(made: Call) -> Value:
+    """``functools.wraps(f)``: a decorator that gives back what it gets."""
+    return External("copy.copy")
+
+
 HANDLERS: dict[str, Handler] = {
     "sys.exit": _end,
     "os._exit": _end,
@@ -230,6 +265,17 @@ HANDLERS: dict[str, Handler] = {
     "multiprocessing.Process": _thread,
     "threading.Timer": _timer,
     "functools.partial": _partial,
+    "functools.wraps": _wrapped,
+    "importlib.import_module": _imported,
+    "imp.load_source": _loaded,
+    "imp.load_module": _loaded,
+    "importlib.util.spec_from_file_location": _loaded,
+    "runpy.run_path": _loaded,
+    "runpy.run_module": _loaded,
+    "collections.namedtuple": _plain_class,
+    "typing.NamedTuple": _plain_class,
+    "six.with_metaclass": _with_metaclass,
+    "future.utils.with_metaclass": _with_metaclass,
     "copy.copy": _copied,
     "copy.deepcopy": _copied,
     "collections.OrderedDict": _empty_mapping,
@@ -253,3 +299,24 @@ METHODS: dict[tuple[str, str], Callable[[Handle, Call], Value]] = {
     **libraries.METHODS,
     **command_line.METHODS,
 }
+
+_QUIET = frozenset(
+    "get_name get_namespace get_caller_id sleep spin is_shutdown myargv ns_join Timer on_shutdown init_node numpy_msg".split()
+)
+MAKING = frozenset(name.rpartition(".")[2] for name in (*rospy.HANDLERS, *libraries.HANDLERS, *models.NAMES)) - _QUIET
+"""The last words of calls that make or ask for names."""
+
+
+def makes(name: str) -> bool:
+    """Whether something outside makes or asks for names when it is called, or is a module in which there is such a thing."""
+    name = canonical(name)
+    return (name in HANDLERS and name.rpartition(".")[2] in MAKING) or name in _MODULES
+
+
+def makers(name: str) -> list[str]:
+    """What in the module or class ``name`` makes or asks for names."""
+    start = canonical(name) + "."
+    return [each[len(start) :] for each in HANDLERS if each.startswith(start) and makes(each)]
+
+
+_MODULES = ("rospy",)

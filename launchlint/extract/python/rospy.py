@@ -5,7 +5,7 @@ Names are resolved as rospy.names does: ``~x`` is private, ``/x`` global, the re
 
 from __future__ import annotations
 
-from launchlint.extract.python.arguments import Call, plain, queue, value_type
+from launchlint.extract.python.arguments import Call, plain, queue
 from launchlint.extract.python.text import ANY, distribute, joined, ros_joined, ros_name, text
 from launchlint.extract.python.values import (
     MISSING,
@@ -86,7 +86,8 @@ def _get_param(made: Call) -> Value:
         if isinstance(each, Handle) and each.kind == "found param":  # it is noted where it was searched for
             return Param(each.state["name"], default)
     known = plain(default) if default is not MISSING else MISSING
-    made.fact("params", name, default=None if known is MISSING else known, value_type=value_type(default))
+    # The default promises no type: rospy gives back whatever the param is.
+    made.fact("params", name, default=None if known is MISSING else known)
     if isinstance(name, Choice):
         return distribute(lambda each: Param(ros_name(each), default), name)
     return Param(ros_name(name), default)
@@ -175,6 +176,20 @@ def _published(made: Call) -> Value:
     return Seq([], False)
 
 
+def _master(made: Call) -> Value:
+    return Handle("master", {})
+
+
+def _asked_of_master(receiver: Handle, made: Call) -> Value:
+    made.fact("params", made.get(0, "key"))
+    return UNKNOWN
+
+
+def _registered_at_master(receiver: Handle, made: Call) -> Value:
+    made.doubt("it registers names at the master by itself")
+    return UNKNOWN
+
+
 HANDLERS = {
     "rospy.Publisher": publisher,
     "rospy.Subscriber": subscriber,
@@ -197,6 +212,7 @@ HANDLERS = {
     "rospy.myargv": _arguments,
     "rosgraph.myargv": _arguments,
     "rosgraph.names.ns_join": _join,
+    **dict.fromkeys(("rosgraph.Master", "rosgraph.MasterAPI", "rosgraph.masterapi.Master", "rospy.get_master"), _master),
     "rospy.Timer": _timer,
     "rospy.on_shutdown": _later,
     "rospy.init_node": _nothing,
@@ -215,4 +231,6 @@ METHODS = {
     ("synchronizer", "registerCallback"): _register_callback,
     ("subscriber", "registerCallback"): _register_callback,
     ("publisher", "unregister"): _unregister,
+    **{("master", method): _asked_of_master for method in ("getParam", "hasParam", "searchParam", "subscribeParam")},
+    **{("master", method): _registered_at_master for method in ("registerPublisher", "registerSubscriber", "registerService")},
 }

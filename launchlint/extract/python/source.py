@@ -22,8 +22,33 @@ class SourceError(ValueError):
     """A file that cannot be followed; ``str(error)`` says why, as the end of a sentence that begins with its name."""
 
 
-def parse(path: str) -> ast.Module:
-    """The syntax tree of the file at ``path``, which may be Python 3 or Python 2.
+class Routine:
+    """What a function says, those in it included: names that it calls (the last word of each) and what stands before, what it writes."""
+
+    __slots__ = ("calls", "globals", "name", "node", "roots", "writes")
+
+    def __init__(self, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
+        self.node = node
+        self.name = node.name
+        self.calls: set[str] = set()
+        self.roots: set[str] = set()
+        self.globals: set[str] = set()
+        self.writes: set[str] = set()
+
+
+class Source:
+    """A syntax tree, its functions, and names of attributes and global variables that functions other than constructors write."""
+
+    __slots__ = ("routines", "set_later", "size", "tree")
+
+    def __init__(self, tree: ast.Module, size: int) -> None:
+        self.tree = tree
+        self.size = size
+        self.routines, self.set_later = _routines(tree)
+
+
+def parse(path: str) -> Source:
+    """The file at ``path``, which may be Python 3 or Python 2.
 
     Raises:
         SourceError: it cannot be read, is too large, or is no Python.
@@ -35,8 +60,8 @@ def parse(path: str) -> ast.Module:
     return parse_text(_decoded(data))
 
 
-def parse_text(text: str) -> ast.Module:
-    """The syntax tree of Python source. Raises :class:`SourceError`."""
+def parse_text(text: str) -> Source:
+    """Python source. Raises :class:`SourceError`."""
     try:
         tree = _tree(text)
     except SyntaxError as error:
@@ -44,12 +69,69 @@ def parse_text(text: str) -> ast.Module:
             tree = _tree(rewritten(text))
         except (SyntaxError, ValueError):
             raise SourceError(f"is not Python: line {error.lineno or 0}: {error.msg}") from None
-    level: list[ast.AST] = [tree]
+    return Source(tree, len(text))
+
+
+def _routines(tree: ast.Module) -> tuple[tuple[Routine, ...], frozenset[str]]:
+    """Everything that is to be known of a tree, in one walk through it. Raises :class:`SourceError` where it is nested too deep."""
+    routines: list[Routine] = []
+    later: set[str] = set()
+    nobody: tuple[Routine, ...] = ()
+    level: list[tuple[ast.AST, tuple[Routine, ...]]] = [(tree, nobody)]
     for _ in range(DEEPEST_TREE):
-        level = [child for node in level for child in ast.iter_child_nodes(node)]
-        if not level:
-            return tree
+        below: list[tuple[ast.AST, tuple[Routine, ...]]] = []
+        for node, around in level:
+            kind = type(node)
+            if kind is ast.FunctionDef or kind is ast.AsyncFunctionDef:
+                routine = Routine(node)  # type: ignore[arg-type]
+                routines.append(routine)
+                around = (*around, routine)
+            elif around:
+                _note(node, around, later)
+            for name in kind._fields:
+                child = getattr(node, name, None)
+                if isinstance(child, ast.AST):
+                    if type(child) not in _LEAVES:
+                        below.append((child, around))
+                elif isinstance(child, list):
+                    below += [(each, around) for each in child if isinstance(each, ast.AST)]
+        if not below:
+            for each in routines:
+                if each.name != "__init__":
+                    later |= each.writes & each.globals
+            return tuple(routines), frozenset(later)
+        level = below
     raise SourceError("is nested too deep")
+
+
+def _note(node: ast.AST, around: tuple[Routine, ...], later: set[str]) -> None:
+    kind = type(node)
+    if kind is ast.Call:
+        word, root = called(node)  # type: ignore[arg-type]
+        for each in around:
+            each.calls.add(word)
+            each.roots.add(root)
+    elif kind is ast.Attribute and type(node.ctx) is ast.Store:  # type: ignore[attr-defined]
+        if any(each.name != "__init__" for each in around):
+            later.add(node.attr)  # type: ignore[attr-defined]
+    elif kind is ast.Name and type(node.ctx) is ast.Store:  # type: ignore[attr-defined]
+        for each in around:
+            each.writes.add(node.id)  # type: ignore[attr-defined]
+    elif kind is ast.Global:
+        for each in around:
+            each.globals.update(node.names)  # type: ignore[attr-defined]
+
+
+def called(node: ast.Call) -> tuple[str, str]:
+    """The last word and the first of what is called: ``publish`` and ``self`` of ``self.pub.publish()``; empty where it is no name."""
+    function: ast.expr = node.func
+    last = function.attr if isinstance(function, ast.Attribute) else function.id if isinstance(function, ast.Name) else ""
+    while isinstance(function, ast.Attribute):
+        function = function.value
+    return last, function.id if isinstance(function, ast.Name) else ""
+
+
+_LEAVES = (ast.Load, ast.Store, ast.Del)
 
 
 def _tree(text: str) -> ast.Module:

@@ -6,8 +6,8 @@ import ast
 from collections.abc import Callable, Sequence
 
 from launchlint.extract.python import builtins
-from launchlint.extract.python.calls import Calls
 from launchlint.extract.python.conditions import negated, written
+from launchlint.extract.python.definitions import SETTER, Definitions
 from launchlint.extract.python.expressions import DEEPEST, MOST_ROUNDS, hashable
 from launchlint.extract.python.memory import BROKEN, CONTINUED, ENDED, GOES_ON, RETURNED, Branch, Ended
 from launchlint.extract.python.values import (
@@ -17,6 +17,7 @@ from launchlint.extract.python.values import (
     MISSING,
     UNKNOWN,
     Argv,
+    Bound,
     Class,
     External,
     Function,
@@ -32,12 +33,8 @@ from launchlint.extract.python.values import (
 )
 
 
-class Statements(Calls):
+class Statements(Definitions):
     """Execution."""
-
-    def import_module(self, name: str, level: int, node: ast.stmt, scope: Scope) -> Value:
-        """A module by its name as an import statement says it."""
-        raise NotImplementedError
 
     def execute(self, body: Sequence[ast.stmt], scope: Scope) -> int:
         """Go through statements; how that ended."""
@@ -103,7 +100,14 @@ class Statements(Calls):
     def _set_attribute(self, owner: Value, name: str, value: Value) -> None:
         if isinstance(owner, Super):
             owner = owner.receiver
-        if isinstance(owner, (Instance, Class)):
+        key = f"{SETTER}{name}"
+        if isinstance(owner, Instance):
+            setter = next((each.attributes[key] for each in owner.type.order if isinstance(each, Class) and key in each.attributes), None)
+            if isinstance(setter, Function):
+                self.call_function(setter, [owner, value], {})
+            else:
+                self.store(owner.attributes, name, value)
+        elif isinstance(owner, Class):
             self.store(owner.attributes, name, value)
         elif isinstance(owner, Module):
             self.store(owner.scope.variables, name, value)
@@ -128,6 +132,9 @@ class Statements(Calls):
                 self.store(owner.content, ITEMS, items)
             else:
                 self.store(owner.content, COMPLETE, False)
+                self.escape([value], "start")
+        elif value is not UNKNOWN:
+            self.escape([value], "start")
 
     def _unpack(self, targets: Sequence[ast.expr], value: Value, scope: Scope) -> None:
         items: list[Value] = [UNKNOWN] * len(targets)
@@ -340,11 +347,22 @@ class Statements(Calls):
         return self.execute(node.finalbody, scope) or result
 
     def _with(self, node: ast.With | ast.AsyncWith, scope: Scope) -> int:
+        left: list[Instance] = []
         for item in node.items:
             value = self.evaluate(item.context_expr, scope)
+            entered = value if isinstance(value, (Instance, Handle)) else UNKNOWN
+            if isinstance(value, Instance):
+                left.append(value)
+                enter = self.attribute(value, "__enter__", node, scope)
+                entered = self.call(enter, [], {}, node, scope) if isinstance(enter, Bound) else value
             if item.optional_vars is not None:
-                self.assign(item.optional_vars, value if isinstance(value, (Instance, Handle)) else UNKNOWN, scope)
-        return self.execute(node.body, scope)
+                self.assign(item.optional_vars, entered, scope)
+        flow = self.execute(node.body, scope)
+        for value in reversed(left):
+            leave = self.attribute(value, "__exit__", node, scope)
+            if flow == GOES_ON and isinstance(leave, Bound):
+                self.call(leave, [UNKNOWN] * 3, {}, node, scope)
+        return flow
 
     def _match(self, node: ast.Match, scope: Scope) -> int:
         self.evaluate(node.subject, scope)
@@ -360,91 +378,12 @@ class Statements(Calls):
             ways.append((said, branch))
         return self._meet([*ways, ("", Branch())], scope)
 
-    # -- functions, classes, modules ------------------------------------------------------------------------------------
-
-    def _function_definition(self, node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope) -> int:
-        kind = ""
-        value: Value = None
-        for decorator in node.decorator_list:
-            name = decorator.id if isinstance(decorator, ast.Name) else getattr(decorator, "attr", "")
-            if name in ("staticmethod", "classmethod", "property", "cached_property"):
-                kind = {"staticmethod": "static", "classmethod": "class"}.get(name, "property")
-            elif name in ("setter", "deleter"):
-                return GOES_ON
-            elif isinstance(decorator, ast.Call):
-                value = decorator
-        owner = scope.variables.get("__owner__")
-        function = self.function(node, scope, owner if isinstance(owner, Class) else None, kind)
-        self.store(scope.shared.get(node.name, scope).variables, node.name, function)
-        if value is not None or (node.decorator_list and not kind):
-            self._decorate(node, function, scope)
-        return GOES_ON
-
-    def _decorate(self, node: ast.FunctionDef | ast.AsyncFunctionDef, function: Function, scope: Scope) -> None:
-        """What a decorator returns is not looked at; what it does with the function is."""
-        for decorator in node.decorator_list:
-            made = self.evaluate(decorator, scope)
-            if isinstance(made, External) and made.name.startswith(("functools.", "contextlib.", "abc.", "builtins.")):
-                continue
-            if not isinstance(made, Function):
-                self.call(made, [function], {}, decorator, scope)
-
-    def _class_definition(self, node: ast.ClassDef, scope: Scope) -> int:
-        bases = [self.evaluate(each, scope) for each in node.bases]
-        bases = [each for base in bases for _, each in alternatives(base)]
-        inner = Scope(scope.module, scope)
-        type_ = Class(node.name, bases, inner)
-        inner.variables["__qualname__"] = node.name
-        inner.variables["__owner__"] = type_
-        self.execute(node.body, inner)
-        self.store(scope.shared.get(node.name, scope).variables, node.name, type_)
-        return GOES_ON
-
-    def _import(self, node: ast.Import, scope: Scope) -> int:
-        for alias in node.names:
-            module = self.import_module(alias.name, 0, node, scope)
-            if alias.asname is not None:
-                self.store(scope.variables, alias.asname, module)
-            else:
-                first = alias.name.split(".")[0]
-                self.store(scope.variables, first, self.import_module(first, 0, node, scope) if "." in alias.name else module)
-        return GOES_ON
-
-    def _import_from(self, node: ast.ImportFrom, scope: Scope) -> int:
-        module = self.import_module(node.module or "", node.level, node, scope)
-        for alias in node.names:
-            if alias.name == "*":
-                self._import_star(module, scope)
-            else:
-                found = self.attribute(module, alias.name, node, scope)
-                self.store(scope.variables, alias.asname or alias.name, found)
-        return GOES_ON
-
-    def _import_star(self, module: Value, scope: Scope) -> None:
-        if isinstance(module, Module):
-            for name, value in list(module.scope.variables.items()):
-                if not name.startswith("_"):
-                    self.store(scope.variables, name, value)
-            scope.module.stars += module.stars
-        elif isinstance(module, External):
-            scope.module.stars.append(module.name)
-
 
 def changes_later(test: ast.expr, module: Module) -> bool:
     """Whether a condition asks for an attribute or global variable that some function sets: it may be otherwise when it is asked again."""
-    if module.set_later is None:
-        found: set[str] = set()
-        for function in ast.walk(module.tree) if module.tree is not None else ():
-            if isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)) and function.name != "__init__":
-                shared = {name for each in ast.walk(function) if isinstance(each, ast.Global) for name in each.names}
-                for each in ast.walk(function):
-                    if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store):
-                        found.add(each.attr)
-                    elif isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store) and each.id in shared:
-                        found.add(each.id)
-        module.set_later = frozenset(found)
-    return any(
-        (isinstance(each, ast.Attribute) and each.attr in module.set_later) or (isinstance(each, ast.Name) and each.id in module.set_later)
+    later = module.set_later
+    return bool(later) and any(
+        (isinstance(each, ast.Attribute) and each.attr in later) or (isinstance(each, ast.Name) and each.id in later)
         for each in ast.walk(test)
     )
 

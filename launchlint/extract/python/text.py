@@ -231,3 +231,15 @@ def may_be(name: str, value: Value) -> bool:
         return True
     pattern = ".*".join(map(re.escape, re.sub(r"\{(?:[^{}]|\{[^{}]*\})*\}|[\ue000\ue001]", "\0", value.template).split("\0")))
     return re.fullmatch(pattern, name) is not None
+
+
+def or_default(first: Value, second: Value) -> Value:
+    """``first or second`` where ``first`` is one slot without default, which then gets one; MISSING where it is not so."""
+    spelled = template(first)
+    if isinstance(second, Choice) or not isinstance(second, (str, int, float)):
+        return MISSING
+    if isinstance(first, Param) and first.default in (None, "", MISSING):
+        return Param(first.name, second)
+    if spelled.startswith("{arg:") and spelled.endswith("}") and "|" not in spelled and spelled.count("{") == 1:
+        return text(f"{spelled[:-1]}|{template(second)}}}")
+    return MISSING

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     import ast
     from collections.abc import Iterator
 
+    from launchlint.extract.python.source import Routine, Source
+
 Value = Any
 """A value as described above; the classes here are told apart with ``isinstance``."""
 
@@ -23,8 +25,12 @@ NAMESPACE = "\ue001"
 ITEMS, ENTRIES, COMPLETE = "\0items", "\0entries", "\0complete"
 """Keys of the content of lists and dicts; no attribute can be called so."""
 
+MORE = "\0more"
+"""Among the arguments that have names: there may be others that are not known (``**unknown``)."""
+
 MOST_ALTERNATIVES = 8
 MOST_ITEMS = 256
+MOST_ANCESTORS, MOST_BASES = 60, 30
 LONGEST_TEXT = 1_000
 
 
@@ -123,15 +129,15 @@ class Scope:
 class Module:
     """A module whose source is followed. ``stars`` are the names of modules from which everything was imported and cannot be followed."""
 
-    __slots__ = ("name", "path", "scope", "set_later", "stars", "tree")
+    __slots__ = ("name", "path", "routines", "scope", "set_later", "stars")
 
-    def __init__(self, name: str, path: str, tree: ast.Module | None) -> None:
+    def __init__(self, name: str, path: str, source: Source | None) -> None:
         self.name = name
         self.path = path
-        self.tree = tree
+        self.routines: tuple[Routine, ...] = () if source is None else source.routines
+        self.set_later: frozenset[str] = frozenset() if source is None else source.set_later
         self.scope = Scope(self, None)
         self.stars: list[str] = []
-        self.set_later: frozenset[str] | None = None
 
 
 class Function(NamedTuple):
@@ -148,26 +154,40 @@ class Function(NamedTuple):
 class Class:
     """A class with its attributes and bases, in the order in which they are searched."""
 
-    __slots__ = ("attributes", "bases", "name", "scope")
+    __slots__ = ("attributes", "bases", "name", "order", "scope")
 
     def __init__(self, name: str, bases: list[Value], scope: Scope) -> None:
         self.name = name
         self.bases = bases
         self.scope = scope
         self.attributes = scope.variables
+        above = bases[:MOST_BASES]
+        self.order: tuple[Value, ...] = (self, *_merged([*(_order(base) for base in above), above]))[:MOST_ANCESTORS]
+        """Itself and everything it inherits from, each once, in the order in which Python looks for an attribute (C3)."""
 
-    def ancestors(self) -> Iterator[Value]:
-        """Itself and everything it inherits from, each once; bounded."""
-        pending: list[Value] = [self]
-        seen: list[Value] = []
-        while pending and len(seen) < 50:
-            here = pending.pop(0)
-            if any(here is each for each in seen):
-                continue
-            seen.append(here)
-            yield here
-            if isinstance(here, Class):
-                pending += here.bases
+    def behind(self, after: Class) -> tuple[Value, ...]:
+        """What ``super()`` in the class ``after`` means for objects of this one."""
+        at = next((at for at, each in enumerate(self.order) if each is after), None)
+        return after.order[1:] if at is None else self.order[at + 1 :]
+
+
+def _order(base: Value) -> list[Value]:
+    return list(base.order) if isinstance(base, Class) else [base]
+
+
+def _merged(lists: list[list[Value]]) -> Iterator[Value]:
+    """The order of base classes that keeps that of each list; that of the first list where there is no such order."""
+    lists = [each for each in lists if each]
+    while lists:
+        heads = [each[0] for each in lists]
+        free = (head for head in heads if not any(_is_same(head, other) for each in lists for other in each[1:]))
+        head = next(free, heads[0])
+        yield head
+        lists = [rest for each in lists if (rest := [other for other in each if not _is_same(other, head)])]
+
+
+def _is_same(one: Value, other: Value) -> bool:
+    return one is other or (isinstance(one, External) and one == other)
 
 
 class Instance:
@@ -188,7 +208,7 @@ class Bound(NamedTuple):
 
 
 class Super(NamedTuple):
-    """``super()``: the attributes of ``receiver`` behind those of the class ``after``."""
+    """``super()``: the attributes of ``receiver``, an object or a class, behind those of the class ``after``."""
 
     after: Class
     receiver: Value

@@ -1,0 +1,158 @@
+"""Functions, classes and modules: how they come to be, from the source, or from code and names that a program works out."""
+
+from __future__ import annotations
+
+import ast
+
+from launchlint.extract.python.arguments import Call
+from launchlint.extract.python.calls import Calls
+from launchlint.extract.python.memory import GOES_ON
+from launchlint.extract.python.source import SourceError, parse_text
+from launchlint.extract.python.values import (
+    UNKNOWN,
+    Class,
+    External,
+    Function,
+    Module,
+    Param,
+    Scope,
+    Seq,
+    Text,
+    Value,
+    alternatives,
+)
+
+SETTER = "\0set "
+"""Before the name of a property, in a class: the function that is called when it is set."""
+LONGEST_CODE = 10_000
+_KEEPING = ("functools.lru_cache", "functools.cache", "contextlib.", "abc.", "builtins.", "typing.", "dataclasses.", "enum.")
+"""Decorators that leave what they decorate as it is, seen from outside."""
+
+
+class Definitions(Calls):
+    """Making functions, classes and modules."""
+
+    def import_module(self, name: str, level: int, node: ast.stmt, scope: Scope) -> Value:
+        """A module by its name as an import statement says it."""
+        raise NotImplementedError
+
+    def _function_definition(self, node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope) -> int:
+        kind = ""
+        value: Value = None
+        for decorator in node.decorator_list:
+            name = decorator.id if isinstance(decorator, ast.Name) else getattr(decorator, "attr", "")
+            if name in ("staticmethod", "classmethod", "property", "cached_property"):
+                kind = {"staticmethod": "static", "classmethod": "class"}.get(name, "property")
+            elif name in ("setter", "deleter"):
+                if name == "setter":
+                    owner = scope.variables.get("__owner__")
+                    function = self.function(node, scope, owner if isinstance(owner, Class) else None)
+                    self.store(scope.variables, f"{SETTER}{node.name}", function)
+                return GOES_ON
+            elif isinstance(decorator, ast.Call):
+                value = decorator
+        owner = scope.variables.get("__owner__")
+        made: Value = self.function(node, scope, owner if isinstance(owner, Class) else None, kind)
+        self.store(scope.shared.get(node.name, scope).variables, node.name, made)
+        if value is not None or (node.decorator_list and not kind):
+            self.store(scope.shared.get(node.name, scope).variables, node.name, self._decorated(node, made, scope))
+        return GOES_ON
+
+    def _decorated(self, node: ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef, value: Value, scope: Scope) -> Value:
+        """What the decorators make of a function or class: itself, where they give back what is not known."""
+        for decorator in reversed(node.decorator_list):
+            made = self.evaluate(decorator, scope)
+            if isinstance(made, External) and made.name.startswith(_KEEPING):
+                continue
+            result = self.call(made, [value], {}, decorator, scope)
+            if isinstance(result, Function) and isinstance(value, Function):
+                value = result._replace(owner=result.owner or value.owner, kind=value.kind)
+            elif isinstance(result, Class) and isinstance(value, Class):
+                value = result
+        return value
+
+    def _class_definition(self, node: ast.ClassDef, scope: Scope) -> int:
+        bases = [self._base(each, scope) for each in node.bases]
+        bases = [each for base in bases for _, each in alternatives(base)]
+        inner = Scope(scope.module, scope)
+        type_ = Class(node.name, bases, inner)
+        inner.variables["__qualname__"] = node.name
+        inner.variables["__owner__"] = type_
+        self.execute(node.body, inner)
+        for keyword in node.keywords:
+            if keyword.arg == "metaclass":
+                self.call(self.evaluate(keyword.value, scope), [node.name, Seq(bases), UNKNOWN], {}, node, scope)
+        self.store(scope.shared.get(node.name, scope).variables, node.name, self._decorated(node, type_, scope))
+        return GOES_ON
+
+    def _base(self, node: ast.expr, scope: Scope) -> Value:
+        """A base class. What a library that makes no names gives for one makes none either."""
+        value = self.evaluate(node, scope)
+        if value is UNKNOWN and isinstance(node, (ast.Call, ast.Subscript)):
+            maker = self.evaluate(node.func if isinstance(node, ast.Call) else node.value, scope)
+            if isinstance(maker, External) and self.is_silent(maker.name):
+                return External("builtins.object")
+            return maker if isinstance(node, ast.Subscript) else value  # Base[T]
+        return value
+
+    def made_code(self, word: str, positional: list[Value], node: ast.AST, scope: Scope) -> Value:
+        """``eval``, ``exec``, ``execfile`` and ``__import__``."""
+        code = positional[0] if positional else UNKNOWN
+        made = Call(self, word, positional, {}, node, scope)
+        if word == "__import__":
+            loaded = self.module(code, made)
+            first = code.partition(".")[0] if isinstance(code, str) and len(positional) < 4 else code
+            return loaded if first == code else self.module(first, made)
+        if word == "eval" and isinstance(code, Param):
+            return UNKNOWN  # data
+        if word == "execfile" or not isinstance(code, str) or len(code) > LONGEST_CODE:
+            made.doubt(f"it runs code that it works out ({word})")
+            return UNKNOWN
+        try:
+            body = parse_text(code.strip()).tree.body
+        except SourceError:
+            return UNKNOWN
+        for each in (part for statement in body for part in ast.walk(statement)):
+            if hasattr(each, "lineno"):
+                each.lineno = made.line
+        if word == "eval" and len(body) == 1 and isinstance(body[0], ast.Expr):
+            return self.evaluate(body[0].value, scope)
+        self.execute(body, scope)
+        return None
+
+    def module(self, name: Value, made: Call) -> Value:
+        """A module by a name that the program has worked out. What it has in its messages makes no names."""
+        if isinstance(name, str):
+            return self.import_module(name, 0, ast.Pass(lineno=made.line, col_offset=0), made.scope)
+        if not (isinstance(name, Text) and name.template.endswith((".msg", ".srv", ".action", ".cfg"))):
+            made.doubt("it imports a module by a name that is not known")
+        return UNKNOWN
+
+    def _import(self, node: ast.Import, scope: Scope) -> int:
+        for alias in node.names:
+            module = self.import_module(alias.name, 0, node, scope)
+            if alias.asname is not None:
+                self.store(scope.variables, alias.asname, module)
+            else:
+                first = alias.name.split(".")[0]
+                self.store(scope.variables, first, self.import_module(first, 0, node, scope) if "." in alias.name else module)
+        return GOES_ON
+
+    def _import_from(self, node: ast.ImportFrom, scope: Scope) -> int:
+        module = self.import_module(node.module or "", node.level, node, scope)
+        for alias in node.names:
+            if alias.name == "*":
+                self._import_star(module, scope)
+            else:
+                found = self.attribute(module, alias.name, node, scope)
+                self.store(scope.variables, alias.asname or alias.name, found)
+        return GOES_ON
+
+    def _import_star(self, module: Value, scope: Scope) -> None:
+        if isinstance(module, Module):
+            for name, value in list(module.scope.variables.items()):
+                if not name.startswith("_"):
+                    self.store(scope.variables, name, value)
+            scope.module.stars += module.stars
+        elif isinstance(module, External):
+            scope.module.stars.append(module.name)
