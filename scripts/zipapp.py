@@ -1,6 +1,6 @@
 """Put launchlint and all it needs into one file that runs without installation and without a network: scripts/zipapp.py WHEEL TARGET.
 
-The file fits the Python and the platform that it is made with (lxml and PyYAML are compiled). shiv does the work; it is installed into a
+The file fits the Python and the platform that it is made with (lxml, PyYAML and tree-sitter are compiled). shiv does the work; it is installed into a
 temporary environment.
 """
 
@@ -28,7 +28,7 @@ def main(words: list[str]) -> int:
         subprocess.run(
             [
                 python, "-m", "shiv", "--console-script", "launchlint", "--output-file", target, "--reproducible", "--compressed",
-                "--python", "/usr/bin/env python3", "--quiet", f"{wheel}[extract]",
+                "--python", "/usr/bin/env python3", "--quiet", str(wheel),
             ],
             check=True,
             env={**os.environ, "SOURCE_DATE_EPOCH": os.environ.get("SOURCE_DATE_EPOCH", "315532800")},

@@ -25,13 +25,14 @@ FLOORS = (
     ("fix",),
     ("graph",),
     ("library",),
+    ("knowledge",),
     ("extract",),
     ("evaluate",),
     ("syntax",),
     ("workspace",),
     ("atomic", "fingerprint", "late", "order", "spelling", "words"),
     ("model",),
-    ("finding", "problem", "source", "errors", "verdict"),
+    ("finding", "problem", "source", "errors", "sight", "verdict"),
     ("launchlint",),  # launchlint/__init__.py: the version, nothing else
 )
 FLOOR = {room: len(FLOORS) - number for number, rooms in enumerate(FLOORS) for room in rooms}
@@ -41,7 +42,8 @@ UNKNOWN_TO = {
     "report": {"check", "suppression", "baseline", "fix", "evaluate", "syntax", "workspace", "extract", "probe"},
     "fix": {"rules"},
     "graph": {"workspace", "syntax"},
-    "library": {"evaluate", "syntax"},
+    "library": {"evaluate", "syntax", "knowledge", "extract"},
+    "knowledge": {"evaluate", "syntax"},
     "extract": {"evaluate", "syntax"},
 }
 

@@ -1,7 +1,8 @@
 """Results of earlier runs, used again where nothing they depend on has changed.
 
 What every result depends on (:mod:`.surroundings`) is in the name of the database. What one result depends on is checked for each: the
-content of every file that was read, the value of every environment variable, and what was there wherever a rule looked around.
+content of every file that was read, the value of every environment variable, what was there wherever a rule looked around, and the sources
+of the programs that were asked for.
 """
 
 from __future__ import annotations
@@ -37,6 +38,7 @@ class Cache:
         self._error: tuple[type[Exception], ...] = (OSError, sqlite3.Error, *BROKEN)
         self._session = checker.session
         self._variables = checker.options.variables
+        self._own = checker.own
         self._states: dict[str, str] = {}
         self._files: dict[str, FileResult | None] = {}
         self._database: sqlite3.Connection | None = None
@@ -76,10 +78,12 @@ class Cache:
         if value is None or not _is_plain(request):
             return None
         try:
-            dependencies, variables, looks, names, entry = value
+            dependencies, variables, looks, programs, names, entry = value
             if any(self._variables.get(name) != text for name, text in variables):
                 return None
             if any(self._session.read(path).digest != known for path, known in dependencies) or not self._holds(looks):
+                return None
+            if any(self._own is None or self._own.digest((package, table, name)) != known for package, table, name, known in programs):
                 return None
             known_files = {name: self._file(name) for name in names}
             files = {name: file for name, file in known_files.items() if file is not None}
@@ -134,7 +138,7 @@ class Cache:
                         content = digests[os.path.abspath(os.path.join(self._session.root, file.path))]
                         files[file.path] = _sealed(file.path, [content, file_to_json(file)])
                 names = [file.path for file in result.files]
-                value = [result.dependencies, result.variables, result.looks, names, entry_to_json(result)]
+                value = [result.dependencies, result.variables, result.looks, result.programs, names, entry_to_json(result)]
                 entries.append((_key(result.request), _sealed(_key(result.request), value)))
             with self._database:
                 self._database.executemany("INSERT OR REPLACE INTO entries VALUES (?, ?)", entries)

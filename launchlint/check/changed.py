@@ -1,10 +1,12 @@
-"""Which files of a repository differ from those of a revision, as far as that can change what a launch file starts."""
+"""Which files of a repository differ from those of a revision, as far as that can change what a launch file starts or what it connects."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterator
 from typing import NamedTuple
+
+from launchlint.workspace.listing import SOURCE_ENDS
 
 _LAUNCH = frozenset({".launch", ".test", ".xml"})
 _MANIFESTS = frozenset({"package.xml", "manifest.xml"})
@@ -16,26 +18,38 @@ _NO_MATTER = frozenset(
 
 
 class Changed(NamedTuple):
-    """``launch_files`` are those (absolute, links resolved) that are new or not the same; ``others``: whether anything else may matter."""
+    """``launch_files`` are those (absolute, links resolved) that are new or not the same; ``others``: whether anything else may matter.
+
+    ``sources``: whether any source of a node is new, gone or not the same.
+    """
 
     launch_files: frozenset[str]
     others: bool
+    sources: bool
 
 
 def changed(repository: str, directory: str) -> Changed:
     """What differs between the working tree at ``repository`` and a revision of it that was unpacked to ``directory``."""
     now, then = (dict(_files(each)) for each in (repository, directory))
     launch_files = set()
-    others = bool(then.keys() - now.keys())
+    gone = then.keys() - now.keys()
+    sources = any(_is_source(path) for path in gone)
+    others = not all(_is_source(path) for path in gone)
     for path, file in now.items():
         before = then.get(path)
         if before is not None and _same(file, before):
             continue
         if os.path.splitext(path)[1].lower() in _LAUNCH and os.path.basename(path) not in _MANIFESTS and not os.path.islink(file):
             launch_files.add(os.path.realpath(file))
+        elif _is_source(path):
+            sources = True
         else:
             others = True
-    return Changed(frozenset(launch_files), others)
+    return Changed(frozenset(launch_files), others, sources or others)
+
+
+def _is_source(path: str) -> bool:
+    return os.path.splitext(path)[1].lower() in SOURCE_ENDS
 
 
 def _files(top: str) -> Iterator[tuple[str, str]]:
@@ -43,7 +57,7 @@ def _files(top: str) -> Iterator[tuple[str, str]]:
     for place, directories, names in os.walk(top):
         directories[:] = [each for each in directories if each != ".git" and not os.path.islink(os.path.join(place, each))]
         for name in names:
-            if os.path.splitext(name)[1].lower() not in _NO_MATTER:
+            if os.path.splitext(name)[1].lower() not in _NO_MATTER or _is_source(name):
                 file = os.path.join(place, name)
                 yield os.path.relpath(file, top), file
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping
 from copy import copy
 from functools import cached_property
@@ -22,6 +23,7 @@ from launchlint.problem import Problem
 from launchlint.rules.registry import RULES, Entry, rule_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary, FileView, LaunchView
+from launchlint.sight import NOTHING, Sight, counted
 from launchlint.syntax.tree import Document
 from launchlint.verdict import LOADS, Verdict
 from launchlint.workspace.looking import note, noted, state
@@ -30,6 +32,7 @@ from launchlint.workspace.packages import Packages
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.graph.connections import ConnectionGraph
+    from launchlint.knowledge.own import OwnSources
     from launchlint.library.lookup import Library
 
 CALL_KINDS = ("include-undeclared-arg", "include-missing-arg")
@@ -44,7 +47,8 @@ class EntryResult(NamedTuple):
     ``verdict`` says what roslaunch does with it here and now, ``ok`` or ``error``; ``outcome`` is what people are told of that.
     For the cache: ``dependencies`` are the files it was made from with the digest of their content or the reason why there is none,
     ``variables`` the environment variables it read, ``looks`` the paths at which rules looked around, with their state
-    (:func:`launchlint.workspace.looking.state`).
+    (:func:`launchlint.workspace.looking.state`), ``programs`` those whose sources were asked for, with the digest of these. ``sight`` says
+    how many of the nodes that it starts are known.
     """
 
     request: EntryRequest
@@ -61,6 +65,8 @@ class EntryResult(NamedTuple):
     variables: tuple[tuple[str, str | None], ...] = ()
     looks: tuple[tuple[str, str], ...] = ()
     outcome: Verdict = LOADS
+    programs: tuple[tuple[str, str, str, str], ...] = ()
+    sight: Sight = NOTHING
 
 
 class EntryChecker:
@@ -78,13 +84,29 @@ class EntryChecker:
         self.launch_rules = tuple(rule for rule in self.rules if rule.view == "launch")
         self.graph_rules = tuple(rule for rule in self.rules if rule.view == "graph")
         self._files: dict[str, FileResult] = {}
+        self._sights: list[Sight] = []
 
     @cached_property
     def library(self) -> Library:
         """What is known of nodes. Raises LibraryError where a library file cannot be used."""
         from launchlint.library.lookup import open_libraries
 
-        return open_libraries(self.options.library, self.options.library_cache)
+        return open_libraries(self.options.library, self.options.library_cache, own=self.own)
+
+    @cached_property
+    def own(self) -> OwnSources | None:
+        """What the sources of the workspaces' packages say of their programs."""
+        options = self.options
+        if not options.extract:
+            return None
+        from launchlint.knowledge.own import OwnSources, moved
+
+        packages = self.packages
+        if options.staged is not None:
+            directory, repository = options.staged
+            there = tuple(moved(os.path.realpath(each), repository, directory) for each in options.workspaces)
+            packages = Packages(there, options.variables, explicit=options.explicit, complete=options.complete)
+        return OwnSources(packages, options.root, options.sources_cache, options.staged)
 
     def holding(self, texts: Mapping[str, bytes]) -> EntryChecker:
         """A checker for which files hold ``texts`` instead; packages, and what was read of other files, are shared with this one."""
@@ -107,6 +129,9 @@ class EntryChecker:
         session = self.session_for(request)
         session.begin_entry()
         noted()
+        self._sights.clear()
+        if self.own is not None:
+            self.own.asked()
         findings: dict[Key, Finding] = {}
         fine: dict[Fine, None] = {}
         visited: dict[str, set[int]] = {}
@@ -139,7 +164,7 @@ class EntryChecker:
                 break
         assert first is not None
         result = self._result(request, first, findings, fine, visited, files, tuple(included), count)
-        result = result._replace(outcome=outcomes[0][1].beside(outcomes[1:]))
+        result = result._replace(outcome=outcomes[0][1].beside(outcomes[1:]), sight=self._sights[0] if self._sights else NOTHING)
         if not self.remember:
             return result
         looks = dict(look for file in files.values() for look in file.looks) | {path: state(path) for path in noted()}
@@ -147,6 +172,7 @@ class EntryChecker:
             dependencies=tuple((name, session.read(name).digest) for name in sorted(session.touched)),
             variables=tuple((name, session.environment.get(name)) for name in sorted(session.variables)),
             looks=tuple(sorted(looks.items())),
+            programs=() if self.own is None else tuple((*key, self.own.digest(key)) for key in sorted(self.own.asked())),
         )
 
     def _crashed(self, request: EntryRequest, error: Exception) -> EntryResult:
@@ -225,7 +251,10 @@ class EntryChecker:
     def _graph_findings(self, evaluation: Evaluation, request: EntryRequest) -> Iterator[Finding | Fine]:
         from launchlint.rules.view import GraphView
 
-        view = GraphView(self.connected(evaluation), self.library, self.packages, request.declared, evaluation.documents)
+        graph = self.connected(evaluation)
+        if not self._sights:  # only the configuration without args, which comes first, counts
+            self._sights.append(_sight(graph))
+        view = GraphView(graph, self.library, self.packages, request.declared, evaluation.documents)
         for rule in self.graph_rules:
             for found in run_rule(rule, view, evaluation.launch.entry.path):
                 yield found if isinstance(found, Fine) else self._at_home(found, evaluation, assumed=False)
@@ -288,6 +317,14 @@ def _keep_plainer(findings: dict[Key, Finding], found: Finding) -> None:
     known = findings.get(found.key)
     if known is None or (-int(found.severity), len(found.chain)) < (-int(known.severity), len(known.chain)):
         findings[found.key] = found
+
+
+def _sight(graph: ConnectionGraph) -> Sight:
+    unknown = [each for each in graph.instances if each.is_unknown]
+    reasons = (
+        (each.program, each.reason.replace(f"the nodelet class {each.program}", "it").replace(each.program, "it"), 1) for each in unknown
+    )
+    return Sight(len(graph.instances), len(graph.instances) - len(unknown), counted(reasons))
 
 
 def _calls(launch: Launch) -> Iterator[tuple[str, tuple[tuple[str, str], ...]]]:

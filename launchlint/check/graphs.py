@@ -45,7 +45,7 @@ class Revision:
         root = self.place(options.root)
         os.makedirs(root, exist_ok=True)
         workspaces = tuple(self.place(workspace) for workspace in options.workspaces)
-        self.checker = EntryChecker(options._replace(root=root, workspaces=workspaces))
+        self.checker = EntryChecker(options._replace(root=root, workspaces=workspaces, staged=None))
 
     def place(self, path: str) -> str:
         """Where a file or directory of the working tree is at the revision; absolute. What lies outside the repository stays."""
@@ -68,11 +68,14 @@ class Revision:
         return text.replace(self._directory, self._repository)
 
     def differs(self, root: str, files: Iterable[str]) -> bool:
-        """Whether an entry file that reads these launch files (as shown) may start something else than at the revision."""
+        """Whether an entry file that reads these launch files (as shown) may start or connect something else than at the revision."""
         if self._changed is None:
             self._changed = changed(self._repository, self._directory)
-        return self._changed.others or not self._changed.launch_files.isdisjoint(
-            os.path.realpath(os.path.join(root, file)) for file in files
+        connects = self._changed.sources and self.checker.options.extract
+        return (
+            connects
+            or self._changed.others
+            or not self._changed.launch_files.isdisjoint(os.path.realpath(os.path.join(root, file)) for file in files)
         )
 
     def request(self, request: EntryRequest) -> EntryRequest | None:

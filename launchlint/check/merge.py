@@ -18,6 +18,7 @@ from launchlint.order import ordered
 from launchlint.rules.registry import RULES, find
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import RunView, SuppressionView
+from launchlint.sight import NOTHING, Sight, together
 from launchlint.verdict import Verdict
 from launchlint.workspace.packages import Packages
 
@@ -32,6 +33,7 @@ class Outcome(NamedTuple):
     entries: int
     crashed: bool
     verdicts: tuple[tuple[str, Verdict], ...] = ()
+    sight: Sight = NOTHING
 
 
 def merge(
@@ -101,7 +103,8 @@ def merge(
     crashes += more
     verdicts = tuple(sorted({result.path: result.outcome for result in entries}.items()))
     looked_at = files.keys() | {result.path for result in results}
-    return Outcome(tuple(ordered([*kept, *crashes])), len(looked_at), len(entries), bool(crashes), verdicts)
+    sight = together(each.sight for each in entries)
+    return Outcome(tuple(ordered([*kept, *crashes])), len(looked_at), len(entries), bool(crashes), verdicts, sight)
 
 
 def without_parts(results: Sequence[EntryResult]) -> list[EntryResult]:

@@ -28,7 +28,9 @@ class Options(NamedTuple):
 
     ``rules`` are the IDs that are on; ``severities`` replace a rule's own; ``complete`` says whether every package is here (None: find
     out); ``variables`` is the environment launch files see; ``library`` are library files over the one that is shipped, and
-    ``library_cache`` a directory for their indices; ``style`` is the normal form.
+    ``library_cache`` a directory for their indices; ``style`` is the normal form. ``extract``: the sources of the workspaces' packages are
+    read, and what is read is kept in ``sources_cache``; ``staged``, if any, is the directory that holds those that git would commit, and
+    the top of the repository that they are of.
     """
 
     rules: frozenset[str]
@@ -42,3 +44,6 @@ class Options(NamedTuple):
     library: tuple[str, ...] = ()
     library_cache: str | None = None
     style: Style = Style()
+    extract: bool = False
+    sources_cache: str | None = None
+    staged: tuple[str, str] | None = None

@@ -21,6 +21,7 @@ NEW_OBJECTS = 100_000
 """Objects made between two looks for circular garbage, which is little; with the 700 of Python the looks take a fifth of all time."""
 
 Progress = Callable[[int], None]
+ReadingProgress = Callable[[int, int], None]
 Checker = TypeVar("Checker", bound=EntryChecker)
 Result = TypeVar("Result")
 
@@ -32,12 +33,14 @@ def check_entries(
     jobs: int = 0,
     cache_directory: str | None = None,
     progress: Progress | None = None,
+    reading: ReadingProgress | None = None,
 ) -> list[EntryResult]:
     """The result of each request, in order: the same for any number of ``jobs`` (0: as many as pay) and with or without a cache.
 
-    ``progress`` is called with the number of entry files done.
+    ``progress`` is called with the number of entry files done, ``reading`` with that of the programs read from source, and of all these.
     """
-    if cache_directory is None or len(requests) < CACHE_PAYS or checker.session.overlay:
+    if cache_directory is None or len(requests) < CACHE_PAYS or checker.session.overlay or checker.options.staged is not None:
+        _read_ahead(requests, checker, jobs, reading)
         return compute(requests, checker, EntryChecker.check, jobs, progress)
     from launchlint.check.cache import Cache
 
@@ -47,12 +50,20 @@ def check_entries(
         known = cache.look_up(requests)
         missing = [request for request, result in zip(requests, known, strict=True) if result is None]
         done = len(requests) - len(missing)
+        _read_ahead(missing, checker, jobs, reading)
         computed = compute(missing, checker, EntryChecker.check, jobs, None if progress is None else lambda count: progress(done + count))
         cache.store(computed)
         fresh = iter(computed)
         return [next(fresh) if result is None else result for result in known]
     finally:
         cache.close()
+
+
+def _read_ahead(requests: Sequence[EntryRequest], checker: EntryChecker, jobs: int, progress: ReadingProgress | None) -> None:
+    if checker.options.extract and checker.graph_rules:
+        from launchlint.check.ahead import read_ahead
+
+        read_ahead(requests, checker, jobs, progress)
 
 
 def compute(
@@ -97,9 +108,13 @@ def _in_pool(
     from concurrent.futures.process import BrokenProcessPool
 
     results: list[Result] = []
-    start = (type(checker), checker.options, checker.session.overlay, checker.remember)
     try:
-        with ProcessPoolExecutor(workers, initializer=_start, initargs=start) as pool:
+        with (
+            _shared_sources(checker) as options,
+            ProcessPoolExecutor(
+                workers, initializer=_start, initargs=(type(checker), options, checker.session.overlay, checker.remember)
+            ) as pool,
+        ):
             try:
                 # Not pool.map: interrupted, it cancels its futures, and the pool's own thread then falls over them with a traceback.
                 for future in [pool.submit(_work, work, batch) for batch in _batches(requests)]:
@@ -112,6 +127,20 @@ def _in_pool(
     except (BrokenProcessPool, OSError):
         return results
     return results
+
+
+@contextmanager
+def _shared_sources(checker: EntryChecker) -> Iterator[Options]:
+    """The options for workers that tell each other what they read of sources: without a cache, through a directory of their own."""
+    options = checker.options
+    if checker.own is None or options.sources_cache is not None:
+        yield options
+        return
+    import tempfile
+
+    with tempfile.TemporaryDirectory(prefix="launchlint-") as directory:
+        checker.own.keep_in(directory)
+        yield options._replace(sources_cache=directory)
 
 
 def _end_workers() -> None:

@@ -18,7 +18,7 @@ from launchlint.check.options import Options
 from launchlint.workspace.packages import DEBIAN_CATKIN, Packages
 from launchlint.workspace.source_lists import is_source_list
 
-FORMAT = 3
+FORMAT = 4
 """Of what the cache keeps; another one makes a new cache."""
 MOST_FILES = 300_000
 """With more files than this there is no cache: to look at all of them would take longer than the check."""
@@ -52,7 +52,7 @@ def digest(options: Options, packages: Packages) -> str | None:
 def _settings(options: Options) -> str:
     settings: list[Any] = [
         FORMAT, __version__, sys.version, sorted(options.rules), options.workspaces, options.explicit, options.root, options.complete,
-        options.default_only, options.style, [options.variables.get(name) for name in VARIABLES],
+        options.default_only, options.style, options.extract, [options.variables.get(name) for name in VARIABLES],
         os.geteuid() if hasattr(os, "geteuid") else None,
     ]  # fmt: skip
     return repr(settings)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from launchlint.check.ahead import read_ahead
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.options import EntryRequest
-from launchlint.check.run import Progress, compute
+from launchlint.check.run import Progress, ReadingProgress, compute
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.finding import Finding, Key
 from launchlint.graph.connections import ConnectionGraph
@@ -63,9 +64,15 @@ class Surveyor(EntryChecker):
 
 
 def survey_entries(
-    requests: Sequence[EntryRequest], surveyor: Surveyor, *, jobs: int = 0, progress: Progress | None = None
+    requests: Sequence[EntryRequest],
+    surveyor: Surveyor,
+    *,
+    jobs: int = 0,
+    progress: Progress | None = None,
+    reading: ReadingProgress | None = None,
 ) -> list[Surveyed]:
-    """Each entry file surveyed, in order: the same for any number of ``jobs`` (0: as many as pay)."""
+    """Each entry file surveyed, in order, as :func:`launchlint.check.run.check_entries` does: the same for any number of ``jobs``."""
+    read_ahead(requests, surveyor, jobs, reading)
     return compute(requests, surveyor, Surveyor.survey, jobs, progress)
 
 

@@ -18,6 +18,7 @@ PLAIN_FLAGS = {
     "-v": "verbose",
     "--verbose": "verbose",
     "--no-cache": "no_cache",
+    "--no-extract": "no_extract",
     "--exit-zero": "exit_zero",
     "--statistics": "statistics",
     "--staged": "staged",
@@ -75,7 +76,7 @@ def _command(words: list[str]) -> int:
             staged="staged" in flags,
             changed="changed" in flags,
         )
-        return run_check(EntryOptions(paths), options)
+        return run_check(EntryOptions(paths, extract="no_extract" not in flags), options)
     if words and words[0] == "format":  # on every save
         from launchlint.cli.formatting import plain_options, run_format
 

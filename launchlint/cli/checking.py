@@ -14,7 +14,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.baseline import Baseline
     from launchlint.check.merge import Outcome
-    from launchlint.finding import Finding
+    from launchlint.check.options import Options
+    from launchlint.finding import Finding, Severity
 
 
 class CheckOptions(NamedTuple):
@@ -44,11 +45,8 @@ class CheckOptions(NamedTuple):
 
 def run_check(entry: EntryOptions, given: CheckOptions) -> int:
     """Check the entry files and report. Returns the exit status; raises LaunchlintError."""
-    from launchlint.check.entry import EntryChecker
-    from launchlint.check.merge import merge
-    from launchlint.check.run import check_entries, default_directory
-    from launchlint.cli.output import Request, check_outputs, entry_lines, report
-    from launchlint.cli.selection import per_file_ignores
+    from launchlint.check.run import default_directory
+    from launchlint.cli.output import check_outputs
 
     # Whatever is wrong with the options is told before any work is done.
     threshold = parse_severity(given.fail_on, "--fail-on")
@@ -58,6 +56,28 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
     changed = _changed(entry, given)
     directory = None if given.no_cache else default_directory()
     options = entry.options(select=given.select, ignore=given.ignore, severity=given.severity, cache=directory)
+    if not given.staged or not options.extract:
+        return _check(entry, given, options, directory, threshold, changed)
+    from launchlint.check.staged import with_staged_sources
+
+    with with_staged_sources(options) as options:
+        return _check(entry, given, options, directory, threshold, changed)
+
+
+def _check(
+    entry: EntryOptions,
+    given: CheckOptions,
+    options: Options,
+    directory: str | None,
+    threshold: Severity,
+    changed: frozenset[str] | None,
+) -> int:
+    from launchlint.check.entry import EntryChecker
+    from launchlint.check.merge import merge
+    from launchlint.check.run import check_entries
+    from launchlint.cli.output import Request, entry_lines, report
+    from launchlint.cli.selection import per_file_ignores
+
     per_file = per_file_ignores(entry.configuration, options.root)
     known = None
     baseline = given.baseline
@@ -72,20 +92,32 @@ def run_check(entry: EntryOptions, given: CheckOptions) -> int:
     if options.library:
         _ = checker.library  # an unusable one is told before any work is done
     requests, notices = leave_others_out(entry, requests, checker.session)
-    bar = None
+    bar = reading = None
+    if options.extract and not given.quiet and sys.stderr.isatty():
+        from launchlint.cli.progress import LateBar
+
+        reading = LateBar("programs read")
     if not given.quiet and len(requests) > 1 and sys.stderr.isatty():
         from launchlint.cli.progress import ProgressBar
 
         bar = ProgressBar(len(requests))
     try:
-        results = check_entries(requests, checker, jobs=given.jobs, cache_directory=directory, progress=None if bar is None else bar.show)
+        results = check_entries(
+            requests,
+            checker,
+            jobs=given.jobs,
+            cache_directory=directory,
+            progress=None if bar is None else bar.show,
+            reading=None if reading is None else reading.show,
+        )
         if given.base is not None:
             from launchlint.check.losses import with_losses
 
             results = with_losses(results, checker, given.base)
     finally:
-        if bar is not None:
-            bar.clear()
+        for each in (bar, reading):
+            if each is not None:
+                each.clear()
     if not given.quiet:
         for notice in notices:
             tell(notice)

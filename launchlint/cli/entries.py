@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 
 class EntryOptions:
-    """What ``PATHS``, ``--stdin-filename``, ``--arg``, ``--entries``, ``--workspace``, ``--library`` and ``--config`` say.
+    """What ``PATHS``, ``--stdin-filename``, ``--arg``, ``--entries``, ``--workspace``, ``--library``, ``--no-extract`` and ``--config``
+    say.
 
     Raises UsageError where they clash.
     """
@@ -35,6 +36,7 @@ class EntryOptions:
         config: str | None = None,
         stdin_filename: str | None = None,
         library: tuple[str, ...] = (),
+        extract: bool = True,
     ) -> None:
         if "-" in paths and len(paths) > 1:
             raise UsageError("- stands for standard input and cannot be mixed with other paths; check them in two calls")
@@ -48,6 +50,7 @@ class EntryOptions:
         self.entries = entries
         self.workspace = workspace
         self.library = library
+        self.extract = extract
         self.staged = False
         self._config = config
         self.configuration = read_configuration(config, (self.standard_input,) if self.standard_input else self.paths)
@@ -165,6 +168,8 @@ class EntryOptions:
             library=tuple(os.path.abspath(file) for file in (*configuration.library, *self.library)),
             library_cache=cache,
             style=style_of(configuration),
+            extract=self.extract and configuration.extract,
+            sources_cache=None if cache is None else os.path.join(cache, "sources"),
         )
 
 

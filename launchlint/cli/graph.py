@@ -84,9 +84,11 @@ def show(entry: EntryOptions, format_: str, every_configuration: bool, dangling:
     What nodes do is known from libraries: the one that launchlint ships, those of --library and those of the configuration. `launchlint
     graph diff --help` tells how to compare two revisions or two files.
     """
+    from launchlint.check.ahead import read_ahead
     from launchlint.check.entry import EntryChecker
     from launchlint.check.graphs import topology_of
     from launchlint.check.run import default_directory
+    from launchlint.cli.progress import LateBar
 
     requests, overlay = entry.requests()
     checker = EntryChecker(entry.options(everything=True, cache=default_directory()), overlay)
@@ -97,6 +99,8 @@ def show(entry: EntryOptions, format_: str, every_configuration: bool, dangling:
         raise UsageError("there is no launch file to show; give one")
     if format_ == "graphml" and len(requests) > 1:
         raise UsageError(f"--format graphml makes one document, and here are {len(requests)} launch files; give one")
+    reading = LateBar("programs read") if sys.stderr.isatty() else None
+    read_ahead(requests, checker, 0, None if reading is None else reading.show)
     _print(
         [topology_of(checker, request, every_configuration=every_configuration) for request in requests],
         selection(format_, **narrowed),

@@ -26,9 +26,10 @@ def entry_options(function: F) -> F:
         config: str | None,
         stdin_filename: str | None,
         library: tuple[str, ...],
+        no_extract: bool,
         **others: Any,
     ) -> Any:
-        return function(entry=EntryOptions(paths, args, entries, workspace, config, stdin_filename, library), **others)
+        return function(entry=EntryOptions(paths, args, entries, workspace, config, stdin_filename, library, not no_extract), **others)
 
     call.__doc__ = function.__doc__
     call.__name__ = function.__name__
@@ -39,6 +40,7 @@ def entry_options(function: F) -> F:
         click.option(
             "--library", multiple=True, type=FILE, metavar="FILE", help="What nodes do, over what launchlint knows itself; repeatable."
         ),
+        click.option("--no-extract", is_flag=True, help="Do not read the sources of the workspaces' own nodes."),
         click.option(
             "--workspace",
             multiple=True,

@@ -16,6 +16,7 @@ from launchlint.errors import UsageError
 from launchlint.finding import Severity
 from launchlint.report.formats import emit, parse, write
 from launchlint.report.run import RuleMetadata, Run, files_below
+from launchlint.sight import NOTHING
 from launchlint.workspace.packages import Packages
 
 TYPE_CHECKING = False
@@ -77,6 +78,7 @@ def report(outcome: Outcome, request: Request, notices: tuple[str, ...] = (), st
         successful=not outcome.crashed,
         read=files_below(request.root),
         verdicts=outcome.verdicts if request.verdicts else (),
+        sight=outcome.sight if request.verdicts else NOTHING,
     )
     for format_ in sorted(request.formats, key=lambda each: parse(each).file is None):
         if not (request.quiet and parse(format_).file is None):

@@ -9,6 +9,29 @@ DELAY = 1.0
 """Seconds before anything is shown."""
 
 
+class LateBar:
+    """A bar for work of which it turns out only later how much there is."""
+
+    __slots__ = ("_bar", "_what")
+
+    def __init__(self, what: str) -> None:
+        self._bar: ProgressBar | None = None
+        self._what = what
+
+    def show(self, done: int, total: int) -> None:
+        """``done`` of ``total`` are done; the bar goes when all are."""
+        if self._bar is None:
+            self._bar = ProgressBar(total, self._what)
+        self._bar.show(done)
+        if done == total:
+            self.clear()
+
+    def clear(self) -> None:
+        """Take the line away again."""
+        if self._bar is not None:
+            self._bar.clear()
+
+
 class ProgressBar:
     """A line on standard error that is written over and over."""
 

@@ -88,16 +88,27 @@ def run_report(entry: EntryOptions, given: ReportOptions) -> int:
 
 
 def _survey(requests: Sequence[EntryRequest], surveyor: Surveyor, given: ReportOptions) -> list[Surveyed]:
-    bar = None
+    bar = reading = None
+    if surveyor.options.extract and not given.quiet and sys.stderr.isatty():
+        from launchlint.cli.progress import LateBar
+
+        reading = LateBar("programs read")
     if not given.quiet and len(requests) > 1 and sys.stderr.isatty():
         from launchlint.cli.progress import ProgressBar
 
         bar = ProgressBar(len(requests))
     try:
-        return survey_entries(requests, surveyor, jobs=given.jobs, progress=None if bar is None else bar.show)
+        return survey_entries(
+            requests,
+            surveyor,
+            jobs=given.jobs,
+            progress=None if bar is None else bar.show,
+            reading=None if reading is None else reading.show,
+        )
     finally:
-        if bar is not None:
-            bar.clear()
+        for each in (bar, reading):
+            if each is not None:
+                each.clear()
 
 
 def _entries(outcome: Outcome, separate: Sequence[Finding], pairs: Sequence[tuple[Surveyed, Any]]) -> list[EntryMaterial]:
@@ -160,7 +171,7 @@ def _write(material: Material, given: ReportOptions) -> None:
 def _run(outcome: Outcome) -> Any:
     from launchlint.report.run import Run
 
-    return Run(__version__, files_checked=outcome.files, verbose=True, verdicts=outcome.verdicts)
+    return Run(__version__, files_checked=outcome.files, verbose=True, verdicts=outcome.verdicts, sight=outcome.sight)
 
 
 def _status(outcome: Outcome, threshold: Severity | None) -> int:

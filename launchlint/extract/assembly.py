@@ -76,9 +76,13 @@ class Parts:
 
 
 class Workspace:
-    """The packages in the given directories, with what each of them builds."""
+    """The packages in the given directories, with what each of them builds.
 
-    def __init__(self, packages: Iterable[Package]) -> None:
+    ``limits``: no source outside of these directories is read; by default none outside of the root of the program that is put together.
+    """
+
+    def __init__(self, packages: Iterable[Package], limits: Iterable[str] = ()) -> None:
+        self._limits = tuple(os.path.realpath(each).rstrip(os.sep) + os.sep for each in limits)
         self.packages = {package.name: package for package in packages if not package.broken}
         self._parts: dict[str, tuple[Parts, frozenset[str]]] = {}
         self._exported: dict[str, tuple[Exported, frozenset[str]]] = {}
@@ -153,6 +157,10 @@ class Workspace:
         manifest = self.packages[name].manifest
         return tuple(each for each in manifest.depends() if each not in self.packages) if manifest is not None else ()
 
+    def may_read(self, path: str, root: str) -> bool:
+        """Whether a source of a program of ``root`` may be read at all."""
+        return os.path.realpath(path).startswith(self._limits or os.path.realpath(root).rstrip(os.sep) + os.sep)
+
     def assemble(self, name: str, target: Target, root: str) -> Assembled:
         """The files of a target of the package ``name``; none of them lies outside ``root``."""
         return _Assembly(self, name, root).of(target)
@@ -164,7 +172,7 @@ class _Assembly:
     def __init__(self, workspace: Workspace, name: str, root: str) -> None:
         self.workspace = workspace
         self.name = name
-        self.root = os.path.realpath(root) + os.sep
+        self.root = root
         self.sources: dict[str, None] = {}
         self.doubts: dict[str, None] = {}
         self.includes = dict.fromkeys(workspace.includes(name))
@@ -205,7 +213,7 @@ class _Assembly:
                     pending.append(inner)
 
     def _add_source(self, path: str) -> None:
-        if path not in self.sources and len(self.sources) < MOST_SOURCES and os.path.realpath(path).startswith(self.root):
+        if path not in self.sources and len(self.sources) < MOST_SOURCES and self.workspace.may_read(path, self.root):
             self.sources[path] = None
             self._pending.append(path)
 

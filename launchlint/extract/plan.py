@@ -182,7 +182,7 @@ class PackageReader:
                 yield name, program.path
 
     def _script(self, name: str, path: str) -> bool:
-        if not os.path.realpath(path).startswith(os.path.realpath(self.origin.root) + os.sep) or not os.path.isfile(path):
+        if not self.workspace.may_read(path, self.origin.root) or not os.path.isfile(path):
             return False
         begin = _begin(path)
         if not (_PYTHON.match(begin) or (path.endswith(".py") and not begin.startswith(b"#!"))):

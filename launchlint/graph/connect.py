@@ -88,7 +88,7 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
         looked_up.update(start.looked_up)
         shown.extend(frames(process.program, start, namer, certain=certain))
     elif not unknown:
-        reason = f"no library knows {program}"
+        reason = library.why_unknown("executables", node.executable, node.package) or f"no library knows {program}"
     if (node.package, node.executable) == NODELET and not unknown:
         if process.mode == "manager":
             kind = "manager"
@@ -100,7 +100,7 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
                 namer = NodeletNamer(namer, None if manager is None else manager.namer)
             known = library.nodelet(program)
             if known is None:
-                reason = f"no library knows the nodelet class {program}"
+                reason = library.why_unknown("nodelets", program) or f"no library knows the nodelet class {program}"
             else:
                 skip = 3 if process.mode == "load" else 2
                 start = _start(process, namer, parameters, known, skip)

@@ -73,8 +73,8 @@ def _places(library: Library, name: str) -> list[tuple[str, str, str]]:
     if not slash:
         tables = {"executables": library.executables(name), "nodelets": library.nodelets(name)}
         return [(name, table, each) for table in KINDS for each in tables[table]]
-    found = [(package, "executables", executable)] if executable in library.executables(package) else []
-    return found + [(owner, "nodelets", name) for owner in library.packages_of_class(name)]
+    found = [(package, "executables", executable), *((owner, "nodelets", name) for owner in library.packages_of_class(name))]
+    return [each for each in found if library.knows(*each)]
 
 
 def _hint(library: Library, name: str) -> str:

@@ -1,7 +1,8 @@
 """All libraries of a run as one: what is known of an executable or a nodelet class.
 
 What a person wrote comes before what was seen in a run, that before what was read from source (:mod:`.merge`); of equals the user's
-libraries, the last one first, come before the one that launchlint ships. Only what is asked for is read.
+libraries, the last one first, come before the one that launchlint ships. Only what is asked for is read. What the checked packages' own
+sources say is asked for where nobody described or ran the program (:mod:`.precedence`).
 """
 
 from __future__ import annotations
@@ -13,9 +14,33 @@ from launchlint.library.shipped import Bundled
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from typing import Any, Protocol
 
     from launchlint.library.file import LibraryFile
+
+    Key = tuple[str, str, str]
+
+    class Own(Protocol):
+        """What the sources of the checked packages say of their programs; read when it is asked for."""
+
+        def has(self, package: str) -> bool:
+            """Whether a package is one of them."""
+
+        def program(self, package: str, table: str, name: str) -> Mapping[str, Any] | None:
+            """What they say of a program, as JSON; None where they say nothing."""
+
+        def reason(self, package: str, table: str, name: str) -> str:
+            """Why they say nothing; empty where the program is of no package that is here."""
+
+        def packages_of_class(self, name: str, *, everywhere: bool) -> list[str]:
+            """The packages that export a nodelet class: the one that it is named after, or any."""
+
+        def asked(self) -> frozenset[Key]:
+            """The programs that were asked for since this was called last."""
+
+        def note(self, keys: Iterable[Key]) -> None:
+            """Note that programs were asked for again."""
+
 
 LONGEST_LIKE = 5
 """Steps from one program to another that it is said to be like."""
@@ -24,10 +49,12 @@ LONGEST_LIKE = 5
 class Library:
     """What the nodes of a run are known to do."""
 
-    def __init__(self, files: Sequence[LibraryFile] = (), *, bundled: bool = True) -> None:
+    def __init__(self, files: Sequence[LibraryFile] = (), *, bundled: bool = True, own: Own | None = None) -> None:
         self._files = tuple(files)
         self._bundled = Bundled() if bundled else None
-        self._programs: dict[tuple[str, str, str], Program | None] = {}
+        self._own = own
+        self._programs: dict[Key, Program | None] = {}
+        self._hangs_on: dict[Key, frozenset[Key]] = {}
 
     @property
     def digests(self) -> tuple[str, ...]:
@@ -82,25 +109,37 @@ class Library:
         """The packages that have a nodelet class, those of the most trusted library first."""
         found = [package for file in reversed(self._files) if (package := file.package_of_class(name)) is not None]
         bundled = None if self._bundled is None else self._bundled.package_of_class(name)
-        return list(dict.fromkeys([*found, *([] if bundled is None else [bundled])]))
+        own = [] if self._own is None else self._own.packages_of_class(name, everywhere=not found and bundled is None)
+        return list(dict.fromkeys([*found, *own, *([] if bundled is None else [bundled])]))
 
     def described(self, package: str, table: str, name: str) -> tuple[Mapping[str, Any], Mapping[str, Any] | None]:
         """All that is said of a program that is known, as JSON, and its interface: that of another one where it is ``like`` it."""
         from launchlint.library.merge import merge_programs
 
         known = [each[table][name] for each in self._sources(package) if name in each.get(table, ())]
+        if self._own is not None:
+            known = [*self._said(package, table, name), *(each for each in known if _usable(each) is None)]
         return merge_programs(known), self._data(package, table, name, LONGEST_LIKE)
+
+    def knows(self, package: str, table: str, name: str) -> bool:
+        """Whether anything is said of a program at all."""
+        return name in self._listed(package, table) or self._program(package, table, name) is not None
 
     def _program(self, package: str, table: str, name: str) -> Program | None:
         key = (package, table, name)
         if key not in self._programs:
+            before = frozenset() if self._own is None else self._own.asked()
             data = self._data(package, table, name, LONGEST_LIKE)
             self._programs[key] = None if data is None else program(package, name, data)
+            if self._own is not None:
+                self._hangs_on[key] = self._own.asked()
+                self._own.note(before)
+        if self._own is not None:
+            self._own.note(self._hangs_on[key])
         return self._programs[key]
 
     def _data(self, package: str, table: str, name: str, steps: int) -> Mapping[str, Any] | None:
-        known = [data for each in self._sources(package) if (data := each.get(table, {}).get(name)) is not None]
-        found = _joined([_usable(data) for data in known])
+        found = _joined(self._said(package, table, name))
         if found is None or "like" not in found:
             return found
         if not steps:
@@ -111,37 +150,73 @@ class Library:
             return next((data for each in packages if (data := self._data(each, table, found["like"], steps - 1)) is not None), None)
         return self._data(other if slash else package, table, inner if slash else found["like"], steps - 1)
 
+    def _said(self, package: str, table: str, name: str) -> list[Mapping[str, Any]]:
+        """What is said of a program, the most trusted first."""
+        given, shipped = (_about(sources, table, name) for sources in (self._given(package), self._shipped(package)))
+        if self._own is None or not self._own.has(package):
+            return [*given, *shipped]
+        from launchlint.library.precedence import heard, suffices
+
+        own = None if suffices(given, shipped) else self._own.program(package, table, name)
+        return [*given, *shipped] if own is None else heard(given, own, shipped)
+
+    def wants_sources(self, package: str, table: str, name: str) -> bool:
+        """Whether the sources of a program are what is known best of it, if it is one of the checked packages."""
+        if self._own is None or not self._own.has(package):
+            return False
+        from launchlint.library.precedence import suffices
+
+        return not suffices(_about(self._given(package), table, name), _about(self._shipped(package), table, name))
+
+    def why_unknown(self, table: str, name: str, package: str = "") -> str:
+        """Why the sources of a program say nothing of it; empty where it is not of the checked packages."""
+        if self._own is None:
+            return ""
+        reasons = [self._own.reason(each, table, name) for each in ([package] if package else self.packages_of_class(name))]
+        return next((each for each in reasons if each), "")
+
     def _sources(self, package: str) -> Iterable[Mapping[str, Any]]:
         """What each library says of a package, the most trusted first."""
+        yield from self._given(package)
+        yield from self._shipped(package)
+
+    def _given(self, package: str) -> Iterable[Mapping[str, Any]]:
         for file in reversed(self._files):
             known = file.package(package)
             if known is not None:
                 yield known
-        if self._bundled is not None:
-            known = self._bundled.package(package)
-            if known is not None:
-                yield known
+
+    def _shipped(self, package: str) -> Iterable[Mapping[str, Any]]:
+        known = None if self._bundled is None else self._bundled.package(package)
+        if known is not None:
+            yield known
 
     def _listed(self, package: str, table: str) -> tuple[str, ...]:
         return tuple(sorted({name for each in self._sources(package) for name in each.get(table, ())}))
 
 
-def _usable(data: Mapping[str, Any]) -> Mapping[str, Any] | None:
+def _about(sources: Iterable[Mapping[str, Any]], table: str, name: str) -> list[Mapping[str, Any]]:
+    """What sources say of a program; nothing that says nothing of what it does."""
+    return [data for each in sources if (data := _usable(each.get(table, {}).get(name))) is not None]
+
+
+def _usable(data: Mapping[str, Any] | None) -> Mapping[str, Any] | None:
     """A program that says something of its interface; one that could not be run says nothing, one that is no node that it has none."""
+    if data is None:
+        return None
     says = "variants" in data or "like" in data or data.get("class") == "none"
     return None if data.get("status") == "failed" or not says else data
 
 
-def _joined(known: Sequence[Mapping[str, Any] | None]) -> Mapping[str, Any] | None:
-    usable = [data for data in known if data is not None]
-    if len(usable) < 2:
-        return usable[0] if usable else None
+def _joined(known: Sequence[Mapping[str, Any]]) -> Mapping[str, Any] | None:
+    if len(known) < 2:
+        return known[0] if known else None
     from launchlint.library.merge import merge_programs
 
-    return merge_programs(usable)
+    return merge_programs(known)
 
 
-def open_libraries(paths: Iterable[str], cache_directory: str | None = None, *, bundled: bool = True) -> Library:
+def open_libraries(paths: Iterable[str], cache_directory: str | None = None, *, bundled: bool = True, own: Own | None = None) -> Library:
     """The libraries at ``paths``, over the one that launchlint ships unless ``bundled`` is false.
 
     Raises:
@@ -149,7 +224,7 @@ def open_libraries(paths: Iterable[str], cache_directory: str | None = None, *, 
     """
     files = list(paths)
     if not files:  # the usual case goes without the reader of files: to import it takes longer than to check a launch file
-        return Library(bundled=bundled)
+        return Library(bundled=bundled, own=own)
     from launchlint.library.file import open_library
 
-    return Library([open_library(path, cache_directory) for path in files], bundled=bundled)
+    return Library([open_library(path, cache_directory) for path in files], bundled=bundled, own=own)

@@ -18,8 +18,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-_MANUAL = 3
-_TRUST = {"manual": _MANUAL, "dynamic": 2, "static": 1}
+MANUAL, DYNAMIC, STATIC = 3, 2, 1
+TRUST = {"manual": MANUAL, "dynamic": DYNAMIC, "static": STATIC}
 MOST_ALIKE = 100
 """Entries of one name that are compared with another source's."""
 _WHETHER = ("condition", "each", "when")
@@ -114,11 +114,11 @@ def _says(known: Mapping[str, Any], key: str) -> bool:
 
 def _trust_of_variant(variant: Mapping[str, Any]) -> int:
     """That of its best entry; one without entries is a person's word. Frames say nothing of who knows its names."""
-    return max((_trust(entry) for category in CATEGORIES for entry in variant.get(category, ())), default=_MANUAL)
+    return max((_trust(entry) for category in CATEGORIES for entry in variant.get(category, ())), default=MANUAL)
 
 
 def _trust(entry: Mapping[str, Any]) -> int:
-    return max((_TRUST[evidence["by"]] for evidence in entry.get("evidence", ())), default=_MANUAL)
+    return max((TRUST[evidence["by"]] for evidence in entry.get("evidence", ())), default=MANUAL)
 
 
 def _variants(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -165,7 +165,7 @@ def _entry(group: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     ranked = sorted(group, key=lambda entry: -_trust(entry))
     best = ranked[0]
     entry = _first(ranked, sorted({key for each in ranked for key in each} - {"evidence", "md5"}))
-    if _trust(best) == _MANUAL:
+    if _trust(best) == MANUAL:
         entry = {key: value for key, value in entry.items() if key not in _WHETHER or key in best}
     else:
         entry["name"] = next((each["name"] for each in ranked if is_template(each["name"])), best["name"])

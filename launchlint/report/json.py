@@ -13,14 +13,18 @@ from launchlint.report.run import Run
 
 
 def render(findings: Sequence[Finding], run: Run) -> str:
-    """``{"version": 1, "findings": […], "verdicts": […]}``, each in a line; all severities, whatever ``run.verbose`` says.
+    """``{"version": 1, "findings": […], "verdicts": […], "sight": {…}}``, each in a line; all severities, whatever ``run.verbose`` says.
 
     ``verdicts`` has ``file``, ``word`` (``loads``, ``refused`` or ``cannot be told``), ``rule``, ``reason``, ``missing`` and ``elsewhere``
-    (the other configurations that roslaunch refuses) for each entry file; it is left out where only some rules were asked for.
+    (the other configurations that roslaunch refuses) for each entry file. ``sight`` says how many ``nodes`` there are
+    without args, how many of them are ``known``, and of the ``unknown`` ones the ``program``, the ``reason`` and how many ``nodes`` run it.
+    Both are left out where only some rules were asked for, ``sight`` also where no node is started.
     """
     parts = ['"version": 1', f'"findings": [{_lines(objects(findings))}]']
     if run.verdicts:
         parts.append(f'"verdicts": [{_lines([{"file": file, **verdict.as_object()} for file, verdict in run.verdicts])}]')
+    if run.sight.nodes:
+        parts.append(f'"sight": {dump(run.sight.as_object())}')
     return f"{{{', '.join(parts)}}}\n"
 
 

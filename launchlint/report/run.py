@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.finding import Severity
+from launchlint.sight import NOTHING, Sight
 from launchlint.verdict import Verdict
 
 _LARGEST = 100_000_000
@@ -51,7 +52,7 @@ class Run(NamedTuple):
     start from. ``home``: the address of launchlint's own page, if any. ``notices``: things told about the run as a whole. ``successful``:
     false where a rule crashed. ``read``: the bytes of a file, by the path findings have, or ``None``; only SARIF asks for them (GitHub's
     fingerprint is made from the text around the line), :func:`files_below` is the usual one. ``verdicts``: what roslaunch makes of each
-    entry file; none where only some rules were asked for.
+    entry file; none where only some rules were asked for. ``sight``: of how many nodes it is known what they do.
     """
 
     version: str
@@ -68,6 +69,7 @@ class Run(NamedTuple):
     successful: bool = True
     read: Callable[[str], bytes | None] = nothing
     verdicts: Sequence[tuple[str, Verdict]] = ()
+    sight: Sight = NOTHING
 
 
 def files_below(root: str) -> Callable[[str], bytes | None]:

@@ -9,6 +9,7 @@ from launchlint.order import ordered
 from launchlint.report.escape import line_start, shell_word, visible
 from launchlint.report.run import Run
 from launchlint.report.snippet import snippet
+from launchlint.sight import Sight
 
 _RESET = "\x1b[0m"
 _BOLD = "\x1b[1m"
@@ -18,12 +19,15 @@ _COLORS = {Severity.ERROR: "\x1b[1;31m", Severity.WARNING: "\x1b[1;33m", Severit
 _NUMBER = 5
 _LONGEST_CHAIN = 8
 _MOST_RELATED = 5
+_MOST_UNSEEN = 100
 
 
 def render(findings: Sequence[Finding], run: Run) -> str:
-    """All findings in full, and a last line that sums up; infos only where ``run.verbose``."""
+    """All findings in full, and a last line that sums up; infos, and why nodes are not known, only where ``run.verbose``."""
     shown = [finding for finding in ordered(findings) if run.verbose or finding.severity > Severity.INFO]
     blocks = ["\n".join(_block(finding, run)) + "\n" for finding in shown]
+    if run.verbose and run.sight.unseen:
+        blocks.append("\n".join(_unseen(run.sight)) + "\n")
     return "\n".join([*blocks, summary(findings, run) + "\n"])
 
 
@@ -39,7 +43,17 @@ def summary(findings: Sequence[Finding], run: Run) -> str:
         if run.verbose or not count[Severity.INFO]
         else f" ({_plural(count[Severity.INFO], 'info')} hidden, -v shows {'it' if count[Severity.INFO] == 1 else 'them'})"
     )
-    return f"{parts or 'no problems'} in {_plural(run.files_checked, 'launch file')}{hidden}{_loading(run)}"
+    sight = f"; {run.sight.brief}" if run.sight.known < run.sight.nodes or (run.verbose and run.sight.nodes) else ""
+    return f"{parts or 'no problems'} in {_plural(run.files_checked, 'launch file')}{hidden}{_loading(run)}{sight}"
+
+
+def _unseen(sight: Sight) -> Iterator[str]:
+    """Why it is not known what some nodes do."""
+    yield "it is not known what these do:"
+    for program, reason, nodes in sight.unseen[:_MOST_UNSEEN]:
+        yield f"  {visible(program)} ({_plural(nodes, 'node')}): {visible(reason)}"
+    if len(sight.unseen) > _MOST_UNSEEN:
+        yield f"  and {_plural(len(sight.unseen) - _MOST_UNSEEN, 'more program')}"
 
 
 def _loading(run: Run) -> str:

@@ -49,6 +49,7 @@ class Configuration(NamedTuple):
         args: name of a profile → arguments that every entry is evaluated with, once per profile.
         env: environment variables that launch files see, over those of the process.
         packages: ``complete`` where every package the robot has can be seen here, ``partial`` where not; ``None``: found by itself.
+        extract: whether the sources of the workspaces' own nodes are read.
         line_width: characters of a line that the formatter fills with a start tag, before each attribute gets a line of its own.
         indent: blanks per level that the formatter writes.
         sort_attributes: whether the formatter puts attributes in canonical order.
@@ -71,6 +72,7 @@ class Configuration(NamedTuple):
     args: Mapping[str, Mapping[str, str]] = _EMPTY
     env: Mapping[str, str] = _EMPTY
     packages: str | None = None
+    extract: bool = True
     line_width: int = 120
     indent: int = 2
     sort_attributes: bool = True
@@ -234,6 +236,9 @@ class _Reader:
     def packages(self, node: Node) -> dict[str, Any]:
         return {"packages": self._one_of(node, COMPLETENESS, "packages")}
 
+    def extract(self, node: Node) -> dict[str, Any]:
+        return {"extract": self._one_of(node, ("true", "false"), "extract") == "true"}
+
     def format(self, node: Node) -> dict[str, Any]:
         found: dict[str, Any] = {}
         for key, key_node, value in self.document.pairs(node, "format"):
@@ -268,6 +273,7 @@ _READERS = {
     "args": _Reader.args,
     "env": _Reader.env,
     "packages": _Reader.packages,
+    "extract": _Reader.extract,
     "format": _Reader.format,
 }
 

@@ -48,6 +48,20 @@ def contents(repository: str, names: Sequence[str]) -> Iterator[bytes]:
             process.wait()
 
 
+def sizes(repository: str, names: Sequence[str]) -> list[int]:
+    """The sizes of objects, in order; 0 for one that is not here."""
+    if not names:
+        return []
+    with tempfile.TemporaryFile() as wanted:
+        wanted.write("".join(f"{name}\n" for name in names).encode("ascii"))
+        wanted.seek(0)
+        output, _ = _start(repository, ["cat-file", "--batch-check=%(objectsize)"], wanted).communicate()
+    lines = output.splitlines()
+    if len(lines) != len(names):
+        raise UsageError(f"git cannot tell the sizes of {len(names)} objects of {repository}")
+    return [int(line) if line.isdigit() else 0 for line in lines]
+
+
 def reason(errors: bytes) -> str:
     """What git says, in one line."""
     return " ".join(errors.decode("utf-8", "replace").removeprefix("fatal: ").split())[:LONGEST_ERROR]

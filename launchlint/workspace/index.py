@@ -13,7 +13,9 @@ from typing import NamedTuple
 from launchlint.errors import UsageError
 from launchlint.workspace.discovery import is_launch_content, may_be_launch_file
 from launchlint.workspace.git import FILE_MODES, contents, git, reason
+from launchlint.workspace.listing import may_be_source
 from launchlint.workspace.patterns import matches_any
+from launchlint.workspace.revision import index_of
 
 _LARGEST_FILE = 64 << 20
 _STAGES = ("0", "2", "3")
@@ -42,7 +44,7 @@ def staged(repository: str, paths: Sequence[str], exclude: Sequence[str] = (), b
     root = os.path.realpath(repository)
     if not os.path.exists(os.path.join(root, ".git")):
         raise UsageError(f"{repository} is not in a git repository: nothing is staged there")
-    listed = git(root, ["ls-files", "--cached", "--stage", "-z"], _index_of(root))
+    listed = git(root, ["ls-files", "--cached", "--stage", "-z"], index_of(root))
     if listed.returncode:
         raise UsageError(f"git cannot list the files that are staged in {repository}: {reason(listed.stderr)}")
     wanted = [os.path.realpath(path) for path in paths]
@@ -72,15 +74,21 @@ def staged(repository: str, paths: Sequence[str], exclude: Sequence[str] = (), b
     return Staged(tuple(sorted(files)), other)
 
 
-def _index_of(root: str) -> dict[str, str]:
-    """The index that is being committed: ``git commit FILE`` makes one of its own and tells its hooks, where it is of this repository."""
-    told = os.environ.get("GIT_INDEX_FILE", "")
-    if not told:
-        return {}
-    found = git(root, ["rev-parse", "--absolute-git-dir"])
-    directory = os.path.realpath(os.fsdecode(found.stdout.rstrip(b"\n")))
-    index = os.path.realpath(os.path.join(root, told))
-    return {"GIT_INDEX_FILE": index} if not found.returncode and os.path.dirname(index) == directory else {}
+def has_other_sources(repository: str) -> bool:
+    """Whether what nodes are read from is another in the working tree than git would commit: changed there, gone, or not known to git.
+
+    Raises:
+        UsageError: git fails.
+    """
+    root = os.path.realpath(repository)
+    index = index_of(root)
+    for words in (["diff-files", "--name-only", "-z"], ["ls-files", "--others", "--exclude-standard", "-z"]):
+        listed = git(root, words, index)
+        if listed.returncode:
+            raise UsageError(f"git cannot compare {repository} with what is staged: {reason(listed.stderr)}")
+        if any(may_be_source(os.fsdecode(name)) for name in listed.stdout.split(b"\0") if name):
+            return True
+    return False
 
 
 def _entries(listing: bytes) -> Iterator[tuple[str, str]]:

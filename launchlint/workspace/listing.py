@@ -5,6 +5,14 @@ from __future__ import annotations
 import os
 
 MOST_FILES = 20_000
+SOURCE_ENDS = frozenset(".c .c++ .cc .cmake .cpp .cu .cxx .h .h++ .hh .hpp .hxx .in .ipp .py .txt".split())
+"""Ends of the names of files that what nodes do is read from."""
+_MORE_ENDS = frozenset(("", ".cfg", ".xml"))
+
+
+def may_be_source(path: str) -> bool:
+    """Whether what a node does, or what a package builds, may be read from a file of this name."""
+    return os.path.splitext(path)[1].lower() in SOURCE_ENDS | _MORE_ENDS
 
 
 def files_of(directory: str) -> tuple[dict[str, int], bool]:

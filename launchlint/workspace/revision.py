@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.errors import UsageError
-from launchlint.workspace.git import FILE_MODES, contents, git, reason
+from launchlint.workspace.git import FILE_MODES, contents, git, reason, sizes
 
 LARGEST_FILE = 4 << 20
 """Bytes; a larger file is made empty: nothing that launchlint reads is so large."""
@@ -94,6 +94,51 @@ def unpack(repository: str, revision: str, directory: str) -> None:
     """
     links: list[str] = []
     _unpack(repository, resolve(repository, revision), revision, directory, links, MOST_NESTED)
+    _without_ways_out(links, directory)
+
+
+def unpack_index(repository: str, directory: str) -> None:
+    """Write the files of the index, as git would commit them, below ``directory``, which is empty; else as :func:`unpack`.
+
+    Raises:
+        UsageError: git fails.
+    """
+    listed = git(repository, ["ls-files", "--cached", "--stage", "-z"], index_of(repository))
+    if listed.returncode:
+        raise UsageError(f"git cannot list the files that are staged in {repository}: {reason(listed.stderr)}")
+    links: list[str] = []
+    _unpack_all(repository, list(_entries(_sized(repository, listed.stdout))), "the index", directory, links, MOST_NESTED)
+    _without_ways_out(links, directory)
+
+
+def index_of(root: str) -> dict[str, str]:
+    """The index that is being committed: ``git commit FILE`` makes one of its own and tells its hooks, where it is of this repository."""
+    told = os.environ.get("GIT_INDEX_FILE", "")
+    if not told:
+        return {}
+    found = git(root, ["rev-parse", "--absolute-git-dir"])
+    directory = os.path.realpath(os.fsdecode(found.stdout.rstrip(b"\n")))
+    index = os.path.realpath(os.path.join(root, told))
+    return {"GIT_INDEX_FILE": index} if not found.returncode and os.path.dirname(index) == directory else {}
+
+
+def _sized(repository: str, listing: bytes) -> bytes:
+    """The listing of an index as ``ls-tree --long`` gives that of a revision; of a file in conflict, our side of it."""
+    lines: list[tuple[bytes, bytes, bytes]] = []
+    for line in listing.split(b"\0"):
+        facts, _, path = line.partition(b"\t")
+        words = facts.split()
+        if len(words) == 3 and words[2] in (b"0", b"2", b"3") and not (lines and lines[-1][2] == path):
+            lines.append((words[0], words[1], path))
+    lengths = iter(sizes(repository, [name.decode("ascii", "replace") for mode, name, _ in lines if mode.decode() != _MODULE]))
+    return b"\0".join(
+        b"%s %s %s %s\t%s" % (mode, b"blob", name, b"-" if mode.decode() == _MODULE else b"%d" % next(lengths), path)
+        for mode, name, path in lines
+    )
+
+
+def _without_ways_out(links: list[str], directory: str) -> None:
+    """Take links away that lead out of a directory."""
     root = os.path.realpath(directory)
     for link in links:
         if not os.path.realpath(link).startswith(root + os.sep):
@@ -104,7 +149,11 @@ def _unpack(repository: str, commit: str, revision: str, directory: str, links: 
     listed = git(repository, ["ls-tree", "-r", "-z", "--long", "--full-tree", commit])
     if listed.returncode:
         raise UsageError(f"git cannot list the files of {revision}: {reason(listed.stderr)}")
-    entries = [entry for entry in _entries(listed.stdout) if _is_harmless(entry.path)]
+    _unpack_all(repository, list(_entries(listed.stdout)), revision, directory, links, depth)
+
+
+def _unpack_all(repository: str, listed: list[_Entry], revision: str, directory: str, links: list[str], depth: int) -> None:
+    entries = [entry for entry in listed if _is_harmless(entry.path)]
     if len(entries) > MOST_FILES:
         raise UsageError(f"{revision} has more than {MOST_FILES} files, too many to compare with")
     read: list[_Entry] = []

@@ -150,7 +150,7 @@ def test_infos_are_shown_with_v_only(repository: Path) -> None:
     words = ["check", "--severity", "LL206=info", "--ignore", "LL301"]
     loading = "; of 3 entry files 2 load, 1 is refused by roslaunch\n"
     assert run(repository, *words).output == f"no problems in 3 launch files (1 info hidden, -v shows it){loading}"
-    assert run(repository, *words, "-v").output.endswith(f"1 info in 3 launch files{loading}")
+    assert run(repository, *words, "-v").output.endswith(f"1 info in 3 launch files{loading[:-1]}; 4 of 4 nodes known\n")
 
 
 def test_quiet_prints_nothing_and_keeps_the_status(repository: Path) -> None:

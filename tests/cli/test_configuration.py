@@ -80,7 +80,11 @@ def test_entries_of_the_file_bring_their_args(repository: Path) -> None:
             ".launchlint.yaml": "entries:\n  - {file: needs.launch, args: {robot: one}}\n  - {file: needs.launch, args: {robot: two}}\n",
         },
     )
-    assert run(repository, "check", "-v", "--fail-on", "info", "needs.launch") == (0, "no problems in 1 launch file\n", "")
+    assert run(repository, "check", "-v", "--fail-on", "info", "needs.launch") == (
+        0,
+        "no problems in 1 launch file; 2 of 2 nodes known\n",
+        "",
+    )
     write(repository, {".launchlint.yaml": "entries: [needs.launch]\n"})
     ran = run(repository, "check", "-v", "--format", "concise", "needs.launch")
     assert "LL202 required-arg-unset" in ran.output

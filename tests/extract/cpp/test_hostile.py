@@ -122,6 +122,6 @@ def test_without_tree_sitter_there_is_one_clear_message(tmp_path: Path, monkeypa
 
     syntax._parser.cache_clear()
     monkeypatch.setattr(builtins, "__import__", missing)
-    with pytest.raises(UsageError, match=r"pip install 'launchlint\[extract\]'"):
+    with pytest.raises(UsageError, match="pip install tree-sitter tree-sitter-cpp"):
         program(tmp_path, "int main() { int unread_before; }")
     syntax._parser.cache_clear()

@@ -1,0 +1,60 @@
+"""What the sources of one program say, and all that this hangs on: content of files, names in directories, what is not there."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from launchlint.workspace.looking import state
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+Key = tuple[str, str, str]
+"""Package, table (``executables`` or ``nodelets``) and name of a program."""
+
+
+class Known(NamedTuple):
+    """What was read of one program: as a library has it, None where nothing can be known; ``reason`` says why it is not, or not all.
+
+    ``looks`` are the paths that this hangs on, relative to the root of the package's workspace, with their states
+    (:func:`launchlint.workspace.looking.state`); evidence has paths relative to that root, too.
+    """
+
+    program: Mapping[str, Any] | None
+    reason: str
+    looks: tuple[tuple[str, str], ...]
+
+    @property
+    def digest(self) -> str:
+        """Another one where the sources are others."""
+        return hashlib.sha1(repr(self.looks).encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
+
+
+class States:
+    """What there is on disk, each path looked at once."""
+
+    def __init__(self) -> None:
+        self._known: dict[str, str] = {}
+
+    def of(self, path: str) -> str:
+        """The state of an absolute path."""
+        if path not in self._known:
+            self._known[path] = state(path)
+        return self._known[path]
+
+    def hold(self, looks: Iterable[tuple[str, str]], root: str) -> bool:
+        """Whether all is as it was."""
+        return all(self.of(os.path.normpath(os.path.join(root, path))) == known for path, known in looks)
+
+    def all_of(self, paths: Iterable[str], root: str) -> tuple[tuple[str, str], ...]:
+        """The looks that stand for ``paths``: for what is not there, the names in the directory that it would be in."""
+        found: set[str] = set()
+        for path in paths:
+            while not path.endswith("**") and not os.path.lexists(path) and path != os.path.dirname(path):
+                path = os.path.dirname(path)
+            found.add(path)
+        return tuple(sorted((os.path.relpath(path, root), self.of(path)) for path in found))

@@ -1,0 +1,155 @@
+"""The door: what the workspaces' own sources say of a program. Whatever costs time is imported when a program of theirs is asked for."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cached_property
+from typing import NamedTuple
+
+from launchlint.workspace.packages import Package, Packages
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from launchlint.knowledge.entry import Key, Known
+    from launchlint.knowledge.programs import Programs
+
+
+class Home(NamedTuple):
+    """A package, the workspace that it lies in, and how many packages of that name there are in it."""
+
+    package: Package
+    root: str
+    copies: int
+
+
+class OwnSources:
+    """What the packages of the workspaces say of their programs. Never raises.
+
+    Args:
+        packages: where they are; of these only those of the workspaces count.
+        root: the directory that places are told relative to.
+        directory: where what was read is kept; None: nowhere.
+        moved: the beginning of a path, and what people shall see instead: sources of another state lie in another place.
+    """
+
+    def __init__(self, packages: Packages, root: str, directory: str | None = None, moved: tuple[str, str] | None = None) -> None:
+        self._packages = packages
+        self._root = root
+        self._directory = directory
+        self._moved = moved
+        self._homes: dict[str, Home | None] = {}
+        self._classes: dict[str, frozenset[str]] = {}
+        self._asked: set[Key] = set()
+
+    def has(self, package: str) -> bool:
+        """Whether a package is one of them."""
+        return self.home(package) is not None
+
+    def program(self, package: str, table: str, name: str) -> Mapping[str, Any] | None:
+        """What the sources say of a program, as a library has it; None where they say nothing, or where it is not of these packages."""
+        known, home = self.known((package, table, name)), self.home(package)
+        return None if known is None or known.program is None or home is None else self._placed(known.program, home.root)
+
+    def known(self, key: Key) -> Known | None:
+        """What the sources say of a program, with places relative to its workspace; None where it is not of these packages."""
+        home = self.home(key[0])
+        if home is None:
+            return None
+        self._asked.add(key)
+        return self._programs.known(key, home)
+
+    def take(self, key: Key, known: Known) -> None:
+        """What another process has read of a program."""
+        self._programs.take(key, known)
+
+    def keep_in(self, directory: str) -> None:
+        """Keep what was read so far in ``directory``, too."""
+        self._programs.keep_in(directory)
+
+    def reason(self, package: str, table: str, name: str) -> str:
+        """Why the sources say nothing of a program; empty where it is not of these packages."""
+        home = self.home(package)
+        return "" if home is None else self._programs.known((package, table, name), home).reason
+
+    def packages_of_class(self, name: str, *, everywhere: bool) -> list[str]:
+        """The packages that export a nodelet class: the one that it is named after, or any."""
+        first = name.partition("/")[0]
+        if name in self._classes_of(first):
+            return [first]
+        return [package for package in self.names() if name in self._classes_of(package)] if everywhere else []
+
+    def asked(self) -> frozenset[Key]:
+        """The programs of these packages that were asked for since this was called last."""
+        taken = frozenset(self._asked)
+        self._asked.clear()
+        return taken
+
+    def note(self, keys: Iterable[Key]) -> None:
+        """Note that programs were asked for again."""
+        self._asked.update(keys)
+
+    def digest(self, key: Key) -> str:
+        """Another one where what is known of a program may be another; empty where it is not known yet and would have to be read."""
+        home = self.home(key[0])
+        return "" if home is None else self._programs.digest(key, home)
+
+    def home(self, name: str) -> Home | None:
+        """The package of this name in the first workspace that has one."""
+        if name not in self._homes:
+            found = ((root, packages[name]) for root, packages in self.places() if name in packages)
+            self._homes[name] = next((Home(copies[0], root, len(copies)) for root, copies in found), None)
+        return self._homes[name]
+
+    def places(self) -> Iterator[tuple[str, Mapping[str, list[Package]]]]:
+        """Each workspace with its packages by name."""
+        for place in self._packages.places[: len(self._packages.workspaces)]:
+            yield place.root, place.by_name
+
+    def names(self) -> list[str]:
+        """The names of all packages, sorted."""
+        return sorted({name for _, packages in self.places() for name in packages})
+
+    @cached_property
+    def _programs(self) -> Programs:
+        from launchlint.knowledge.programs import Programs
+
+        return Programs(self, self._directory)
+
+    def _classes_of(self, name: str) -> frozenset[str]:
+        if name not in self._classes:
+            home = self.home(name)
+            if home is None:
+                self._classes[name] = frozenset()
+            else:
+                from launchlint.workspace.nodelets import read_nodelet_classes
+
+                self._classes[name] = frozenset(read_nodelet_classes(home.package)[0])
+        return self._classes[name]
+
+    def _placed(self, program: Mapping[str, Any], root: str) -> Mapping[str, Any]:
+        """The program with the places of its evidence as people see them."""
+        if self._moved is not None:
+            root = moved(root, *self._moved)
+
+        def place(at: str) -> str:
+            return os.path.relpath(os.path.join(root, at.removeprefix(":")), self._root).replace(os.sep, "/")
+
+        return {**program, "variants": {name: _placed(variant, place) for name, variant in program.get("variants", {}).items()}}
+
+
+def moved(path: str, start: str, goal: str) -> str:
+    """An absolute path that begins with ``start``, with ``goal`` instead; others stay."""
+    return goal + path[len(start) :] if f"{path}/".startswith(f"{start.rstrip('/')}/") else path
+
+
+def _placed(variant: Mapping[str, Any], place: Callable[[str], str]) -> dict[str, Any]:
+    return {key: [_told(entry, place) for entry in value] if isinstance(value, list) else value for key, value in variant.items()}
+
+
+def _told(entry: Any, place: Callable[[str], str]) -> Any:
+    if not isinstance(entry, Mapping) or "evidence" not in entry:
+        return entry
+    return {**entry, "evidence": [{**each, "at": place(each["at"])} for each in entry["evidence"]]}

@@ -1,0 +1,68 @@
+"""One program after another read from the sources of its package; each package is looked at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import TypeVar
+
+from launchlint.extract.assembly import Workspace
+from launchlint.extract.origin import Origin
+from launchlint.extract.plan import PackageReader, Task
+from launchlint.extract.python.modules import ModuleFinder
+from launchlint.extract.reading import read
+from launchlint.knowledge.entry import Key, Known, States
+from launchlint.workspace import looking
+from launchlint.workspace.packages import Package
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+T = TypeVar("T")
+
+
+class SourceReader:
+    """Reads programs of ``packages``; no source outside of ``limits`` (directories) is one."""
+
+    def __init__(self, packages: Iterable[Package], limits: Iterable[str], states: States) -> None:
+        listed = list(packages)
+        self._workspace = Workspace(listed, limits)
+        self._finder = ModuleFinder({package.directory: package.name for package in listed})
+        self._states = states
+        self._readers: dict[str, tuple[PackageReader, frozenset[str]]] = {}
+
+    def read(self, key: Key, package: Package, root: str) -> Known:
+        """What the sources of ``package`` say of a program of it. Never raises; paths are told relative to ``root``."""
+        (program, reason), looked = looking.watched(lambda: _in_own_thread(lambda: self._read(key, package, root)))
+        return Known(program, reason, self._states.all_of(looked, root))
+
+    def _read(self, key: Key, package: Package, root: str) -> tuple[Mapping[str, Any] | None, str]:
+        try:
+            task = self._reader(package, root).one(key[1], key[2])
+            if task is None:
+                return None, "its package has no source of it"
+            if not isinstance(task, Task):
+                return None, task.reason
+            found = read(task, self._finder)
+        except Exception as error:  # a mistake of launchlint itself: one program must never take the run down
+            return None, f"launchlint failed to read it: {type(error).__name__}: {error}"
+        return found.program, "" if found.program is not None else f"{task.sources[0][len(root) :].lstrip('/')} {found.problem}"
+
+    def _reader(self, package: Package, root: str) -> PackageReader:
+        if package.directory not in self._readers:
+            origin = Origin(root, "", "", "", "")
+            self._readers[package.directory] = looking.watched(lambda: PackageReader(package, origin, self._workspace))
+        reader, looked = self._readers[package.directory]
+        looking.note(looked)
+        return reader
+
+
+def _in_own_thread(work: Callable[[], T]) -> T:
+    """What ``work`` gives, called at the bottom of a stack: how deep it may go must not depend on who asks."""
+    from threading import Thread
+
+    results: list[T] = []
+    thread = Thread(target=lambda: results.append(work()), daemon=True)
+    thread.start()
+    thread.join()
+    return results[0]

@@ -1,0 +1,54 @@
+"""How much was seen: of how many nodes it is known what they do, and why not of the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class Unseen(NamedTuple):
+    """A program of which nothing is known, why, and how many nodes run it."""
+
+    program: str
+    reason: str
+    nodes: int
+
+
+class Sight(NamedTuple):
+    """Nodes that entry files start without args, those of them that are known, and the programs of the others, sorted."""
+
+    nodes: int = 0
+    known: int = 0
+    unseen: tuple[Unseen, ...] = ()
+
+    @property
+    def brief(self) -> str:
+        """For the end of a line: *12 of 15 nodes known*."""
+        return f"{self.known} of {self.nodes} node{'' if self.nodes == 1 else 's'} known"
+
+    def as_object(self) -> dict[str, Any]:
+        """For JSON."""
+        return {"nodes": self.nodes, "known": self.known, "unknown": [each._asdict() for each in self.unseen]}
+
+
+NOTHING = Sight()
+"""Where nobody looked, or there was nothing to see."""
+
+
+def together(sights: Iterable[Sight]) -> Sight:
+    """What is seen of several entry files."""
+    listed = list(sights)
+    unseen = counted(each for sight in listed for each in sight.unseen)
+    return Sight(sum(each.nodes for each in listed), sum(each.known for each in listed), unseen)
+
+
+def counted(unseen: Iterable[tuple[str, str, int]]) -> tuple[Unseen, ...]:
+    """Each program and reason once."""
+    found: dict[tuple[str, str], int] = {}
+    for program, reason, nodes in unseen:
+        found[program, reason] = found.get((program, reason), 0) + nodes
+    return tuple(Unseen(*key, found[key]) for key in sorted(found))
