@@ -1,7 +1,7 @@
 """Put launchlint and all it needs into one file that runs without installation and without a network: scripts/zipapp.py WHEEL TARGET.
 
-The file fits the Python and the platform that it is made with (lxml, PyYAML and tree-sitter are compiled). shiv does the work; it is installed into a
-temporary environment.
+The file fits the Python and the platform that it is made with (lxml, PyYAML and tree-sitter are compiled). shiv does the work; it is
+installed into a temporary environment.
 """
 
 from __future__ import annotations

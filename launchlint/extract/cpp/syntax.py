@@ -101,8 +101,8 @@ def _parser() -> Parser:
         import tree_sitter_cpp
     except ImportError as error:
         raise UsageError(
-            f"C++ is read with tree-sitter, which cannot be imported here ({error}): pip install tree-sitter tree-sitter-cpp, and try again. "
-            "Python sources are read without it."
+            f"C++ is read with tree-sitter, which cannot be imported here ({error}): pip install tree-sitter "
+            "tree-sitter-cpp, and try again. Python sources are read without it."
         ) from error
     return tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language()))
 
