@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from launchlint.graph.connections import HUB_SIZE, HUBS, OFFERS, Channel, ConnectionGraph, Endpoint, Instance
 from launchlint.graph.names import kind as spelling_of
+from launchlint.library.terms import evidence_text
 from launchlint.model import Binary, Command, Condition, Node, Scope, Unknown
 from launchlint.source import Origin, Place
 
@@ -240,7 +241,6 @@ def _connection(endpoint: Endpoint) -> Connection:
         RemapStep(each.source, each.target, "" if each.rule.remap is None else place_text(each.rule.remap.origin.place))
         for each in endpoint.applied
     )
-    evidence = tuple(f"{each['by']}: {each.get('at') or each.get('run') or ''}" for each in endpoint.declaration.evidence)
     return Connection(
         endpoint.node,
         endpoint.role,
@@ -255,7 +255,7 @@ def _connection(endpoint: Endpoint) -> Connection:
         endpoint.declaration.when,
         endpoint.process,
         endpoint.action,
-        evidence,
+        tuple(map(evidence_text, endpoint.declaration.evidence)),
         (),
     )
 

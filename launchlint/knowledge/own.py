@@ -152,4 +152,4 @@ def _placed(variant: Mapping[str, Any], place: Callable[[str], str]) -> dict[str
 def _told(entry: Any, place: Callable[[str], str]) -> Any:
     if not isinstance(entry, Mapping) or "evidence" not in entry:
         return entry
-    return {**entry, "evidence": [{**each, "at": place(each["at"])} for each in entry["evidence"]]}
+    return {**entry, "evidence": [{**each, "at": place(each["at"]), "here": "yes"} for each in entry["evidence"]]}

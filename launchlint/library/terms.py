@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 """The kinds of names a node has, in the order in which they are written."""
 
@@ -16,3 +18,12 @@ KINDS = {"executables": "executable", "nodelets": "nodelet class"}
 
 DEEPEST_CONDITION = 8
 """Levels of ``not``, ``all`` and ``any`` in a condition, and of templates in templates."""
+
+READ_FROM = "read from "
+"""What evidence begins with that is a place in the sources of the checked packages."""
+
+
+def evidence_text(evidence: Mapping[str, str]) -> str:
+    """One piece of evidence for people: *read from src/talker.cpp:40*, *static: owner/name@commit:src/talker.cpp:40*."""
+    at = evidence.get("at") or evidence.get("run") or ""
+    return f"{READ_FROM}{at}" if "here" in evidence else f"{evidence['by']}: {at}"

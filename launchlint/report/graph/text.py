@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from launchlint.graph.partners import Partners, meet
 from launchlint.graph.topology import Connection, Topology, TopologyNode, TopologyParam
+from launchlint.library.terms import READ_FROM
 from launchlint.report.escape import line_start, visible
 from launchlint.report.graph.words import DOES, MISSED, listed, loading, number, place, remapped, when, wrapped
 
@@ -127,7 +128,8 @@ def _rows(
     second = min(max((len(visible(each.name)) for each in met), default=0), WIDEST_NAME)
     for each, verb in zip(met, verbs, strict=True):
         arrow = "→" if each.offers else "←"
-        type_ = f"  ({visible(each.type)})" if each.type else ""
+        known = [each.type, *(text for text in each.evidence[:1] if text.startswith(READ_FROM))]
+        type_ = f"  ({visible(', '.join(filter(None, known)))})" if any(known) else ""
         only = "" if each.only == node.only else f"  [{when(each.only, topology.configurations)}]" if each.only else ""
         yield f"    {verb:{first}}  {visible(each.name):{second}}  {arrow} {_partners(each, partners)}{type_}{only}"
         if remapped(each.remaps):

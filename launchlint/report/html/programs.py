@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from launchlint.library.catalogue import Entry
-from launchlint.library.terms import CATEGORIES
+from launchlint.library.terms import CATEGORIES, evidence_text
 from launchlint.report.html.plain import Plain
 from launchlint.report.library import notes
 
@@ -63,7 +63,5 @@ def _rows(variant: str, data: Mapping[str, Any], plain: Plain, *, alone: bool) -
                 "name": plain.name(declared["name"]),
                 "type": plain.name(declared.get("type", "")),
                 "detail": plain.text(", ".join(words)),
-                "evidence": [
-                    plain.text(f"{each['by']}: {each.get('at') or each.get('run') or ''}") for each in declared.get("evidence", ())
-                ],
+                "evidence": [plain.text(evidence_text(each)) for each in declared.get("evidence", ())],
             }

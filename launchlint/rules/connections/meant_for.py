@@ -11,7 +11,7 @@ from launchlint.rules.connections.loose_ends import Missed
 from launchlint.rules.connections.misspelt import Repairs
 from launchlint.rules.connections.near_names import NAMESPACE, SLIP
 from launchlint.rules.connections.one_cause import Cause
-from launchlint.rules.connections.places import TALKS, acting_origin, how, node_origin, remap_origin, write_remap
+from launchlint.rules.connections.places import TALKS, acting_origin, how, node_origin, remap_origin, with_sources, write_remap
 from launchlint.rules.rule import Rule
 from launchlint.source import Origin
 
@@ -47,7 +47,7 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
     if missed.doubts:
         notes.append(f"unless another node is at the other end: {missed.doubts[0].reason}")
     more = f" (and {len(others)} more name{'s' if len(others) > 1 else ''} for the same reason)" if others else ""
-    return rule.at(
+    found = rule.at(
         origin,
         f"{_what(missed)}{more}",
         severity=missed.level,
@@ -58,6 +58,7 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
         topic=f"{end.node} {end.role} {end.name}" if cause.hub is None else " ".join((cause.hub[0], *map("/".join, cause.hub[1]))),
         fix=None if others else repairs.of(missed),
     )
+    return with_sources(found, end, other)
 
 
 def _is_at_partner(missed: Missed) -> bool:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from launchlint.finding import Finding, Location, Related
 from launchlint.graph.connections import ConnectionGraph, Endpoint, Instance
 from launchlint.graph.names import Applied, absolute, kind
 from launchlint.library.template import Slot, is_template, parse
+from launchlint.library.terms import READ_FROM
 from launchlint.source import Origin
 
 Owners = Mapping[int, Instance]
@@ -86,6 +88,19 @@ def how(endpoint: Endpoint, instance: Instance) -> str:
     if way == "relative" and instance.namer.namespace.strip("/"):
         return f"{instance.name} says {endpoint.declared}; its namespace makes it {endpoint.name}"
     return ""
+
+
+def with_sources(finding: Finding, *endpoints: Endpoint) -> Finding:
+    """The finding with the places in the sources of the checked packages at which these names were read."""
+    related = list(finding.related)
+    for endpoint in endpoints:
+        for evidence in endpoint.declaration.evidence:
+            path, _, line = evidence.get("at", "").rpartition(":")
+            if "here" in evidence and line.isdecimal():
+                place = Location(path, int(line), 1, int(line), 1, 0, 0, "")
+                related.append(Related(place, f"{READ_FROM}{path}:{line}: {endpoint.node} {TALKS[endpoint.role]} {endpoint.declared}"))
+                break
+    return finding._replace(related=tuple(related))
 
 
 def new_remap(endpoint: Endpoint, instance: Instance, target: str) -> tuple[str, str]:

@@ -43,7 +43,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint
-from launchlint.rules.connections.places import TALKS, Owners, acting_origin, how, node_origin, owners, remap_origin
+from launchlint.rules.connections.places import TALKS, Owners, acting_origin, how, node_origin, owners, remap_origin, with_sources
 from launchlint.rules.connections.same_definition import is_known, may_be_alike, may_be_copies
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
@@ -99,7 +99,7 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners) ->
     if copies:
         notes = [f"unless the two are defined alike, field by field: {_WHAT_HAPPENS[channel.kind]}"]
     notes.extend(text for text in (how(acting, mine), how(other, theirs)) if text)
-    return RULE.at(
+    found = RULE.at(
         acting_origin(acting, mine),
         f"{giver.name} {TALKS[offer.role]} {channel.name} as {offer.type}, but {taker.name} {TALKS[use.role]} it as {use.type}",
         severity=Severity.WARNING if copies else None,
@@ -109,3 +109,4 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners) ->
         help="give one of the two another name, or put a node between them that converts",
         topic=f"{channel.kind} {channel.name} {offer.type} {use.type}",
     )
+    return with_sources(found, acting, other)
