@@ -69,7 +69,7 @@ def repository(directory: Path) -> Path:
             "demo/package.xml": PACKAGE.format(name="demo"),
             "demo/scripts/talk.py": "#!/usr/bin/env python3\n",
             "demo/scripts/listen.py": "#!/usr/bin/env python3\n",
-            "demo/scripts/unknown.py": "#!/usr/bin/env python3\n",
+            "demo/scripts/unknown.py": "#!/bin/sh\n",
             "demo/launch/nav.launch": NAV,
             "demo/launch/more.launch": MORE,
             "library.json": json.dumps(LIBRARY),
