@@ -69,7 +69,7 @@ def functions(machine: Machine, name: str, frame: Frame) -> list[Function]:
     """The functions of the program that ``name`` means."""
     plain = without_arguments(name)
     if "::" not in plain and frame.this is not None:
-        found = classes.methods(machine, frame.this, plain)
+        found = classes.own_methods(machine, frame.this, plain, frame.scope)
         if found:
             return found
     for scope in machine.names.scopes(frame.scope):
@@ -182,7 +182,7 @@ def _named(machine: Machine, node: Node, name: str, types: tuple[Type, ...], fra
         return machine.invoke(variable.value, given)
     asked = Call(machine, name, types, given, node, frame)
     if "::" not in name and frame.this is not None:
-        found = classes.methods(machine, frame.this, name)
+        found = classes.own_methods(machine, frame.this, name, frame.scope)
         if found:
             return _called(machine, found, frame.this, given, types, node, frame)
         cell = classes.member(machine, frame.this, name)

@@ -367,10 +367,33 @@ def bindings_in(machine: Machine, this: Thing, owner: Class | None) -> dict[str,
     return {}
 
 
+def own_methods(machine: Machine, this: Thing, name: str, scope: str) -> list[Function]:
+    """The functions that a call without an object means, in a function of the class ``scope``, which the object is derived from.
+
+    It is the one of that class, unless it is virtual; while a constructor runs, the object is of its class and no other.
+    """
+    classes = chain(machine, this)
+    names = [each.name for each in classes]
+    if scope not in names[1:]:
+        return methods(machine, this, name)
+    start = names.index(scope)
+    known = [function for each in names[start:] for function in machine.declarations.functions.get(joined(each, name), [])]
+    if known and any(each.overrides for each in known):
+        making = (each.owner for each in reversed(machine.calls) if each.last == each.owner.rpartition("::")[2])
+        start = next((names.index(each) for each in making if each in names), 0)
+    elif not known:
+        start = 0
+    return _methods(machine, classes[start:], name) or methods(machine, this, name)
+
+
 def methods(machine: Machine, this: Thing, name: str) -> list[Function]:
     """The functions of that name that a call on the object means."""
+    return _methods(machine, chain(machine, this), name)
+
+
+def _methods(machine: Machine, classes: Sequence[Class], name: str) -> list[Function]:
     found: list[Function] = []
-    for declared in chain(machine, this):
+    for declared in classes:
         # One of a base class with as many parameters is overridden; one with another number is meant by a call that needs it.
         taken = {len(each.parameters) for each in found}
         own = machine.declarations.functions.get(joined(declared.name, name), [])

@@ -70,8 +70,8 @@ class Foreign:
             name: its qualified name.
             around: the namespaces that it is looked up in: of the place, and those that are used there.
         """
-        if not (self._words or self._stems) or is_silent(name):
-            return None
+        if not (self._words or self._stems) or is_silent(name) or len(name) == 1:
+            return None  # one letter is an argument of a template
         *spaces, last = name.split("::")
         found = self._stems.get(_plain(last))
         if found is not None and (not spaces or found.partition("/")[0] != spaces[-1]):

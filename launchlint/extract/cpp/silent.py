@@ -32,7 +32,7 @@ _HARDWARE = """
     hardware_interface joint_limits_interface transmission_interface controller_interface combined_robot_hw serial soem librealsense
     librealsense2 libfreenect libuvc libcaer libcamera libfranka librms libphidget21 libphidget22 libphidgets libmodbus libntcan libpcan
     libdlib libcreate libsegwayrmp libqsopt lusb kni ueye dynamixel_sdk socketcan_interface can_msgs log4cpp um6 apriltag apriltags vrpn
-    ypspur depthai cnpy nanomsg grpc draco libccd pangolin lms1xx
+    ypspur depthai cnpy nanomsg ifm3d ifm3d_core simple_message assimp grpc draco libccd pangolin lms1xx
 """
 
 _FRAMES_OF_PLUGINS = """
@@ -49,12 +49,15 @@ NAMESPACES = frozenset(
     """
     std boost Eigen cv pcl Ui YAML KDL ros fcl ompl gtsam ceres g2o Sophus sophus rbdl google absl fmt nlohmann Json json tinyxml2 rapidjson
     rs2 rs asio zmq grpc protobuf gazebo ignition sdf QtCore QtGui Qt osg Ogre CGAL tbb torch caffe cuda thrust lcm spdlog serial octomap
-    grid_map shapes bodies urdf srdf XmlRpc Poco CLI cxxopts moodycamel nanoflann rclcpp
+    grid_map shapes bodies urdf srdf XmlRpc Poco CLI cxxopts moodycamel nanoflann Assimp tensorflow nvinfer1 ifm3d industrial
+    mavros::utils mavros::ftf mavconn
+    costmap_2d::Costmap2D costmap_2d::Observation costmap_2d::MapLocation base_local_planner::CostmapModel
+    base_local_planner::Trajectory base_local_planner::WorldModel base_local_planner::FootprintHelper
     moveit::core moveit::tools moveit::cpp robot_state robot_model robot_trajectory planning_scene planning_interface collision_detection
     kinematic_constraints kinematics trajectory_processing kinematics_metrics dynamics_solver distance_field constraint_samplers
     """.split()
 )
-"""Namespaces of libraries, of any name of their headers; those of MoveIt are of moveit_core, which makes no node handle."""
+"""Namespaces and classes of libraries, whatever their headers are called; those of MoveIt are of moveit_core."""
 
 BASES = frozenset(
     """

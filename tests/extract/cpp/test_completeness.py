@@ -309,3 +309,29 @@ def test_names_with_a_known_beginning_are_told_and_the_rest_is_a_doubt(tmp_path:
         "publishers {any}/image std_msgs/Bool 4 queue=1",
     ]
     assert [doubt.line for doubt in doubts] == [4, 5]
+
+
+DERIVED = """
+struct Base {{
+  Base() {{ setup(); }}
+  void start() {{ setup(); }}
+  {virtual}void setup() {{ ros::NodeHandle().getParam("base", x); }}
+}};
+struct Derived : public Base {{ Derived() {{ {call} }} void setup() {{ ros::NodeHandle().getParam("derived", x); }} }};
+int main() {{ Derived object; }}
+"""
+
+
+@pytest.mark.parametrize(
+    ("virtual", "call", "expected"),
+    [
+        ("", "", ["base"]),
+        ("virtual ", "", ["base"]),
+        ("", "start();", ["base"]),
+        ("virtual ", "start();", ["base", "derived"]),
+        ("", "setup();", ["base", "derived"]),
+    ],
+)
+def test_a_constructor_calls_the_functions_of_its_own_class(tmp_path: Path, virtual: str, call: str, expected: list[str]) -> None:
+    facts, _ = program(tmp_path, DERIVED.format(virtual=virtual, call=call))
+    assert [fact.name for fact in facts] == expected

@@ -54,7 +54,8 @@ def is_made(machine: Machine, type_: Type) -> bool:
     if type_.name in machine.declarations.classes:
         # The sources of a ROS package itself are among those of the program.
         return type_.name in _library.MAKERS
-    return _library.known_name(machine, type_) in _library.MAKERS
+    name = _library.known_name(machine, type_)
+    return name in _library.MAKERS or name in _models.MODELS
 
 
 def make(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, frame: Frame) -> Value:
@@ -92,7 +93,9 @@ def base(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, f
     name = _library.known_name(machine, type_)
     if name in _models.BASES:
         return _models.modelled(Call(machine, name, type_.arguments, given, node, frame), _models.BASES[name])
-    if not (type_.member or name in _library.MAKERS or name in _models.MODELS or is_silent(name) or not name):
+    space = frame.scope.partition("::")[0]
+    silent = is_silent(name) or (space and "::" not in name and is_silent(f"{space}::{name}"))
+    if not (type_.member or name in _library.MAKERS or name in _models.MODELS or silent or not name):
         machine.doubt_all(f"the base class {name} is not in these sources", frame.path, node.line)
         machine.serial += 1
         return Thing(type_, None, machine.serial)
