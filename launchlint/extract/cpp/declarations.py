@@ -72,6 +72,11 @@ class Function:
         """Its name without the scope."""
         return self.name.rpartition("::")[2]
 
+    @property
+    def text(self) -> str:
+        """The source of its body, and of its list of initialisers."""
+        return (self.body.text if self.body else "") + (self.initialisers.text if self.initialisers else "")
+
     def __repr__(self) -> str:
         return f"Function({self.name}, {self.path}:{self.line})"
 

@@ -33,7 +33,7 @@ def start(machine: Machine, entry: str, path: str) -> None:
     if declared is None:
         machine.doubt_all(f"the class {name[:200]} was not found in these sources", path, 1)
         return
-    thing = classes.make(machine, declared, resolved, [], Node("declaration", 1, b"", 0, 0), frame)
+    thing = classes.make(machine, declared, resolved, [], Node("declaration", b"", 0, 0), frame)
     if not isinstance(thing, Thing):
         return
     before = machine.when

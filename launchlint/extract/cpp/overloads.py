@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from launchlint.extract.cpp.declarations import Class, Function
+from launchlint.extract.cpp.relevance import Relevance
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, POINTERS, TEXTS, Type
 from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import UNKNOWN, Callable, Closure, Handle, Number, Text, Thing, Value, choices
@@ -97,28 +98,8 @@ def with_defaults(machine: Machine, function: Function) -> dict[int, Node]:
 
 def is_relevant(machine: Machine, function: Function) -> bool:
     """Whether a function, or one that it calls, may have to do with names of ROS; told by words alone."""
-    if function.relevant is None:
-        words: dict[Function, frozenset[str]] = {}
-        for functions in machine.declarations.functions.values():
-            for each in functions:
-                if each.body is not None:
-                    text = each.body.text + (each.initialisers.text if each.initialisers else "")
-                    words[each] = frozenset(_WORD.findall(text))
-        macros = {name for name, value in machine.declarations.calls.items() if not _telling().isdisjoint(_WORD.findall(value[1]))}
-        telling = set(_telling()) | macros | machine.foreign.words_among(frozenset().union(*words.values()))
-        changed = True
-        while changed:
-            changed = False
-            for each, used in words.items():
-                if not each.relevant and not telling.isdisjoint(used):
-                    each.relevant = True
-                    # An object of its class matters, too: what is made here may be called elsewhere.
-                    for name in (each.last, each.owner.rpartition("::")[2]):
-                        if name and name not in telling:
-                            telling.add(name)
-                            changed = True
-        for each in words:
-            each.relevant = bool(each.relevant)
+    if function.relevant is None and function.body is not None:
+        Relevance(machine.declarations, machine.names, _telling(), machine.foreign.words_among)
     return bool(function.relevant)
 
 

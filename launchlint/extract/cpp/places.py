@@ -103,7 +103,7 @@ def of_program(machine: Machine, name: str, frame: Frame) -> Cell | None:
             if field.initial is not None:
                 cell.value = classes.initial_value(machine, field, inner)
             elif not field.pointer and not field.array:
-                source = Node("declaration", 1, b"", 0, 0)
+                source = Node("declaration", b"", 0, 0)
                 cell.value = classes.default(machine, field.type, source, inner)
             machine.conditions = conditions
             return cell

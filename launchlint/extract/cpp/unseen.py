@@ -97,7 +97,7 @@ class Unseen:
         constructor = machine.declarations.functions.get(f"{declared.name}::{declared.name.rpartition('::')[2]}", [])
         if overloads.talks(machine, declared) and all(not each.parameters for each in constructor):
             machine.when, machine.conditions = "message", [f"a container holds a {declared.name}"]
-            place = Node("declaration", 1, b"", 0, 0)
+            place = Node("declaration", b"", 0, 0)
             classes.make(machine, declared, Type(declared.name), [], place, Frame(declared.path, declared.scope, None, {}))
 
     def _of(self, function: Function) -> Thing | None:

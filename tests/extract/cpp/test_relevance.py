@@ -1,0 +1,131 @@
+"""Which functions are worth following, and that the others are passed over without loss."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+import pytest
+
+from launchlint.extract.cpp import syntax
+from launchlint.extract.cpp.declarations import Declarations
+from launchlint.extract.cpp.naming import Names
+from launchlint.extract.cpp.relevance import Relevance
+from tests.extract.cpp.following import program, spelled
+
+TELLING = ("advertise", "param", "NodeHandle", "TransformListener", "SimpleActionClient", "thread")
+
+SOURCES = {
+    "what calls the interface": ("void f() { nh.advertise<A>(t, 1); } void g() { f(); } void h() { k(); }", {"f", "g"}),
+    "a variable of that name": ("void f() { double param = 1; if (param < 0) g(param); }", set()),
+    "a comment, a text": ('void f() { /* thread */ g("advertise("); } // advertise()\n', set()),
+    "a function template": ("void f() { x = nh.param<std::string>(t, u); }", {"f"}),
+    "an address": ("void f() { g(&ros::NodeHandle::advertise); }", {"f"}),
+    "a member of a list": (
+        "struct Map { void clear() { nh.advertise(t); } }; void f() { std::vector<int> v; v.clear(); }",
+        {"Map::clear"},
+    ),
+    "a member of a field": (
+        (
+            "struct Map { void clear() { nh.advertise(t); } }; struct A { Map* map_; std::list<int> l_; void f() { l_.clear(); }"
+            " void g() { map_->clear(); } };"
+        ),
+        {"Map::clear", "A::g"},
+    ),
+    "a member of nobody knows what": (
+        "struct Map { void clear() { nh.advertise(t); } }; void f() { auto m = all(); m->clear(); } void g() { all()[0].clear(); }",
+        {"Map::clear", "f", "g"},
+    ),
+    "a member of a parameter, by its base class": (
+        (
+            "struct Base {}; struct Map : Base { void clear() { nh.advertise(t); } }; struct Other {};"
+            " void f(Base& b) { b.clear(); } void g(Other& o) { o.clear(); }"
+        ),
+        {"Map::clear", "f"},
+    ),
+    "a member of a template's argument": (
+        "struct Map { void clear() { nh.advertise(t); } }; template <typename T> void f(T& b) { b.clear(); }",
+        {"Map::clear", "f"},
+    ),
+    "a function of another class": (
+        "struct A { void start() { nh.advertise(t); } }; struct B { void start() {} void f() { start(); } void g() { B::start(); } };",
+        {"A::start"},
+    ),
+    "a callback": (
+        "struct A { void start() { nh.advertise(t); } void f() { later(boost::bind(&A::start, this)); } };",
+        {"A::start", "A::f"},
+    ),
+    "an object that is made": (
+        (
+            "struct A { void start() { nh.advertise(t); } }; void f() { keep(new A); } void g() { keep(std::make_shared<A>()); }"
+            " void h(A* a) { keep(static_cast<A*>(a)); std::vector<A*> all; A::Kind k; }"
+        ),
+        {"A::start", "f", "g"},
+    ),
+    "another name of a class": (
+        (
+            "typedef actionlib::SimpleActionClient<X> Client; void f() { Client client(t); } struct A { void s() { nh.advertise(t); } };"
+            " using B = A; void g() { B b; }"
+        ),
+        {"f", "A::s", "g"},
+    ),
+    "a member that is made with its owner": (
+        "struct A { tf::TransformListener tf_; A() { n = 1; } int n; }; void f() { A a; } struct B { ros::NodeHandle nh_; B() {} };",
+        {"A::A", "f"},
+    ),
+    "a derived class": (
+        "struct A { A() { nh.advertise(t); } }; struct B : A { int n; }; void f() { B b; } void g(B* b) {}",
+        {"A::A", "f"},
+    ),
+    "a node handle that is handed on": (
+        (
+            "struct A { ros::NodeHandle nh_; void f() { other(nh_, 1); } void g() { n = nh_.ok(); } };"
+            " void h(ros::NodeHandle& node) { other(node); } void k(const ros::NodeHandle* node) { node->ok(); }"
+        ),
+        {"A::f", "h"},
+    ),
+    "a macro": ("#define ASK(n) nh.param(#n, n, 1)\nvoid f() { ASK(x); } void g() { TELL(x); }", {"f"}),
+    "a header that is not here": ("void f() { octomap_server::Server s; } void g() { octomap::Tree t; }", {"f"}),
+}
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_relevant(name: str) -> None:
+    source, expected = SOURCES[name]
+
+    def others(words: Iterable[str]) -> set[str]:
+        return {"octomap_server"} & set(words)
+
+    declarations = Declarations()
+    declarations.read(syntax.parse(source.encode()), "main.cpp")
+    declarations.finish()
+    Relevance(declarations, Names(declarations), TELLING, others)
+    assert {each.name for found in declarations.functions.values() for each in found if each.relevant} == expected
+
+
+def test_what_is_declared_with_ros_at_hand_and_not_here() -> None:
+    declarations = Declarations()
+    declarations.read(syntax.parse(b'#include "ros/ros.h"\nvoid setUp(); void f() { setUp(); } void g() { other(); }'), "main.cpp")
+    declarations.finish()
+    Relevance(declarations, Names(declarations), TELLING, lambda words: set())
+    assert [each.name for found in declarations.functions.values() for each in found if each.relevant] == ["f"]
+
+
+def test_a_long_program_is_followed_to_its_end(tmp_path: Path) -> None:
+    # Each of these calls the next one many times, and would be followed for ever if `clear` were that of the map.
+    steps = "\n".join(f"void f{n}() {{ std::vector<int> v; {f'v.clear(); f{n - 1}(); ' * 100} }}" for n in range(1, 5))
+    map_ = 'struct Map { void clear() { ros::NodeHandle nh; nh.advertise<std_msgs::Bool>("map", 1); } };'
+    source = f'{map_} void f0() {{}}\n{steps}\nint main() {{ ros::NodeHandle nh; f4();\nnh.advertise<std_msgs::Bool>("after", 1); }}\n'
+    facts, doubts = program(tmp_path, source)
+    assert [spelled(fact) for fact in facts] == [f"publishers after std_msgs/Bool {source.count(chr(10))} queue=1"]
+    assert doubts == ()
+
+
+def test_lines_in_bodies_that_are_read_late(tmp_path: Path) -> None:
+    function = 'void g(ros::NodeHandle& nh) {\n  if (a) {\n    nh.advertise<std_msgs::Bool>(\n      "x", 1);\n  }\n}\n'
+    source = f"{function}int main() {{ ros::NodeHandle n; g(n); }}\n"
+    facts, _ = program(tmp_path, source)
+    assert [spelled(fact) for fact in facts] == ["publishers x std_msgs/Bool 3 queue=1 if a"]
+    body = syntax.parse(source.encode()).children[0].field("body")
+    assert body is not None
+    assert [(each.kind, each.line) for each in body.walk()][:3] == [("compound_statement", 1), ("if_statement", 2), ("condition_clause", 2)]
