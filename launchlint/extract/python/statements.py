@@ -207,14 +207,15 @@ class Statements(Definitions):
     def _if(self, node: ast.If, scope: Scope) -> int:
         known = self.truth(self.evaluate(node.test, scope))
         if known is not None:
-            flow = self.execute(node.body if known else node.orelse, scope)
-            other = node.orelse if known else node.body
-            if other and changes_later(node.test, scope.module):
-                said = negated(written(node.test)) if known else written(node.test)
-                with self.branch(said) as later:
-                    later.flow = self.execute(other, scope)
-                self.join([("", Branch()), (said, later)], scope.variables)
-            return flow
+            now, other = (node.body, node.orelse) if known else (node.orelse, node.body)
+            if not changes_later(node.test, scope.module):
+                return self.execute(now, scope)
+            with self.branch("") as first:
+                first.flow = self.execute(now, scope)
+            said = negated(written(node.test)) if known else written(node.test)
+            with self.branch(said) as later:
+                later.flow = self.execute(other, scope)
+            return self._meet([("", first), (said, later)], scope)
         said = written(node.test)
         otherwise = negated(said)
         with self.branch(said) as first:
@@ -291,6 +292,9 @@ class Statements(Definitions):
             known = self.truth(self.evaluate(node.test, scope))
             if known is None or constant:
                 break
+            if not known and changes_later(node.test, scope.module):
+                known = None
+                break
             if not known:
                 del self.conditions[mark:]
                 return self._else(node, scope)
@@ -298,7 +302,7 @@ class Statements(Definitions):
             if flow in (BROKEN, RETURNED, ENDED):
                 del self.conditions[mark:]
                 return GOES_ON if flow == BROKEN else flow
-        if known is False:
+        if known is False and not changes_later(node.test, scope.module):
             return self.execute(node.orelse, scope)
         self._widen(node.body, scope)
         if known:
