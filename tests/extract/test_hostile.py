@@ -45,6 +45,20 @@ FUNCTIONS = "".join(f"def f{n}():\n    f{n + 1}(); f{n + 1}()\n" for n in range(
         pytest.param(
             "".join(f"class C{n}(C{n - 1}): pass\n" if n else "class C0: pass\n" for n in range(300)) + "C299().x\n", id="many bases"
         ),
+        pytest.param(
+            "".join(f"class C{n}(object): pass\n" for n in range(600))
+            + f"class D({', '.join(f'C{n}' for n in range(600))}): pass\nD().x\n",
+            id="many bases at once",
+        ),
+        pytest.param("class A: pass\nclass B(A): pass\nclass C(A, B): pass\nC().x\n", id="bases that have no order"),
+        pytest.param("x = 'exec(x)'\nexec(x)\ny = 'eval(y)'\neval(y)\n", id="code that makes itself"),
+        pytest.param("exec('(' * 5000)\neval('1 +' * 3000 + '1')\nexec('\\0')\n", id="code that is none"),
+        pytest.param("class A(object):\n    def __new__(cls): return A()\nA()\n", id="a class that makes itself"),
+        pytest.param(
+            "class A(object):\n    @property\n    def x(self): pass\n    @x.setter\n    def x(self, v): self.x = v\nA().x = 1\n",
+            id="a setter",
+        ),
+        pytest.param("def d(f): return d(f)\n@d\n@d\ndef f(): pass\nf()\n", id="a decorator that calls itself"),
         pytest.param("".join(f"rospy.Publisher('x{n}', String)\n" for n in range(20_000)), id="very many names"),
         pytest.param("try:\n    pass\nexcept E:\n    raise\nfinally:\n    exit()\n", id="an end in finally"),
         pytest.param("getattr(rospy, 'Publ' + 'isher')('x', String)\n__import__('os').system('touch ran')\neval('1')\n", id="eval"),

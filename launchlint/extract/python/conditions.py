@@ -5,11 +5,20 @@ from __future__ import annotations
 import ast
 import re
 
+_SAID = "said"
 _SIMPLE = re.compile(r"[\w.]+(?:\([^()]*\))?")
 
 
 def written(node: ast.expr) -> str:
-    """The source text of a condition, on one line."""
+    """The source text of a condition, on one line; it stays with the node, since loops and callbacks ask for it again."""
+    known: str | None = vars(node).get(_SAID)
+    if known is None:
+        known = _written(node)
+        setattr(node, _SAID, known)
+    return known
+
+
+def _written(node: ast.expr) -> str:
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
         return negated(written(node.operand))
     try:

@@ -7,7 +7,7 @@ import ast
 from launchlint.extract.python.arguments import Call
 from launchlint.extract.python.calls import Calls
 from launchlint.extract.python.memory import GOES_ON
-from launchlint.extract.python.source import SourceError, parse_text
+from launchlint.extract.python.source import Source, SourceError, parse_text
 from launchlint.extract.python.values import (
     UNKNOWN,
     Class,
@@ -31,6 +31,10 @@ _KEEPING = ("functools.lru_cache", "functools.cache", "contextlib.", "abc.", "bu
 
 class Definitions(Calls):
     """Making functions, classes and modules."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._sources: list[Source] = []  # what is known of nodes hangs on their ids, so that they must live on
 
     def import_module(self, name: str, level: int, node: ast.stmt, scope: Scope) -> Value:
         """A module by its name as an import statement says it."""
@@ -109,10 +113,12 @@ class Definitions(Calls):
             made.doubt(f"it runs code that it works out ({word})")
             return UNKNOWN
         try:
-            body = parse_text(code.strip()).tree.body
+            source = parse_text(code.strip())
         except SourceError:
             return UNKNOWN
-        for each in (part for statement in body for part in ast.walk(statement)):
+        self._sources.append(source)
+        body = source.tree.body
+        for each in ast.walk(source.tree):
             if hasattr(each, "lineno"):
                 each.lineno = made.line
         if word == "eval" and len(body) == 1 and isinstance(body[0], ast.Expr):

@@ -26,11 +26,12 @@ class ModuleFinder:
         packages: directory of each package → its name, those that win first.
     """
 
-    __slots__ = ("_asked", "_found", "_libraries", "_names", "_packages", "_parsed", "_roots")
+    __slots__ = ("_asked", "_found", "_libraries", "_names", "_packages", "_parsed", "_real", "_roots")
 
     def __init__(self, packages: Mapping[str, str]) -> None:
         self._packages = dict(packages)
         self._roots: dict[str, tuple[tuple[str, ...], frozenset[str]]] = {}
+        self._real: dict[str, str] = {}
         self._asked: dict[tuple[str, str, str], tuple[str | None, frozenset[str]]] = {}
         self._names: dict[str, tuple[frozenset[str] | None, frozenset[str]]] = {}
         self._found: dict[tuple[str, str], tuple[str | None, frozenset[str]]] = {}
@@ -91,6 +92,12 @@ class ModuleFinder:
         if isinstance(known[1], SourceError):
             raise known[1]
         return known[1]
+
+    def real(self, path: str) -> str:
+        """The path without links, looked up once."""
+        if path not in self._real:
+            self._real[path] = os.path.realpath(path)
+        return self._real[path]
 
     def libraries(self, package: str, root: str) -> frozenset[str]:
         """The libraries of Python that a package says it needs, by its manifest or a list of requirements in it or in ``root``."""

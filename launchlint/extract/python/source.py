@@ -88,6 +88,8 @@ def _routines(tree: ast.Module) -> tuple[tuple[Routine, ...], frozenset[str]]:
                 around = (*around, routine)
             elif around:
                 _note(node, around, later)
+            if kind is ast.Name or kind is ast.Constant:
+                continue
             for name in kind._fields:
                 child = getattr(node, name, None)
                 if isinstance(child, ast.AST):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from launchlint.extract.python import builtins
 from launchlint.extract.python.conditions import negated, written
@@ -35,6 +35,10 @@ from launchlint.extract.python.values import (
 
 class Statements(Definitions):
     """Execution."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._changed: dict[int, list[tuple[ast.expr, bool]]] = {}
 
     def execute(self, body: Sequence[ast.stmt], scope: Scope) -> int:
         """Go through statements; how that ended."""
@@ -317,17 +321,12 @@ class Statements(Definitions):
 
     def _widen(self, body: Sequence[ast.stmt], scope: Scope) -> None:
         """Variables that a loop makes of their own old value are unknown in its rounds."""
-        for statement in body:
-            for each in ast.walk(statement):
-                if isinstance(each, ast.AugAssign):
-                    if not isinstance(self._quiet(each.target, scope), (Seq, Map)):
-                        self.assign(each.target, UNKNOWN, scope)
-                elif isinstance(each, ast.Assign) and len(each.targets) == 1 and isinstance(each.value, (ast.BinOp, ast.Call)):
-                    target = each.targets[0]
-                    if isinstance(target, (ast.Name, ast.Attribute)):
-                        own = ast.dump(target).replace("Store()", "Load()")
-                        if any(isinstance(part, type(target)) and ast.dump(part) == own for part in ast.walk(each.value)):
-                            self.assign(target, UNKNOWN, scope)
+        key = id(body)
+        if key not in self._changed:
+            self._changed[key] = [target for statement in body for target in _changed(statement)]
+        for target, augmented in self._changed[key]:
+            if not augmented or not isinstance(self._quiet(target, scope), (Seq, Map)):
+                self.assign(target, UNKNOWN, scope)
 
     def _quiet(self, target: ast.expr, scope: Scope) -> Value:
         return self.evaluate(target, scope) if isinstance(target, (ast.Name, ast.Attribute)) else UNKNOWN
@@ -381,6 +380,19 @@ class Statements(Definitions):
                 branch.flow = self.execute(case.body, scope)
             ways.append((said, branch))
         return self._meet([*ways, ("", Branch())], scope)
+
+
+def _changed(statement: ast.stmt) -> Iterator[tuple[ast.expr, bool]]:
+    """What a statement makes of its own old value, and whether by ``+=`` and the like."""
+    for each in ast.walk(statement):
+        if isinstance(each, ast.AugAssign):
+            yield each.target, True
+        elif isinstance(each, ast.Assign) and len(each.targets) == 1 and isinstance(each.value, (ast.BinOp, ast.Call)):
+            target = each.targets[0]
+            if isinstance(target, (ast.Name, ast.Attribute)):
+                own = ast.dump(target).replace("Store()", "Load()")
+                if any(isinstance(part, type(target)) and ast.dump(part) == own for part in ast.walk(each.value)):
+                    yield target, False
 
 
 def changes_later(test: ast.expr, module: Module) -> bool:
