@@ -2,9 +2,11 @@
 
 What it does: it looks for topics that command something (`cmd_vel`, `cmd`, `command` and the like) with two or more publishers of
 different nodes. Publishers that may or may not be there do not count, and neither does a second relay of the same input. Only the
-publishers of that very topic count: behind a mux there is one. Trajectories do not count, whatever the topic is called: nodes take turns
-in sending those. It is an info where all but one are silent until a person acts, who takes over from a planner so: by holding a button of
-the joystick (a dead-man switch), or by pressing a key, for programs of which the library says that they send nothing else.
+publishers of that very topic count: behind a mux there is one. A node that only sends on what it hears (a relay, a throttle, a mux) counts
+where something in the launch publishes its input, and then that is named, too; else it waits for a person or another launch file.
+Trajectories do not count, whatever the topic is called: nodes take turns in sending those. It is an info where all but one are silent
+until a person acts, who takes over from a planner so: by holding a button of the joystick (a dead-man switch), or by pressing a key, for
+programs of which the library says that they send nothing else. What the same two lines do for several robots is told once.
 
 ## Why it matters
 
@@ -42,12 +44,15 @@ commands, or does not stop when one of them says so.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, ConnectionGraph, Endpoint, Instance
 from launchlint.late import late
+from launchlint.rules.connections.conduits import forwarded
 from launchlint.rules.connections.places import Owners, acting_origin, how, node_origin, owners
+from launchlint.rules.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
@@ -62,6 +67,19 @@ TURNS = "trajectory_msgs/"
 JOYSTICK = "sensor_msgs/Joy"
 
 
+class Source(NamedTuple):
+    """A publisher of commands, and where it has them from: ``origins`` is itself, or, if it sends on what it hears, who publishes that."""
+
+    endpoint: Endpoint
+    origins: tuple[Endpoint, ...]
+
+    @property
+    def name(self) -> str:
+        """The node in words."""
+        first = self.origins[0].node
+        return first if first == self.endpoint.node else f"{first} (through {self.endpoint.node})"
+
+
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at every command topic."""
     known: Owners | None = None
@@ -69,14 +87,25 @@ def check(view: GraphView) -> Iterator[Finding]:
         if channel.kind != "topic" or len(channel.offers) < 2 or channel.name.rpartition("/")[2] not in COMMANDS:
             continue
         known = known or owners(view.graph)
-        sources = _sources(channel, known)
+        sources = _sources(channel, known, view.graph)
         if len(sources) > 1:
             yield _finding(channel, sources, known, view.graph)
 
 
-def _sources(channel: Channel, known: Owners) -> list[Endpoint]:
+def together(findings: Sequence[Finding]) -> Finding:
+    """What two lines do for several robots: the topics of the others are named."""
+    first, *others = findings
+    topics = sorted({finding.topic for finding in others} - {first.topic})
+    if not topics:
+        return joined(findings)
+    more = f" and {len(topics) - 4} more" if len(topics) > 4 else ""
+    note = f"the same lines do so on {', '.join(topics[:4])}{more}"
+    return first._replace(notes=(*first.notes, note), entries=max(finding.entries for finding in findings))
+
+
+def _sources(channel: Channel, known: Owners, graph: ConnectionGraph) -> list[Source]:
     """One publisher of each node that publishes on its own account; of relays of one input, the first."""
-    found: dict[str, Endpoint] = {}
+    found: dict[str, Source] = {}
     inputs: set[str] = set()
     for endpoint in channel.offers:
         if not endpoint.certain or endpoint.action or endpoint.type.startswith(TURNS) or known[id(endpoint)].node.is_test:
@@ -86,15 +115,22 @@ def _sources(channel: Channel, known: Owners) -> list[Endpoint]:
             if heard & inputs:
                 continue
             inputs |= heard
-        found.setdefault(endpoint.node, endpoint)
-    return list(found.values())
+        origins = forwarded(endpoint, known, graph)
+        if origins is None:
+            found.setdefault(endpoint.node, Source(endpoint, (endpoint,)))
+        elif origins:
+            found.setdefault(endpoint.node, Source(endpoint, origins))
+    direct = {source.endpoint.node for source in found.values() if source.origins == (source.endpoint,)}
+    return [source for node, source in found.items() if node in direct or any(each.node not in direct for each in source.origins)]
 
 
-def _by_hand(source: Endpoint, instance: Instance, graph: ConnectionGraph) -> str:
+def _by_hand(source: Source, known: Owners, graph: ConnectionGraph) -> str:
     """What a person does while the node commands; empty where it does so on its own."""
-    if source.declaration.by_hand:
-        return "presses keys"
-    return "holds a button of the joystick" if _is_held(instance, graph) else ""
+    ways = [
+        "presses keys" if each.declaration.by_hand else "holds a button of the joystick" if _is_held(known[id(each)], graph) else ""
+        for each in source.origins
+    ]
+    return ways[0] if all(ways) else ""
 
 
 def _is_held(source: Instance, graph: ConnectionGraph) -> bool:
@@ -110,24 +146,27 @@ def _is_held(source: Instance, graph: ConnectionGraph) -> bool:
     return False
 
 
-def _finding(channel: Channel, sources: list[Endpoint], known: Owners, graph: ConnectionGraph) -> Finding:
-    first, *_, last = sources
-    ways = {source.node: way for source in sources if (way := _by_hand(source, known[id(source)], graph))}
+def _finding(channel: Channel, sources: list[Source], known: Owners, graph: ConnectionGraph) -> Finding:
+    first, last = sources[0].endpoint, sources[-1].endpoint
+    ways = {source.origins[0].node: way for source in sources if (way := _by_hand(source, known, graph))}
     taking_over = len(sources) - len(ways) <= 1
-    names = ", ".join(sorted(source.node for source in sources)[:4]) + (" …" if len(sources) > 4 else "")
+    names = ", ".join(sorted(source.name for source in sources)[:4]) + (" …" if len(sources) > 4 else "")
     heard = next((use.node for use in channel.uses if use.certain), "")
     notes = [f"{heard} obeys all of them"] if heard else []
     if taking_over:
         node, way = next(iter(ways.items()))
         notes.append(f"{node} commands only while somebody {way}")
-    notes += [words for words in (how(source, known[id(source)]) for source in (first, last)) if words]
+    notes += [words for words in (how(each, known[id(each)]) for each in (first, last)) if words]
+    here, other = acting_origin(last, known[id(last)]), node_origin(known[id(first)]).place
+    severity = Severity.INFO if taking_over else RULE.severity
     return RULE.at(
-        acting_origin(last, known[id(last)]),
+        here,
         f"{len(sources)} nodes publish the commands on {channel.name}: {names}",
-        severity=Severity.INFO if taking_over else None,
+        severity=severity,
         label="publishes it, too",
-        related=((node_origin(known[id(first)]).place, f"{first.node} publishes it"),),
+        related=((other, f"{first.node} publishes it"),),
         notes=tuple(notes),
         help="give each of them a topic of its own and decide between them with a mux (twist_mux, topic_tools/mux)",
         topic=channel.name,
+        cause=" ".join((severity.word, *(f"{place.source.path}:{place.span.start}" for place in (here.place, other)))),
     )
