@@ -15,10 +15,9 @@ from launchlint.extract.cpp.values import UNKNOWN, Thing
 from launchlint.extract.fact import Doubt, Fact, Plugin
 from launchlint.extract.template import Template
 
+# A node may well publish /clock, or hear /rosout: which of their ends every node has is told where all languages meet.
 _EVERYWHERE = frozenset(
     (
-        "/rosout",
-        "/clock",
         "/use_sim_time",
         "use_sim_time",
         "~get_loggers",

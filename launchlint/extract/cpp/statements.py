@@ -144,7 +144,7 @@ def declare(machine: Machine, node: Node, frame: Frame) -> Value:
             value = classes.default(machine, type_, node, frame)
         if declarator.field("parameters") is None and _is_array(declarator) and initial is None:
             classes.contain(machine, Type("", (type_,)), frame)
-            value = Text("") if type_.name == "char" else UNKNOWN
+            value = UNKNOWN
         frame.variables[name] = machine.cell(value, type_, constant)
     return value
 

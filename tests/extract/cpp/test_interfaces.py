@@ -222,6 +222,29 @@ def test_a_base_class_of_another_namespace_is_called_by_its_own_name(tmp_path: P
     assert doubts == ()
 
 
+def test_the_end_of_clock_and_rosout_that_not_every_node_has(tmp_path: Path) -> None:
+    source = """
+    int main() { ros::NodeHandle nh; nh.advertise<rosgraph_msgs::Clock>("/clock", 1); nh.subscribe("/rosout", 1, hear); }
+    """
+    assert [spelled(fact) for fact in program(tmp_path, source)[0]] == [
+        "publishers /clock rosgraph_msgs/Clock 2 queue=1",
+        "subscribers /rosout - 2 queue=1",
+    ]
+
+
+def test_an_array_of_characters_that_nobody_has_filled_is_no_text(tmp_path: Path) -> None:
+    source = """
+    void cb(const std_msgs::StringConstPtr& given) {
+      char name[9];
+      memcpy(name, given->data.c_str(), 8);
+      ros::NodeHandle nh;
+      nh.advertise<std_msgs::Bool>("of/" + std::string(name), 1);
+    }
+    int main() { ros::NodeHandle nh; nh.subscribe("given", 1, cb); }
+    """
+    assert "publishers of/{any} std_msgs/Bool 6 queue=1 when=message" in [spelled(fact) for fact in program(tmp_path, source)[0]]
+
+
 def test_plugins_are_a_doubt(tmp_path: Path) -> None:
     facts, doubts = program(tmp_path, 'int main() { pluginlib::ClassLoader<demo::Layer> loader("demo", "demo::Layer"); }')
     assert facts == ()
