@@ -144,6 +144,7 @@ class EntryOptions:
     ) -> Options:
         """All that changes findings. ``everything``: all rules, with their own severities; ``cache``: where indices are kept."""
         from launchlint.cli.selection import selected_rules, severities
+        from launchlint.workspace.project_library import project_libraries
 
         configuration = self.configuration
         rules = selected_rules(tuple(select), tuple(ignore), configuration, everything=everything)
@@ -165,7 +166,10 @@ class EntryOptions:
             root=os.getcwd(),
             severities={} if everything else severities(tuple(severity), configuration),
             complete=None if configuration.packages is None else configuration.packages == "complete",
-            library=tuple(os.path.abspath(file) for file in (*configuration.library, *self.library)),
+            library=(
+                *project_libraries((self.standard_input,) if self.standard_input else self.paths or (os.curdir,)),
+                *(os.path.abspath(file) for file in (*configuration.library, *self.library)),
+            ),
             library_cache=cache,
             style=style_of(configuration),
             extract=self.extract and configuration.extract,

@@ -15,7 +15,6 @@ from launchlint.graph.topology import Topology, topology
 from launchlint.library.catalogue import Entry as KnownProgram
 from launchlint.library.catalogue import known
 from launchlint.library.lookup import Library, open_libraries
-from launchlint.report.escape import shell_word
 from launchlint.report.html.links import checked_prefix
 from launchlint.report.html.material import EntryMaterial
 from launchlint.source import Source
@@ -119,7 +118,7 @@ def learnable(entries: Iterable[EntryMaterial], packages: Packages) -> dict[str,
         directory = packages.find(package, os.curdir)
         shown = None if directory is None else os.path.relpath(directory)
         if shown is not None and not shown.startswith(os.pardir):
-            found[program] = f"launchlint extract {shell_word(shown)} -o library.json"
+            found[program] = "launchlint probe --unknown"
         else:
             found[program] = (
                 f"launchlint probe probe.yaml -o library.json, where probe.yaml has packages: [{package}] and the repository of it"

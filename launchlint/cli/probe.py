@@ -6,12 +6,14 @@ import os
 import sys
 import time
 from contextlib import contextmanager
+from typing import NamedTuple
 
 import click
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
+    from typing import Any
 
     from launchlint.cli.progress import ProgressBar
     from launchlint.probe.journal import Journal
@@ -19,7 +21,8 @@ if TYPE_CHECKING:
 
 
 @click.command("probe")
-@click.option("-o", "--output", required=True, metavar="FILE", help="Where to write the library.")
+@click.option("-o", "--output", metavar="FILE", help="Where to write the library; with --unknown default: .launchlint/probed.json.")
+@click.option("--unknown", "wanted", is_flag=True, help="Probe what the launch files at PATHS start and nobody knows.")
 @click.option("--local", is_flag=True, help="Use the ROS of this machine instead of a container. The nodes run unprotected.")
 @click.option("--resume", is_flag=True, help="Go on where an earlier run with the same -o was interrupted.")
 @click.option("--shard", metavar="I/N", help="Probe only the I-th of N parts; `launchlint library merge` joins them.")
@@ -27,9 +30,10 @@ if TYPE_CHECKING:
 @click.option("--strict", is_flag=True, help="Exit with status 1 where any node could not be run.")
 @click.option("-q", "--quiet", is_flag=True, help="Say nothing but errors.")
 @click.option("-v", "--verbose", is_flag=True, help="Show all output of the build.")
-@click.argument("configuration", metavar="CONFIG.yaml")
+@click.argument("given", nargs=-1, metavar="CONFIG.yaml | --unknown [PATHS]...")
 def command(
-    output: str,
+    output: str | None,
+    wanted: bool,
     local: bool,
     resume: bool,
     shard: str | None,
@@ -37,12 +41,15 @@ def command(
     strict: bool,
     quiet: bool,
     verbose: bool,
-    configuration: str,
+    given: tuple[str, ...],
 ) -> int:
     """Run the nodes that CONFIG.yaml names, and record what they publish, subscribe, serve, call and read in a library.
 
     They run in a container without a network, one after the other beside a recording ROS master. What is known is on disk at once (in
     FILE.partial.jsonl), so Ctrl-C loses nothing: --resume goes on.
+
+    With --unknown the configuration is made from launch files: the programs that they start and that neither launchlint nor their sources
+    tell. It is left in .launchlint/unknown.yaml, and what was probed in .launchlint/probed.json, which every command reads.
 
     The exit status is 0 where the library was written, 1 where runs or packages are missing from it, 2 where there is none.
     """
@@ -56,7 +63,10 @@ def command(
     from launchlint.probe.summary import is_worth_a_failure, summary
 
     part = _shard(shard) if shard is not None else None
-    settings = load(configuration)
+    target = _target(given, wanted=wanted, output=output)
+    if target is None:
+        return 0
+    settings, output = load(target.configuration), target.output
     if jobs is not None:
         settings = settings._replace(limits=settings.limits._replace(jobs=jobs))
     check_target(output, what="the library")
@@ -69,7 +79,8 @@ def command(
         with _stoppable():
             outcome = _probe(settings, journal, part, watcher, local)
         watcher.clear()
-        text = canonical(assemble(settings, outcome.records, outcome.notes, outcome.trees, outcome.origins, local=local))
+        document = assemble(settings, outcome.records, outcome.notes, outcome.trees, outcome.origins, local=local)
+        text = canonical(_with_earlier(document, output) if wanted else document)
         try:
             parse(text.encode("utf-8", "replace"), output)
         except LibraryError as error:  # a fault of launchlint: better no library than one that cannot be read
@@ -86,8 +97,91 @@ def command(
         journal.close(complete=complete)
     if not quiet:
         _print(summary(outcome, output))
+        _print(target.notices)
     failed = strict and any(record.status == "failed" for record in outcome.records)
     return int(failed or is_worth_a_failure(outcome))
+
+
+class Target(NamedTuple):
+    """The configuration to read, the library to write, and what is to be said in the end."""
+
+    configuration: str
+    output: str
+    notices: tuple[str, ...] = ()
+
+
+def _target(given: Sequence[str], *, wanted: bool, output: str | None) -> Target | None:
+    """What the command line asks for; None where nothing is unknown."""
+    from launchlint.errors import UsageError
+
+    if wanted:
+        return _unknown(given, output)
+    if len(given) != 1:
+        raise UsageError("give one CONFIG.yaml, which says what to probe; or --unknown for what launch files start and nobody knows")
+    if output is None:
+        raise UsageError("-o is missing: where shall the library be written?")
+    return Target(given[0], output)
+
+
+def _unknown(paths: Sequence[str], output: str | None) -> Target | None:
+    """Write the configuration for what nobody knows."""
+    from launchlint.atomic import write_text
+    from launchlint.check.ahead import read_ahead
+    from launchlint.check.entry import EntryChecker
+    from launchlint.check.graphs import graphs_of
+    from launchlint.check.run import default_directory
+    from launchlint.cli.entries import EntryOptions, leave_others_out
+    from launchlint.errors import UsageError
+    from launchlint.probe.unknown import text_of, unknown
+    from launchlint.workspace.project_library import PROBED, project_directory
+
+    entry = EntryOptions(tuple(paths))
+    requests, overlay = entry.requests()
+    checker = EntryChecker(entry.options(everything=True, cache=default_directory()), overlay)
+    requests, _ = leave_others_out(entry, requests, checker.session)
+    if not requests:
+        raise UsageError("there is no launch file here whose nodes could be probed; give one")
+    read_ahead(requests, checker, 0, None)
+    graphs = [graph for request in requests for graph in graphs_of(checker, request, every_configuration=True)]
+    directory = project_directory(entry.paths[0])
+    output = output or os.path.relpath(os.path.join(directory, PROBED))
+    configuration = os.path.join(directory, "unknown.yaml")
+    found = unknown(graphs, checker.session.packages, directory)
+    notices: tuple[str, ...] = ()
+    if found.absent:
+        listed = ", ".join(found.absent[:10]) + (f" and {len(found.absent) - 10} more" if len(found.absent) > 10 else "")
+        notices = (f"not probed, since their packages are not in the workspace: {listed}; name their repositories in a configuration",)
+    if not found.programs:
+        _print(notices or ("every program that these launch files start is known: there is nothing to probe",))
+        return None
+    os.makedirs(directory, exist_ok=True)
+    write_text(configuration, text_of(found, os.path.relpath(output, os.curdir)), what="the configuration")
+    many = "1 program" if len(found.programs) == 1 else f"{len(found.programs)} programs"
+    _print([f"{os.path.relpath(configuration)}: {many} that nobody knows"])
+    return Target(os.path.relpath(configuration), output, notices)
+
+
+def _with_earlier(document: dict[str, Any], output: str) -> Mapping[str, Any]:
+    """A library with what was probed earlier and is not in it: that is known by now, so that nobody asks for it again."""
+    from launchlint.library.file import parse, read
+    from launchlint.library.merge import Clash, merge_libraries
+
+    if not os.path.exists(output):
+        return document
+    earlier = dict(parse(read(output), output))
+    packages = {}
+    for name, package in earlier["packages"].items():
+        again = document["packages"].get(name, {})
+        packages[name] = {
+            key: {program: known for program, known in value.items() if program not in again.get(key, {})}
+            if key in ("executables", "nodelets")
+            else value
+            for key, value in package.items()
+        }
+    try:
+        return merge_libraries([document, {**earlier, "packages": packages}])
+    except Clash:  # the messages are others by now: so is all that was probed with them
+        return document
 
 
 def _probe(settings: object, journal: Journal, part: Shard | None, watcher: _Watcher, local: bool) -> Outcome:

@@ -92,8 +92,10 @@ def configuration(found: Found) -> str:
 # complete: every package the robot has can be found, so one that is missing is an error; partial: it may be elsewhere.
 # packages: partial
 
-# What your own nodes publish, subscribe, serve and call: launchlint extract . -o library.json
+# What nodes do, beside what launchlint knows and reads from your sources; libraries in .launchlint/ are read anyway;
+# and whether your sources are.
 # library: [library.json]
+# extract: false
 
 # Rules not to run (launchlint rules lists them), and others that count more or less here.
 # ignore: [LL206]

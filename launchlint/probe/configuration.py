@@ -86,6 +86,7 @@ class ProbeConfiguration(NamedTuple):
         pip: further packages from PyPI.
         packages: the ROS packages to probe; empty: those of the sources, or all where there are no sources.
         everything: probe all packages that can be seen, also installed ones.
+        programs: the programs to probe, of all those in the packages; empty: all.
         skip: packages and programs to leave out.
         nodes: program → settings, as the program in the container reads them.
         launch: launch files to probe.
@@ -101,6 +102,7 @@ class ProbeConfiguration(NamedTuple):
     pip: tuple[str, ...] = ()
     packages: tuple[str, ...] = ()
     everything: bool = False
+    programs: tuple[str, ...] = ()
     skip: tuple[str, ...] = ()
     nodes: Mapping[str, Mapping[str, Any]] = _EMPTY
     launch: tuple[LaunchFile, ...] = ()
@@ -217,6 +219,9 @@ class _Reader:
         if node.kind == SCALAR and node.text == "all":
             return {"everything": True}
         return {"packages": tuple(dict.fromkeys(self._words(node, "package", "packages")))}
+
+    def programs(self, node: Node) -> dict[str, Any]:
+        return {"programs": tuple(dict.fromkeys(self._words(node, "program", "programs")))}
 
     def skip(self, node: Node) -> dict[str, Any]:
         found = []
@@ -392,6 +397,7 @@ _READERS: Mapping[str, Callable[[_Reader, Node], dict[str, Any]]] = {
     "apt": _Reader.apt,
     "pip": _Reader.pip,
     "packages": _Reader.packages,
+    "programs": _Reader.programs,
     "skip": _Reader.skip,
     "nodes": _Reader.nodes,
     "launch": _Reader.launch,

@@ -150,6 +150,7 @@ def job_of(configuration: ProbeConfiguration, shard: Shard | None, **more: Any) 
     return {
         "packages": list(configuration.packages),
         "everything": configuration.everything,
+        "programs": list(configuration.programs),
         "skip": list(configuration.skip),
         "nodes": nodes,
         "launch": [{"file": each.file, "args": dict(each.args)} for each in configuration.launch],

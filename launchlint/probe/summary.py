@@ -128,7 +128,7 @@ def _notes(notes: Sequence[Note]) -> list[str]:
         if note.kind == "package" and facts["status"] != "found":
             lines.append(f"there is no package {facts['package']}: correct `packages`, or install it by `apt`")
         elif note.kind == "unknown":
-            lines.append(f"`nodes` names {facts['label']}, which no probed package has")
+            lines.append(f"no probed package has {facts['label']}, which `nodes` or `programs` names")
         elif note.kind == "dependency":
             by = note.facts["needed_by"]
             lines.append(f"{', '.join(by[:MOST_NAMES])}: the dependency {facts['name']} was not installed: {facts['detail']}")

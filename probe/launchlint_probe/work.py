@@ -63,9 +63,10 @@ def run_all(job: Job) -> int:
     """Do a job. Returns the number of processes that could not be ended: 0, if all is well.
 
     Keys of the job, all optional: ``packages`` (names), ``everything`` (all packages that can be seen, not only those of source spaces),
-    ``skip`` (packages and labels), ``nodes`` (label → settings), ``launch``, ``limits`` (``quiet``, ``limit``, ``jobs``; of each node
-    ``memory`` and ``disk`` in bytes, ``processes``), ``shard`` (number from 1, count), ``done`` (fingerprints of what need not be run),
-    ``only`` (those of what shall), ``prefixes``, ``sources`` (source spaces), ``reports`` (a directory), ``image``.
+    ``programs`` (labels; all others are left out), ``skip`` (packages and labels), ``nodes`` (label → settings), ``launch``, ``limits``
+    (``quiet``, ``limit``, ``jobs``; of each node ``memory`` and ``disk`` in bytes, ``processes``), ``shard`` (number from 1, count),
+    ``done`` (fingerprints of what need not be run), ``only`` (those of what shall), ``prefixes``, ``sources`` (source spaces), ``reports``
+    (a directory), ``image``.
     """
     processes.adopt()
     prefixes = job.get("prefixes") or discover.default_prefixes()
@@ -110,8 +111,10 @@ def _programs(job: Job, seen: discover.Packages) -> List[discover.Found]:
             programs.extend(discover.executables(package, seen.programs[package], seen.sources.get(package)))
             programs.extend(discover.nodelets(package, seen.shares.get(package, []), loader))
     labels = {program.label for program in programs}
-    for label in sorted(set(job.get("nodes", {})) - labels):
+    chosen = set(job.get("programs", []))
+    for label in sorted((set(job.get("nodes", {})) | chosen) - labels):
         say({"kind": "unknown", "label": label})
+    programs = [program for program in programs if not chosen or program.label in chosen]
     programs = [program for program in programs if program.label not in skip and is_mine(program.label, job.get("shard"))]
     return sorted(programs, key=lambda each: (each.package, each.kind == "nodelet", each.name))
 

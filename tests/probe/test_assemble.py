@@ -142,7 +142,7 @@ def test_summary() -> None:
         "    make: a.o\n"
         "    make: *** [a.o] Error 1\n"
         "robot: the dependency qt6 was not installed: apt has no package for it\n"
-        "`nodes` names robot/dirver, which no probed package has\n"
+        "no probed package has robot/dirver, which `nodes` or `programs` names\n"
         "3 lines of the container's output were no records and were left out: it is no JSON\n"
         "1 process could not be ended\n"
         "not everything was probed: time was up; --resume goes on"

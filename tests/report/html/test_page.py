@@ -61,8 +61,7 @@ def test_tables_say_all_without_scripts(repository: Path) -> None:
         "std_msgs/Int32 | demo/launch/nav.launch:9 | give one of the two another name, or put a node between them that converts"
     )
     assert text_of(html, "table-unknown") == (
-        "Program | Nodes | Why | What to type\ndemo/unknown.py | 1 | it is a script, but not Python | "
-        "launchlint extract demo -o library.json"
+        "Program | Nodes | Why | What to type\ndemo/unknown.py | 1 | it is a script, but not Python | launchlint probe --unknown"
     )
 
 
