@@ -92,6 +92,8 @@ class Definitions(Calls):
     def _base(self, node: ast.expr, scope: Scope) -> Value:
         """A base class. What a library that makes no names gives for one makes none either."""
         value = self.evaluate(node, scope)
+        if value is UNKNOWN and isinstance(node, ast.Name) and scope.module.stars:
+            return External("builtins.object")  # of a library that makes no names: of another one it would not be unknown
         if value is UNKNOWN and isinstance(node, (ast.Call, ast.Subscript)):
             maker = self.evaluate(node.func if isinstance(node, ast.Call) else node.value, scope)
             if isinstance(maker, External) and self.is_silent(maker.name):
@@ -107,8 +109,8 @@ class Definitions(Calls):
             loaded = self.module(code, made)
             first = code.partition(".")[0] if isinstance(code, str) and len(positional) < 4 else code
             return loaded if first == code else self.module(first, made)
-        if word == "eval" and isinstance(code, Param):
-            return UNKNOWN  # data
+        if word == "eval" and (isinstance(code, Param) or (isinstance(code, Text) and code.template.startswith(("{arg:", "{option:")))):
+            return UNKNOWN  # a value that somebody writes into a launch file
         if word == "execfile" or not isinstance(code, str) or len(code) > LONGEST_CODE:
             made.doubt(f"it runs code that it works out ({word})")
             return UNKNOWN

@@ -283,7 +283,7 @@ class _Run(Statements):
                 return External(full)
         if name in _TYPES and any("parameter_generator" in star for star in module.stars):
             return External(f"dynamic_reconfigure.parameter_generator.{name}")
-        found = messages.origin(name, module.stars)
+        found = messages.origin(name, module.stars) or next((star for star in module.stars if not self.is_silent(star)), "")
         return External(f"{found}.{name}") if found else UNKNOWN
 
     def plugin(self, name: Value, made: Call) -> None:
