@@ -308,3 +308,39 @@ def test_a_plugin_of_another_package_is_followed(tmp_path: Path) -> None:
     found = program(root, "node", "node")["variants"]["default"]
     assert found["publishers"] == [{"name": "curve", "type": "nav_msgs/Path", "queue": 1, "evidence": at("curved/curved.cpp:1")}]
     assert "open" not in found  # no other plugin than this one is loaded
+
+
+def test_programs_that_import_nothing_of_ros_are_none(tmp_path: Path) -> None:
+    head = "#!/usr/bin/env python\n"
+    root = grow(
+        tmp_path / "ws",
+        {
+            "demo/package.xml": MANIFEST.format(name="demo", more=""),
+            "demo/src/demo/__init__.py": "",
+            "demo/src/demo/plain.py": "import numpy\nfrom demo import beside\n",
+            "demo/src/demo/beside.py": "import os\n",
+            "demo/src/demo/talk.py": "import rospy\nrospy.wait_for_service('s')\n",
+            "demo/src/demo/strange.py": "from other_package import *\n",
+            "demo/src/demo/old.py": "import talk\n",
+            "demo/scripts/quiet": head + "import sys, yaml\nfrom demo import plain\nfrom demo.beside import something\nprint(something)\n",
+            "demo/scripts/by_module": head + "from demo import talk\n",
+            "demo/scripts/deep": head + "import os.path\ndef f():\n    import demo.talk\nf()\n",
+            "demo/scripts/as_python_2": head + "import demo.old\n",
+            "demo/scripts/worked_out": head + "import importlib\nimportlib.import_module('demo.talk')\n",
+            "demo/scripts/by_text": head + "__import__('demo.talk')\n",
+            "demo/scripts/stranger": head + "from demo import strange\nstrange.go()\n",
+        },
+    )
+    for path in (root / "demo/scripts").iterdir():
+        path.chmod(0o755)
+    programs = extract([str(root)]).document["packages"]["demo"]["executables"]
+    assert {name: each["class"] for name, each in sorted(programs.items())} == {
+        "as_python_2": "rospy",
+        "by_module": "rospy",
+        "by_text": "rospy",
+        "deep": "rospy",
+        "quiet": "none",
+        "stranger": "rospy",
+        "worked_out": "rospy",
+    }
+    assert {name for name, each in programs.items() if each["variants"]["default"].get("clients")} == set(programs) - {"quiet", "stranger"}

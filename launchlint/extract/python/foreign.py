@@ -86,6 +86,7 @@ _STANDARD = sys.stdlib_module_names | {
 }  # fmt: skip
 _GENERATED = frozenset(("msg", "srv", "action", "cfg"))
 _SILENT = _ROS | _OTHERS | _STANDARD
+_PLAIN = (_OTHERS | _STANDARD) - {"importlib", "imp", "runpy", "pkgutil", "pkg_resources"}
 _DECLARED = re.compile(rb">\s*python3?-([A-Za-z0-9][\w.-]{0,80}?)(?:-pip)?\s*<")
 _REQUIRED = re.compile(rb"^[ \t]*([A-Za-z0-9][\w.-]{0,80})", re.MULTILINE)
 
@@ -101,6 +102,11 @@ def is_silent(name: str, declared: frozenset[str] = frozenset()) -> bool:
     if top in _SILENT or top.endswith(("_msgs", "_srvs")) or rest.partition(".")[0] in _GENERATED:
         return True
     return top.lower() in declared
+
+
+def has_no_ros(name: str) -> bool:
+    """Whether a module has nothing to do with ROS, and brings no other modules by names that are worked out."""
+    return name.partition(".")[0] in _PLAIN
 
 
 def declared_libraries(manifest: bytes, requirements: bytes) -> frozenset[str]:

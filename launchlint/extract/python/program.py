@@ -15,6 +15,7 @@ from launchlint.extract.python.calls import Callback
 from launchlint.extract.python.foreign import is_silent
 from launchlint.extract.python.memory import Ended, Exhausted
 from launchlint.extract.python.modules import ModuleFinder
+from launchlint.extract.python.silence import says_nothing
 from launchlint.extract.python.source import Routine, SourceError, parse
 from launchlint.extract.python.statements import Statements
 from launchlint.extract.python.text import joined, ros_name
@@ -114,6 +115,8 @@ class _Run(Statements):
     def follow(self, path: str) -> None:
         """Follow the file at ``path`` from beginning to end."""
         source = parse(path)
+        if says_nothing(source, self._beside, self._package, self._finder):
+            return
         main = Module("__main__", self._shown(path), source)
         main.scope.variables.update({"__name__": "__main__", "__file__": UNKNOWN, "__doc__": UNKNOWN})
         self._modules[os.path.realpath(path)] = main

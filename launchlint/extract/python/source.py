@@ -37,14 +37,22 @@ class Routine:
 
 
 class Source:
-    """A syntax tree, its functions, and names of attributes and global variables that functions other than constructors write."""
+    """A syntax tree, and what one walk through it tells.
 
-    __slots__ = ("routines", "set_later", "size", "tree")
+    ``routines`` are its functions, ``imports`` its import statements, ``set_later`` names of attributes and global variables that functions
+    other than constructors write; ``makes_code`` is whether it uses ``eval`` and the like.
+    """
+
+    __slots__ = ("imports", "makes_code", "routines", "set_later", "size", "tree")
 
     def __init__(self, tree: ast.Module, size: int) -> None:
         self.tree = tree
         self.size = size
-        self.routines, self.set_later = _routines(tree)
+        self.routines: tuple[Routine, ...] = ()
+        self.imports: tuple[ast.Import | ast.ImportFrom, ...] = ()
+        self.set_later: frozenset[str] = frozenset()
+        self.makes_code = False
+        _look_through(self)
 
 
 def parse(path: str) -> Source:
@@ -72,12 +80,13 @@ def parse_text(text: str) -> Source:
     return Source(tree, len(text))
 
 
-def _routines(tree: ast.Module) -> tuple[tuple[Routine, ...], frozenset[str]]:
-    """Everything that is to be known of a tree, in one walk through it. Raises :class:`SourceError` where it is nested too deep."""
+def _look_through(source: Source) -> None:
+    """Fill in what is to be known of a tree. Raises :class:`SourceError` where it is nested too deep."""
     routines: list[Routine] = []
+    imports: list[ast.Import | ast.ImportFrom] = []
     later: set[str] = set()
     nobody: tuple[Routine, ...] = ()
-    level: list[tuple[ast.AST, tuple[Routine, ...]]] = [(tree, nobody)]
+    level: list[tuple[ast.AST, tuple[Routine, ...]]] = [(source.tree, nobody)]
     for _ in range(DEEPEST_TREE):
         below: list[tuple[ast.AST, tuple[Routine, ...]]] = []
         for node, around in level:
@@ -88,8 +97,13 @@ def _routines(tree: ast.Module) -> tuple[tuple[Routine, ...], frozenset[str]]:
                 around = (*around, routine)
             elif around:
                 _note(node, around, later)
-            if kind is ast.Name or kind is ast.Constant:
+            if kind is ast.Name:
+                source.makes_code = source.makes_code or node.id in _MAKING_CODE  # type: ignore[attr-defined]
                 continue
+            if kind is ast.Constant:
+                continue
+            if kind is ast.Import or kind is ast.ImportFrom:
+                imports.append(node)  # type: ignore[arg-type]
             for name in kind._fields:
                 child = getattr(node, name, None)
                 if isinstance(child, ast.AST):
@@ -101,7 +115,8 @@ def _routines(tree: ast.Module) -> tuple[tuple[Routine, ...], frozenset[str]]:
             for each in routines:
                 if each.name != "__init__":
                     later |= each.writes & each.globals
-            return tuple(routines), frozenset(later)
+            source.routines, source.imports, source.set_later = tuple(routines), tuple(imports), frozenset(later)
+            return
         level = below
     raise SourceError("is nested too deep")
 
@@ -133,6 +148,7 @@ def called(node: ast.Call) -> tuple[str, str]:
     return last, function.id if isinstance(function, ast.Name) else ""
 
 
+_MAKING_CODE = frozenset(("eval", "exec", "execfile", "__import__"))
 _LEAVES = (ast.Load, ast.Store, ast.Del)
 
 
