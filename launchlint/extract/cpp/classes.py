@@ -406,9 +406,8 @@ def overriders(machine: Machine, this: Thing, name: str) -> list[tuple[Class, li
     if this.declared is None:
         return []
     found = []
-    for declared in machine.declarations.classes.values():
-        if declared is not this.declared and any(each is this.declared for each in machine.names.bases(declared.name)):
-            functions = [each for each in machine.declarations.functions.get(joined(declared.name, name), []) if each.body]
-            if functions:
-                found.append((declared, functions))
+    for declared in machine.names.derived(this.declared):
+        functions = [each for each in machine.declarations.functions.get(joined(declared.name, name), []) if each.body]
+        if functions:
+            found.append((declared, functions))
     return found[:_MOST_SUBCLASSES]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.extract.cpp.declarations import Class, Declarations, joined
@@ -42,33 +41,47 @@ class Names:
     def __init__(self, declarations: Declarations) -> None:
         self.declarations = declarations
         self._bases: dict[str, list[Class]] = {}
+        self._derived: dict[str, list[Class]] = {}
+        self._scopes: dict[str, tuple[str, ...]] = {}
+        self._resolved: dict[tuple[Type, str, int], Type] = {}
         self._known = (0, 0)
 
-    def scopes(self, scope: str) -> Iterator[str]:
+    def _refresh(self) -> None:
+        """Forget what was looked up where a using directive in a function has added to what can be found."""
+        known = (len(self.declarations.used), len(self.declarations.aliases))
+        if known != self._known:
+            self._known = known
+            for each in (self._bases, self._derived, self._scopes, self._resolved):
+                each.clear()
+
+    def scopes(self, scope: str) -> tuple[str, ...]:
         """``scope`` and those around it, then the namespaces that are used; a class's base classes after the class."""
-        seen: set[str] = set()
+        self._refresh()
+        if scope in self._scopes:
+            return self._scopes[scope]
+        found: dict[str, None] = {}
         current = scope
         while True:
-            if current not in seen:
-                seen.add(current)
-                yield current
-            for base in self.bases(current):
-                if base.name not in seen:
-                    seen.add(base.name)
-                    yield base.name
+            found[current] = None
+            found.update((base.name, None) for base in self.bases(current))
             if not current:
                 break
             current = current.rpartition("::")[0]
-        for used in self.declarations.used:
-            if used not in seen:
-                yield used
+        found.update(self.declarations.used)
+        self._scopes[scope] = tuple(found)
+        return self._scopes[scope]
+
+    def derived(self, base: Class) -> list[Class]:
+        """The classes that are derived from one, in the order of the sources."""
+        self._refresh()
+        if base.name not in self._derived:
+            others = (each for each in self.declarations.classes.values() if each is not base)
+            self._derived[base.name] = [other for other in others if any(each is base for each in self.bases(other.name))]
+        return self._derived[base.name]
 
     def bases(self, name: str) -> list[Class]:
         """The base classes of a class, as far as they are declared, nearest first."""
-        known = (len(self.declarations.used), len(self.declarations.aliases))  # a using directive in a function adds to them
-        if known != self._known:
-            self._known = known
-            self._bases.clear()
+        self._refresh()
         if name in self._bases:
             return self._bases[name]
         found: list[Class] = []
@@ -101,6 +114,17 @@ class Names:
     def resolve(self, type_: Type, frame: Frame, scope: str | None = None, depth: int = 0) -> Type:
         """``type_`` with its full name, smart pointers and aliases looked through; template arguments resolved, too."""
         start = frame.scope if scope is None else scope
+        if frame.aliases or frame.bindings or frame.outer is not None:
+            return self._resolve(type_, frame, start, depth)
+        self._refresh()
+        key = (type_, start, depth)
+        found = self._resolved.get(key)
+        if found is None:
+            found = self._resolved[key] = self._resolve(type_, frame, start, depth)
+        return found
+
+    def _resolve(self, type_: Type, frame: Frame, scope: str, depth: int) -> Type:
+        start = scope
         for _ in range(_MOST_STEPS):
             if not type_.name:
                 return type_
