@@ -176,7 +176,8 @@ class Relevance:
 
     def _reached(self, target: Function) -> None:
         """Functions that call ``target``, or make an object of its class."""
-        self._called(target)
+        if target.last != target.owner.rpartition("::")[2]:
+            self._called(target)
         if target.owner:
             self._making(target.owner)
 

@@ -77,6 +77,10 @@ SOURCES = {
         "struct A { A() { nh.advertise(t); } }; struct B : A { int n; }; void f() { B b; } void g(B* b) {}",
         {"A::A", "f"},
     ),
+    "a class that is only named": (
+        "struct A { A() { nh.advertise(t); } static int n() { return 1; } int g() { return A::n(); } }; int f(A& a) { return A::n(); }",
+        {"A::A"},
+    ),
     "a node handle that is handed on": (
         (
             "struct A { ros::NodeHandle nh_; void f() { other(nh_, 1); } void g() { n = nh_.ok(); } };"
