@@ -101,6 +101,8 @@ def is_silent(name: str, declared: frozenset[str] = frozenset()) -> bool:
     top, _, rest = name.partition(".")
     if top in _SILENT or top.endswith(("_msgs", "_srvs")) or rest.partition(".")[0] in _GENERATED:
         return True
+    if any(part.endswith(("_pb2", "_pb2_grpc")) for part in name.split(".")):
+        return True  # what protoc generates
     return top.lower() in declared
 
 
