@@ -92,8 +92,7 @@ def configuration(found: Found) -> str:
 # complete: every package the robot has can be found, so one that is missing is an error; partial: it may be elsewhere.
 # packages: partial
 
-# What nodes do, beside what launchlint knows and reads from your sources; libraries in .launchlint/ are read anyway;
-# and whether your sources are.
+# Libraries of what nodes do, beside those in .launchlint/; and whether the sources of your own nodes are read.
 # library: [library.json]
 # extract: false
 

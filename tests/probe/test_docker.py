@@ -7,6 +7,7 @@ from __future__ import annotations
 import gc
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -58,7 +59,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, Any], str
     """The library of the small workspace, and what the command said."""
     directory = tmp_path_factory.mktemp("docker")
     done = subprocess.run(command(directory, "-v", text=NODES), capture_output=True, text=True, timeout=900, check=False)
-    assert done.returncode == 0, done.stderr[-5000:]
+    assert done.returncode == 1, done.stderr[-5000:]  # a file of one package cannot be compiled
     return json.loads((directory / "library.json").read_text()), done.stderr
 
 
@@ -119,6 +120,7 @@ def test_the_launch_file_is_recorded(built: tuple[dict[str, Any], str]) -> None:
 
 
 def test_what_is_missing_is_said(built: tuple[dict[str, Any], str]) -> None:
+    assert re.search(r"probe_counter: built in part: .*\n(    .*\n)*    make: \*\*\* ", built[1])
     assert "probe_talker: the dependency no_such_package_anywhere was not installed: apt has no package for it" in built[1]
 
 
@@ -128,7 +130,8 @@ def test_nothing_is_left_behind(built: tuple[dict[str, Any], str]) -> None:
 
 
 def test_a_second_run_finds_the_layers_and_the_same_library(built: tuple[dict[str, Any], str], tmp_path: Path) -> None:
-    done = subprocess.run(command(tmp_path, "-v", "--jobs", "3", text=NODES), capture_output=True, text=True, timeout=300, check=True)
+    done = subprocess.run(command(tmp_path, "-v", "--jobs", "3", text=NODES), capture_output=True, text=True, timeout=300, check=False)
+    assert done.returncode == 1
     assert "Running in" not in done.stderr.replace("LABEL", "")
     assert json.loads((tmp_path / "library.json").read_text()) == built[0]
 
@@ -142,7 +145,7 @@ def test_ctrl_c_ends_the_container(built: tuple[dict[str, Any], str], tmp_path: 
     time.sleep(1)
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=60)
-    assert (process.returncode, said.strip()) == (130, "launchlint: stopped")
+    assert (process.returncode, said.strip().splitlines()[-1]) == (130, "launchlint: stopped")
     assert docker("ps", "-aq", "--filter", f"label={LABEL}") == ""
     assert docker("volume", "ls", "-q", "--filter", f"label={LABEL}") == ""
 
@@ -222,6 +225,7 @@ def test_hostile_nodes_stay_inside(tmp_path: Path, built: tuple[dict[str, Any], 
     said = {name: [f"{problem['code']}: {problem['detail']}" for problem in program["problems"]] for name, program in programs.items()}
     assert any("open doors:" in line and line.rstrip().endswith("open doors:") for line in said["doors.py"]), said
     assert said["memory.py"] in (
+        ["too-much-memory: it took more than 225 MiB of memory"],
         ["ended: it was ended by signal 9"],
         ["broke-the-container: it wanted more memory than it may have (`memory` in `limits`)"],
     )
