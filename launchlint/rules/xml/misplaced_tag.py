@@ -1,7 +1,7 @@
 """An element stands inside one that does not take it.
 
 A `<remap>` in an `<include>`, a `<node>` in a `<node>`, an `<arg>` in a `<node>`: the tag exists, and roslaunch skips
-it there, with all that it contains.
+it there, with all that it contains. What stands wrongly in one element is told at once.
 
 ## Why it matters
 
@@ -44,18 +44,21 @@ The setting looks as if it worked. Inside nodes and includes roslaunch prints a 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
+from launchlint.rules.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.syntax.ros1.dialect import TAGS
 
 RULE = Rule("LL106", "misplaced-tag", Severity.WARNING, roslaunch="reports")
+SKIPPED = "skipped"
+MOST_NAMED = 6
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say where the tag belongs; facts: ``tag``, ``parent``, ``reported`` (roslaunch warns)."""
+    """Say where the tag belongs; facts: ``tag``, ``name``, ``parent``, ``within``, ``reported`` (roslaunch warns)."""
     tag, parent = problem.facts["tag"], problem.facts["parent"]
     reported: bool = problem.facts["reported"]
     said = "roslaunch prints a warning and skips it, with all that it contains" if reported else "roslaunch skips it without a word"
@@ -63,9 +66,24 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         problem.origin,
         f"<{tag}> has no effect inside <{parent}>",
         severity=Severity.ERROR if problem.refused else None,
-        label="skipped",
+        label=f"<{tag}> {problem.facts['name']} is {SKIPPED}" if problem.facts["name"] else SKIPPED,
         notes=(said,),
         help=_advice(tag, parent),
+        cause=f"{problem.place.source.path}:{problem.facts['within']} {problem.refused}",
+    )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """All that stands wrongly in one element: how much, what, and what to do about each kind."""
+    findings = sorted(findings, key=lambda finding: finding.location.start)
+    first = joined(findings)
+    named = [finding.label.removesuffix(f" is {SKIPPED}") if finding.label != SKIPPED else f"<{finding.element}>" for finding in findings]
+    more = f" and {len(named) - MOST_NAMED} more" if len(named) > MOST_NAMED else ""
+    parent = first.message.rpartition(" inside ")[2].partition(" (")[0]
+    return first._replace(
+        message=f"{len(findings)} elements have no effect inside {parent}: {', '.join(named[:MOST_NAMED])}{more}",
+        label=findings[0].label,
+        help="; ".join(dict.fromkeys(finding.help for finding in findings)),
     )
 
 

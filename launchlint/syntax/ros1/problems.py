@@ -38,10 +38,15 @@ def unknown_tag(
 def misplaced_tag(
     document: Document, element: Element, parent: str, reported: bool, refused: bool = False, step: IncludeStep | None = None
 ) -> Problem:
-    """``misplaced-tag``: facts ``tag``, ``parent``, ``reported`` (roslaunch warns)."""
-    return _problem(
-        "misplaced-tag", document, element.name_span, {"tag": element.tag, "parent": parent, "reported": reported}, step, refused
-    )
+    """``misplaced-tag``: facts ``tag``, ``name``, ``parent``, ``within`` (where that starts), ``reported`` (roslaunch warns)."""
+    facts = {
+        "tag": element.tag,
+        "name": element.get("name") or element.get("from") or "",
+        "parent": parent,
+        "within": -1 if element.parent is None else element.parent.span.start,
+        "reported": reported,
+    }
+    return _problem("misplaced-tag", document, element.name_span, facts, step, refused)
 
 
 def unknown_attribute(document: Document, element: Element, rule: TagRule, name: str, step: IncludeStep | None = None) -> Problem:
