@@ -14,6 +14,7 @@ from launchlint.workspace.cmake_words import INSTALL_WORDS
 def install(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
     """``install(…)``: note what it installs, and why there may be more."""
     kind = arguments[0] if arguments else None
+    facts.installs_by_name = True
     if kind == "PROGRAMS":
         install_programs(facts, scope, "install", arguments)
     elif kind in ("FILES", "DIRECTORY"):

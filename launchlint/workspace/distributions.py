@@ -1,4 +1,4 @@
-"""Which ROS distributions a workspace says it is for: in its README, continuous integration, images and scripts. Nothing is run."""
+"""What the texts of a workspace (README, workflows, images, scripts) say of ROS distributions and of installing. Nothing is run."""
 
 from __future__ import annotations
 
@@ -17,18 +17,32 @@ _ENDS = (".yml", ".yaml", ".sh", ".bash", ".rosinstall", ".repos", ".dockerfile"
 _NAMED = re.compile(r"(?<![A-Za-z])(fuerte|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic)(?![A-Za-z])", re.IGNORECASE)
 
 
+_INSTALLS = re.compile(
+    r"\bcatkin_make(?:_isolated)?\b[^\n#]*\binstall\b|\bcatkin[ \t]+config\b[^\n#]*[ \t]--install\b|\bcolcon[ \t]+build\b"
+    r"|\bindustrial_ci\b|\bbloom-(?:release|generate)\b|\bdpkg-buildpackage\b"
+)
+
+
 class Distributions(NamedTuple):
-    """The distributions of ROS 1 that are named (small letters), and the places that were looked at."""
+    """The distributions of ROS 1 that are named (small letters), and the places that were looked at.
+
+    ``installs``: some step that is written there installs what is built (catkin builds a devel space without one).
+    """
 
     named: frozenset[str]
     looked: frozenset[str]
+    installs: bool = False
 
 
 def read_distributions(directories: Iterable[str]) -> Distributions:
     """The distributions that files below ``directories`` name. Bounded; never raises."""
     looked: set[str] = set()
-    found = {name.lower() for _, text in texts(_places(directories), _MOST_FILES, looked) for name in _NAMED.findall(text)}
-    return Distributions(frozenset(found), frozenset(looked))
+    found: set[str] = set()
+    installs = False
+    for _, text in texts(_places(directories), _MOST_FILES, looked):
+        found.update(name.lower() for name in _NAMED.findall(text))
+        installs = installs or _INSTALLS.search(text) is not None
+    return Distributions(frozenset(found), frozenset(looked), installs)
 
 
 def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:

@@ -109,10 +109,14 @@ class Executables:
 
 
 class InstalledFiles(NamedTuple):
-    """Which of its files a package installs; ``reasons`` say why there may be more (empty: exhaustive)."""
+    """Which of its files a package installs; ``reasons`` say why there may be more (empty: exhaustive).
+
+    ``by_name``: there is an ``install()`` as such, and not only a ``catkin_install_python``, which serves devel spaces, too.
+    """
 
     installs: tuple[Install, ...]
     reasons: tuple[str, ...]
+    by_name: bool = True
 
     @property
     def exhaustive(self) -> bool:
@@ -170,7 +174,7 @@ def executables(package: Package, prefixes: Iterable[Prefix] = ()) -> Executable
 def launch_install_directories(package: Package) -> InstalledFiles:
     """Which files the package's ``install(DIRECTORY …)``, ``install(FILES …)`` and ``install(PROGRAMS …)`` take. Never raises."""
     facts = read_cmake(package.directory, lambda: list(files_of(package.directory)[0]))
-    return InstalledFiles(tuple(facts.installs), tuple(dict.fromkeys(facts.installs_reasons)))
+    return InstalledFiles(tuple(facts.installs), tuple(dict.fromkeys(facts.installs_reasons)), facts.installs_by_name)
 
 
 def made_files(package: Package) -> Made:

@@ -289,14 +289,21 @@ class Packages:
 
     def is_older_than(self, distribution: str) -> bool:
         """Whether the workspaces name distributions of ROS 1 (in a README, a workflow, an image …), and only older ones than this."""
+        named = self._said().named
+        return bool(named) and max(named) < distribution.lower()  # they are named in the order of the alphabet
+
+    def has_install_step(self) -> bool:
+        """Whether the workspaces have a step that installs what is built (in a README, a workflow, an image, a script)."""
+        return self._said().installs
+
+    def _said(self) -> Distributions:
         from launchlint.workspace.distributions import read_distributions
         from launchlint.workspace.looking import note
 
         if self._distributions is None:
             self._distributions = read_distributions(self.workspaces)
         note(self._distributions.looked)
-        # They are named in the order of the alphabet.
-        return bool(self._distributions.named) and max(self._distributions.named) < distribution.lower()
+        return self._distributions
 
     def arg_uses(self) -> ArgUses:
         """Where files of the workspaces give args to launch files by name."""

@@ -1,11 +1,11 @@
 """A launch file is not among the files that its package installs.
 
-What it does: where `CMakeLists.txt` can be read to the end and installs something, it looks whether some `install(DIRECTORY …)`
-or `install(FILES …)` takes the launch file. Tests and examples are passed over, packages that install nothing at all, or nothing
-that exists, and what an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on purpose; and packages below a
-`CATKIN_IGNORE`. It is an info where the package installs nothing but headers. All files of one directory that are missing for one
-reason are told of at once.
-
+What it does: where `CMakeLists.txt` can be read to the end and installs something, it looks whether some `install(DIRECTORY …)` or
+`install(FILES …)` takes the launch file. Tests and examples are passed over, packages that install nothing at all, or nothing that exists,
+and what an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on purpose; and packages below a `CATKIN_IGNORE`. It is an info
+where the package installs nothing but headers, and where all it has is `catkin_install_python`, which makes scripts run in a devel space,
+too, unless a script, a workflow, an image or a README installs what is built. All files of one directory that are missing for one reason
+are told of at once.
 ## Why it matters
 
 From a source workspace the file is found. From an installed or released package it is missing.
@@ -87,6 +87,7 @@ from launchlint.rules.view import FileView
 from launchlint.workspace.looking import exists, is_file
 
 RULE = Rule("LL702", "launch-not-installed", Severity.WARNING)
+DEVEL = "it has catkin_install_python only, which a devel space needs, too; nothing here installs the package"
 
 _NOT_MEANT = late(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
 
@@ -112,13 +113,15 @@ def check(view: FileView) -> Iterator[Finding]:
     directory = inside.partition("/")[0] if "/" in inside else ""
     share = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
     headers = all((each.destination or "").partition("/")[0] == "include" for each in present)
-    severity = Severity.INFO if headers else RULE.severity
+    devel = not installed.by_name and not packages.has_install_step()
+    severity = Severity.INFO if headers or devel else RULE.severity
+    meant = f"it installs {'headers' if headers else 'other files'}, so that the package is meant to be installed"
     yield RULE.at(
         document.place(document.launch.name_span),
         f"{name} does not install this file",
         severity=severity,
         label="missing from an installed package",
-        notes=(f"it installs {'headers' if headers else 'other files'}, so that the package is meant to be installed",),
+        notes=(DEVEL if devel else meant,),
         help=f"add install(DIRECTORY {directory} {share})" if directory else f"add install(FILES {inside} {share})",
         cause=f"{severity.word} {name} {directory}",
     )
