@@ -73,6 +73,8 @@ def read_inputs(variables: Mapping[str, str]) -> Inputs:
         options += ["--config", relative(_line(variables, "config"))]
     for file in _lines(variables, "library"):
         options += ["--library", relative(file)]
+    if not _flag(variables, "extract"):
+        options.append("--no-extract")
     sarif = _line(variables, "sarif-file")
     temporary = variables.get("RUNNER_TEMP") or directory
     report = _line(variables, "report")

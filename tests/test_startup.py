@@ -116,6 +116,19 @@ def test_check_makes_the_graph_and_neither_records_nor_pictures_of_it(package: P
     assert among(modules, (*HEAVY, *not_needed)) == []
 
 
+def test_sources_are_read_only_for_a_program_of_these_packages_that_nobody_knows_better(package: Path) -> None:
+    rooms = ("launchlint.extract", "launchlint.knowledge.programs", "launchlint.knowledge.reading", "tree_sitter")
+    launch = PLAIN.replace('pkg="demo_nodes" type="talker"', 'pkg="demo" type="talker.py"')
+    (package / "own.launch").write_text(launch, encoding="utf-8")
+    assert among(modules_after(["check", "plain.launch"], package), rooms) == []
+    assert among(modules_after(["check", "--no-extract", "own.launch"], package), rooms) == []
+    # Python's own parser is enough for a script; and what is known already needs none.
+    (package / "talker.py").write_text("#!/usr/bin/env python3\nimport rospy\n", encoding="utf-8")
+    (package / "talker.py").chmod(0o755)
+    assert among(modules_after(["check", "own.launch"], package), rooms) == list(rooms[:3])
+    assert among(modules_after(["check", "own.launch"], package), rooms) == ["launchlint.knowledge.programs"]
+
+
 def test_second_check_with_a_warm_cache_imports_nothing_heavy(package: Path) -> None:
     modules_after(["check", "plain.launch"], package)
     assert among(modules_after(["check", "plain.launch"], package), HEAVY) == []

@@ -15,7 +15,10 @@ from tests.cli.running import CLEAN, DOUBLE, PACKAGE, ROOT, UNUSED
 from tests.workspace.repositories import Repository
 
 TALKER = '#!/usr/bin/env python3\nimport rospy\nrospy.init_node("t")\n'
-INPUTS = ("paths", "args", "config", "library", "working_directory", "fail_on", "annotations", "summary", "sarif_file", "report", "base")
+INPUTS = (
+    *("paths", "args", "config", "library", "extract", "working_directory", "fail_on"),
+    *("annotations", "summary", "sarif_file", "report", "base"),
+)
 
 
 pytestmark = pytest.mark.pypi  # the action installs launchlint

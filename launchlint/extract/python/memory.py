@@ -61,6 +61,7 @@ class Memory:
         self.facts: list[Fact] = []
         self.doubts: dict[Doubt, None] = {}
         self.conditions: list[str] = []
+        self.starts: list[str] = []  # the conditions under which the program becomes a node
         self.when = "start"
         self.steps = 0
         self._logs: list[Log] = []

@@ -65,8 +65,16 @@ def python_program(path: str, root: str, package: str, finder: ModuleFinder) -> 
     finally:
         if collecting:
             gc.enable()
-    facts = tuple(dict.fromkeys(_hashable(fact) for fact in run.facts))
+    facts = tuple(dict.fromkeys(_hashable(_as_node(fact, run.starts)) for fact in run.facts))
     return Extracted(tuple(each.fact for each in facts), tuple(run.doubts), run.options, run.uses_rospy)
+
+
+def _as_node(fact: Fact, starts: list[str]) -> Fact:
+    """A fact without the conditions under which the program is a node at all: who gave the wrong args has started none."""
+    first = starts[0] if starts else ""
+    if not first or any(each != first for each in starts) or not f"{fact.condition} and ".startswith(f"{first} and "):
+        return fact
+    return fact._replace(condition=fact.condition[len(first) :].removeprefix(" and "))
 
 
 def configuration_params(path: str, root: str) -> tuple[list[Fact], bool]:

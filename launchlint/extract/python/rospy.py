@@ -20,6 +20,7 @@ from launchlint.extract.python.values import (
     Text,
     Value,
     alternatives,
+    conjunction,
 )
 
 
@@ -155,6 +156,11 @@ def _nothing(made: Call) -> Value:
     return None
 
 
+def _started(made: Call) -> Value:
+    made.run.starts.append(conjunction(made.run.conditions))
+    return None
+
+
 def _register_callback(receiver: Handle, made: Call) -> Value:
     made.run.escape(made.positional, "message")
     return UNKNOWN
@@ -215,7 +221,7 @@ HANDLERS = {
     **dict.fromkeys(("rosgraph.Master", "rosgraph.MasterAPI", "rosgraph.masterapi.Master", "rospy.get_master"), _master),
     "rospy.Timer": _timer,
     "rospy.on_shutdown": _later,
-    "rospy.init_node": _nothing,
+    "rospy.init_node": _started,
     "rospy.spin": _nothing,
     "rospy.sleep": _nothing,
     "rospy.get_published_topics": _published,
