@@ -35,6 +35,8 @@ class Sight(NamedTuple):
         return {"nodes": self.nodes, "known": self.known, "unknown": [each._asdict() for each in self.unseen]}
 
 
+LONGEST_TEXT = 300
+"""Characters of a name or reason: a launch file may hold one of megabytes."""
 NOTHING = Sight()
 """Where nobody looked, or there was nothing to see."""
 
@@ -50,5 +52,10 @@ def counted(unseen: Iterable[tuple[str, str, int]]) -> tuple[Unseen, ...]:
     """Each program and reason once."""
     found: dict[tuple[str, str], int] = {}
     for program, reason, nodes in unseen:
-        found[program, reason] = found.get((program, reason), 0) + nodes
+        key = (_shortened(program), _shortened(reason))
+        found[key] = found.get(key, 0) + nodes
     return tuple(Unseen(*key, found[key]) for key in sorted(found))
+
+
+def _shortened(text: str) -> str:
+    return text if len(text) <= LONGEST_TEXT else f"{text[: LONGEST_TEXT - 1]}…"
