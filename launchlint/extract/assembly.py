@@ -189,6 +189,8 @@ class _Assembly:
         self._scan()
         while self._add_plugins():
             self._scan()
+        if len(self.sources) >= MOST_SOURCES or len(self._scanned) >= _MOST_SCANNED:
+            self.doubts["it has too many source files to read them all"] = None
         packages = tuple(sorted({each for name in self.packages for each in self.workspace.absent(name)}))
         return Assembled(
             tuple(self.sources), tuple(self.templates.values()), tuple(self.includes), tuple(self.plugins), tuple(self.doubts), packages

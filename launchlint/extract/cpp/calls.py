@@ -440,7 +440,7 @@ def _macro(machine: Machine, name: str, node: Node, frame: Frame) -> Value:
     if len(given) != len(parameters) or len(text) > _LONGEST_MACRO or machine.depth > 60:
         return UNKNOWN
     known = dict(zip(parameters, given, strict=True))
-    text = re.sub(r"#(\w+)(?!#)", lambda match: f'"{known[match[1]]}"' if match[1] in known else match[0], text)
+    text = re.sub(r"(?<!#)#(\w+)(?!#)", lambda match: f'"{known[match[1]]}"' if match[1] in known else match[0], text)
     text = re.sub(r"\b\w+\b", lambda match: known.get(match[0], match[0]), text).replace("##", "")
     body = parse_statements(text) if len(text) <= 4 * _LONGEST_MACRO else None
     if body is not None:

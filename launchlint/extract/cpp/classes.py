@@ -141,7 +141,11 @@ def begin(machine: Machine, thing: Thing, declared: Class, given: Sequence[Argum
     if is_unread(machine, name, declared, given):
         machine.doubt_all(f"the constructor of {declared.name} is not in these sources", frame.path, node.line)
     inner = Frame(declared.path, declared.name, thing, dict(bindings_in(machine, thing, declared)))
-    _members(machine, thing, declared, {}, inner, node)
+    inherited = given if not machine.declarations.functions.get(name) else ()
+    _members(machine, thing, declared, {}, inner, node, inherited)
+    if not declared.bases:
+        for (field, _), each in zip(declared.fields.items(), inherited, strict=False):
+            machine.write(thing.fields[field], each.value)  # Point{1, 2}: its members, one by one
 
 
 def is_unread(machine: Machine, name: str, declared: Class | None, given: Sequence[Argument]) -> bool:
@@ -182,10 +186,19 @@ def initialise(machine: Machine, function: Function, this: Thing | None, frame: 
         _members(machine, this, declared, listed, frame, function.body)
 
 
-def _members(machine: Machine, this: Thing, declared: Class, listed: dict[str, Node], frame: Frame, node: Node) -> None:
+def _members(
+    machine: Machine,
+    this: Thing,
+    declared: Class,
+    listed: dict[str, Node],
+    frame: Frame,
+    node: Node,
+    inherited: Sequence[Argument] = (),
+) -> None:
+    """Make the bases and members; ``inherited`` is what an object without a constructor of its own is given: those of its base take it."""
     for base in declared.bases:
         initialiser = listed.get(base.last)
-        given = arguments(machine, initialiser.child("argument_list", "initializer_list"), frame) if initialiser else []
+        given = arguments(machine, initialiser.child("argument_list", "initializer_list"), frame) if initialiser else inherited
         _base(machine, this, base, given, initialiser or node, frame)
     for name, field in declared.fields.items():
         initialiser = listed.get(name)
@@ -410,4 +423,7 @@ def overriders(machine: Machine, this: Thing, name: str) -> list[tuple[Class, li
         functions = [each for each in machine.declarations.functions.get(joined(declared.name, name), []) if each.body]
         if functions:
             found.append((declared, functions))
+    if any(overloads.tells(each) for _, functions in found[_MOST_SUBCLASSES:] for each in functions):
+        reason = f"{name} has more than {_MOST_SUBCLASSES} overriders, of which not all are followed"
+        machine.doubt_all(reason, found[0][0].path, found[0][1][0].line)
     return found[:_MOST_SUBCLASSES]

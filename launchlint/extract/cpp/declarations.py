@@ -121,6 +121,8 @@ class Declarations:
         self.calls: dict[str, tuple[tuple[str, ...], str]] = {}
         self.constants: dict[str, tuple[Node | None, int]] = {}
         self.messages: dict[str, None] = {}
+        self.invocations: list[tuple[Node, str]] = []
+        """Macros that are called outside of functions, with the files that they stand in."""
         self.of_ros: set[str] = set()
         """Files that include headers of ROS."""
         self._owned: list[Function] = []
@@ -200,6 +202,8 @@ class Declarations:
                 self.of_ros.add(path)
             if match:
                 self.messages[f"{match[1]}/{match[2]}"] = None
+        elif kind == "expression_statement":
+            self.invocations += [(each, path) for each in node.children if each.kind == "call_expression"]
         elif kind in _SCOPES:
             if kind == "preproc_if" and _is_zero(node.field("condition")):
                 rest = node.field("alternative")
@@ -259,6 +263,8 @@ class Declarations:
         if named is None:
             return
         text = named.text.removeprefix("::")
+        if text.rpartition("::")[2] == text.rpartition("::")[0].rpartition("::")[2]:
+            return  # the constructors of a base class are inherited
         if "namespace" in node.text.split(named.text)[0].split():
             self.used[text] = None
         else:

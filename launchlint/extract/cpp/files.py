@@ -8,7 +8,7 @@ from collections import OrderedDict
 from collections.abc import Sequence
 
 from launchlint.extract.assembly import found_header
-from launchlint.extract.cpp.syntax import Node, parse
+from launchlint.extract.cpp.syntax import Root, parse
 from launchlint.extract.template import Template, filled
 from launchlint.workspace.looking import LARGEST_FILE, read_bytes
 
@@ -17,7 +17,7 @@ _MOST_BYTES = 8 << 20
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]{1,300})[>"]', re.MULTILINE)
 _MOST_KEPT = 4 << 20
 
-_kept: OrderedDict[tuple[str, int, int], Node] = OrderedDict()
+_kept: OrderedDict[tuple[str, int, int], Root] = OrderedDict()
 
 
 class File:
@@ -25,7 +25,7 @@ class File:
 
     __slots__ = ("path", "root")
 
-    def __init__(self, path: str, root: Node) -> None:
+    def __init__(self, path: str, root: Root) -> None:
         self.path = path
         self.root = root
 
@@ -41,7 +41,7 @@ def read_files(
     problems: list[str] = []
     seen: set[str] = set()
     total = 0
-    pending: list[tuple[str, Node | None]] = [(each, None) for each in reversed(list(dict.fromkeys(sources)))]
+    pending: list[tuple[str, Root | None]] = [(each, None) for each in reversed(list(dict.fromkeys(sources)))]
     while pending:
         path, tree = pending.pop()
         if tree is not None:
@@ -70,7 +70,7 @@ def read_files(
     return found, problems, list(missing)
 
 
-def _tree(path: str, data: bytes) -> Node:
+def _tree(path: str, data: bytes) -> Root:
     key = (os.path.realpath(path), len(data), hash(data))
     if key in _kept:
         _kept.move_to_end(key)

@@ -88,6 +88,7 @@ class Machine:
         self.when = "start"
         self.horizon = 0
         self.touched = False
+        self.too_deep = False
         self.serial = 0
         self.steps = 0
         self.depth = 0
@@ -133,6 +134,9 @@ class Machine:
         self.steps += 1
         if self.steps == _MOST_STEPS:
             self.doubt_all("the program is too long to be followed to its end", self.temporary.path, 1)
+        if self.depth >= _DEEPEST and not self.too_deep:
+            self.too_deep = True
+            self.doubt_all("the program is nested too deeply to be followed to its end", self.calls[-1].path if self.calls else "", 1)
         return self.steps < _MOST_STEPS and self.depth < _DEEPEST
 
     def finish(self) -> None:
@@ -406,6 +410,8 @@ class Machine:
         if self.instance is not None:
             fact = fact._replace(name=self.instance.renamed(fact.name))
         self.facts.setdefault(repr(fact), fact)
+        if len(self.facts) == _MOST_FACTS:
+            self.doubt_all(f"only {_MOST_FACTS} names are listed", fact.path, fact.line)
 
     def doubt(self, category: str, reason: str, node: Node, frame: Frame) -> None:
         """Note why there may be more of a category."""

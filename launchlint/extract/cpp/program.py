@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Sequence
 
 from launchlint.extract.cpp import nodelet
 from launchlint.extract.cpp.declarations import Declarations
-from launchlint.extract.cpp.files import read_files
+from launchlint.extract.cpp.files import File, read_files
 from launchlint.extract.cpp.foreign import Foreign
 from launchlint.extract.cpp.machine import Argument, Machine
 from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
@@ -15,6 +16,7 @@ from launchlint.extract.cpp.values import UNKNOWN, Thing
 from launchlint.extract.fact import Doubt, Fact, Plugin
 from launchlint.extract.template import Template
 
+_MAKES = re.compile(r"(?:\.|->)\s*(?:advertise\w*|subscribe\w*|serviceClient|getParam|param)\s*[<(]")
 # A node may well publish /clock, or hear /rosout: which of their ends every node has is told where all languages meet.
 _EVERYWHERE = frozenset(
     (
@@ -72,7 +74,22 @@ def cpp_program(
         machine.finish()
     except RecursionError:
         machine.doubt_all("the program is nested too deeply to be followed to its end", first, 1)
+    for file in files:
+        _doubt_torn(machine, file)
     return _settled(list(machine.facts.values()), list(machine.doubts))
+
+
+def _doubt_torn(machine: Machine, file: File) -> None:
+    """Note where a part of a file is not understood, and makes names that were not found."""
+    if not file.root.errors:
+        return
+    told = {fact.line for fact in machine.facts.values() if fact.path == file.path}
+    for first, text in file.root.errors:
+        for match in _MAKES.finditer(text):
+            line = first + text.count("\n", 0, match.start())
+            if told.isdisjoint(range(line - 2, line + 3)):
+                machine.doubt_all("a part of the source is not understood", file.path, line)
+                return
 
 
 def _settled(facts: Sequence[Fact], doubts: Sequence[Doubt]) -> tuple[tuple[Fact, ...], tuple[Doubt, ...]]:

@@ -51,6 +51,7 @@ _DIRECTIVE = re.compile(r"[ \t]*#[ \t]*(if|el|endif)")
 _NEVER = re.compile(r"[ \t]*#[ \t]*if[ \t]+0\b")
 _LONGEST_CONDITIONAL = 200
 _MOST_ENDLESS = 20
+_MOST_ERRORS = 200
 
 
 class Node:
@@ -142,14 +143,40 @@ def _parser() -> Parser:
     return tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language()))
 
 
-def parse(source: bytes) -> Node:
+class Root(Node):
+    """The node of a whole file; ``errors`` are the parts of it that are not understood: the line of each, and its text."""
+
+    __slots__ = ("errors",)
+
+    def __init__(self, source: bytes) -> None:
+        super().__init__("translation_unit", source, 0, len(source))
+        self.errors: list[tuple[int, str]] = []
+
+
+def parse(source: bytes) -> Root:
     """The tree of a file. What is nested too deeply, or more than there is room for, is left out.
 
     Raises:
         UsageError: tree-sitter is not installed.
     """
     source = _readable(source)
-    return _converted(_parser().parse(source), source)
+    tree = _parser().parse(source)
+    root = Root(source)
+    _note_errors(tree, root)
+    _convert(tree.walk(), root, 0)
+    return root
+
+
+def _note_errors(tree: Tree, root: Root) -> None:
+    """Go through those parts of a tree that have an error in them, and note the outermost of each."""
+    pending = [tree.root_node] if tree.root_node.has_error else []
+    while pending and len(root.errors) < _MOST_ERRORS:
+        node = pending.pop()
+        if node.is_error:
+            text = root._source[node.start_byte : node.end_byte].decode("utf-8", "replace")
+            root.errors.append((node.start_point[0] + 1, text))
+        else:
+            pending += [each for each in node.children if each.has_error]
 
 
 @lru_cache(maxsize=2048)

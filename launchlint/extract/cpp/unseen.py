@@ -54,15 +54,17 @@ class Unseen:
 
     def variables(self) -> None:
         """Make the global objects that nothing has asked for: their constructors run before ``main()``."""
-        from launchlint.extract.cpp import overloads, places
+        from launchlint.extract.cpp import places
 
         machine = self.machine
+        for node, path in machine.declarations.invocations:
+            machine.evaluate(node, Frame(path, "", None, {}))
         for name, field in machine.declarations.variables.items():
             if name in machine.globals or field.pointer:
                 continue
             frame = Frame(field.path, field.scope, None, {})
             declared = machine.names.declared(machine.names.resolve(field.type, frame)) if field.type.name else None
-            if declared is not None and overloads.talks(machine, declared):
+            if declared is not None and machine.declarations.members(declared.name):
                 places.of_program(machine, name, frame)
 
     def queue(self) -> bool:
@@ -71,7 +73,7 @@ class Unseen:
         before = len(machine.pending)
         for value in list(self._taken.values()):
             if isinstance(value, Closure):
-                if value.node not in self.visited and self._tell(value.node.text):
+                if value.node not in self.visited:
                     machine.later(value, "message", ())
             elif self.visited.isdisjoint(value.functions) and any(self.tells(each) for each in value.functions):
                 machine.later(value, "message", (f"{value.functions[0].last} is called",))

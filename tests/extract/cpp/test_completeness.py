@@ -335,3 +335,36 @@ int main() {{ Derived object; }}
 def test_a_constructor_calls_the_functions_of_its_own_class(tmp_path: Path, virtual: str, call: str, expected: list[str]) -> None:
     facts, _ = program(tmp_path, DERIVED.format(virtual=virtual, call=call))
     assert [fact.name for fact in facts] == expected
+
+
+def test_a_factory_that_a_macro_registers_with_makes_its_class(tmp_path: Path) -> None:
+    source = """
+    struct Part { virtual void start() = 0; };
+    std::map<std::string, std::function<Part*()>>& makers() { static std::map<std::string, std::function<Part*()>> all; return all; }
+    template <class T> struct Registered { Registered(const std::string& name) { makers()[name] = []() { return new T(); }; } };
+    #define REGISTER_PART(Class) static Registered<Class> registered##Class(#Class);
+    struct Arm : public Part { Arm() { ros::NodeHandle().advertise<std_msgs::Bool>("a", 1); } void start() {} };
+    REGISTER_PART(Arm);
+    int main() { makers()[name()]()->start(); }
+    """
+    facts, _ = program(tmp_path, source)
+    assert [(fact.category, fact.name) for fact in facts] == [("publishers", "a")]
+
+
+def test_members_that_are_given_one_by_one_and_constructors_that_are_inherited(tmp_path: Path) -> None:
+    source = """
+    struct Context { ros::NodeHandle nh; std::string name; };
+    struct Base { Base(ros::NodeHandle nh) { nh.advertise<std_msgs::Bool>("b", 1); } };
+    struct Derived : public Base { using Base::Base; };
+    int main() { Context c{ros::NodeHandle("~"), "a"}; c.nh.advertise<std_msgs::Bool>(c.name, 1); Derived d(ros::NodeHandle("/arm")); }
+    """
+    facts, doubts = program(tmp_path, source)
+    assert [fact.name for fact in facts] == ["/arm/b", "~a"]
+    assert doubts == ()
+
+
+def test_a_part_that_is_not_understood_leaves_it_open(tmp_path: Path) -> None:
+    sound = 'int main() { ros::NodeHandle nh; nh.advertise<std_msgs::Bool>("b", 1); }'
+    torn = f'{sound}\n\n\n@ @ ) void more(ros::NodeHandle nh) ( nh.subscribe("a", 1, cb); @ ( }}'
+    assert doubted(tmp_path, torn) == {"a part of the source is not understood": CATEGORIES}
+    assert doubted(tmp_path, sound) == {}
