@@ -146,9 +146,10 @@ class Relevance:
             for function, mention in self._mentioned.get(word, ()):
                 if _is_given(mention):
                     self._found(function)
+        methods = {each.last for each in functions if each.owner}
         for word in told:
             for function, mention in self._mentioned.get(word, ()):
-                if word in strange or _tells(mention):
+                if word in strange or (_tells(mention) and not (word in methods and self._is_of_program(function, mention))):
                     self._found(function)
             if word[0].isupper() and word not in _SILENT_MEMBERS:
                 self._held(word)
@@ -213,6 +214,19 @@ class Relevance:
                 if each.body is not None:
                     self._found(each)
             self._making(holder.name)
+
+    def _is_of_program(self, function: Function, mention: Mention) -> bool:
+        """Whether a call is one of a member of the program's classes that is called like a function of ROS."""
+        if mention.joint == "::" or (mention.joint and not mention.before):
+            return False
+        of_own = not mention.joint or mention.before == "this"
+        owners = (function.owner or None,) if of_own else self._class_of(function, mention.before)
+        return all(each is not None and self._has(each, mention.word) for each in owners)
+
+    def _has(self, owner: str, name: str) -> bool:
+        """Whether a class or one of its bases has a member function with a body."""
+        chain = (owner, *(each.name for each in self._names.bases(owner)))
+        return any(one.body is not None for each in chain for one in self._declarations.functions.get(f"{each}::{name}", ()))
 
     # -- which function a call means ----------------------------------------------------------------------------------
 

@@ -81,6 +81,17 @@ SOURCES = {
         "struct A { A() { nh.advertise(t); } static int n() { return 1; } int g() { return A::n(); } }; int f(A& a) { return A::n(); }",
         {"A::A"},
     ),
+    "a member that is called like one of ROS": (
+        (
+            "struct A { int param() { return 1; } int f() { return param() + this->param(); } }; int g(A& a) { return a.param(); }"
+            " int h() { return nh.param(t, 1); }"
+        ),
+        {"h"},
+    ),
+    "a member that is called like one of ROS, and asks it": (
+        "struct A { ros::NodeHandle nh_; int param(T t) { return nh_.param(t, 1); } int f() { return param(t); } };",
+        {"A::param", "A::f"},
+    ),
     "a node handle that is handed on": (
         (
             "struct A { ros::NodeHandle nh_; void f() { other(nh_, 1); } void g() { n = nh_.ok(); } };"
