@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
@@ -18,31 +19,41 @@ _COMPOSE_ENDS = (".yml", ".yaml")
 _SHELL = re.compile(r"^[ \t]*(?:(?:export|declare -x)[ \t]+|Environment=[\"']?)?([A-Za-z_]\w*)=", re.MULTILINE)
 _DOCKER = re.compile(r"^[ \t]*(?:ENV|ARG)[ \t]+([A-Za-z_]\w*)", re.MULTILINE | re.IGNORECASE)
 _COMPOSE = re.compile(r"^[ \t]*(?:-[ \t]*[\"']?)?([A-Z_][A-Z_0-9]*)[ \t]*[:=]", re.MULTILINE)
+_LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
+_LAUNCH = re.compile(r"\$\(\s*env\s+([A-Za-z_]\w*)\s*\)")
 _SOURCE = re.compile(r"(?:environ(?:\.get)?[ \t]*[\[(]|getenv[ \t]*\()[ \t]*[\"']([A-Za-z_]\w*)[\"']")
 
 
 class Variables(NamedTuple):
-    """Each variable that is set or read, with the first file (absolute) that does, and the places that were looked at."""
+    """Each variable that is set or read, with the first file (absolute) that does, and the places that were looked at.
+
+    ``launched`` says how many launch files read a variable without a default; those are not among the others.
+    """
 
     known: Mapping[str, str]
     looked: frozenset[str]
+    launched: Mapping[str, int]
 
 
 def read_variables(directories: Iterable[str]) -> Variables:
     """The variables that files below ``directories`` set or read; values are not looked at. Bounded; never raises."""
     found: dict[str, str] = {}
+    launched: Counter[str] = Counter()
     looked: set[str] = set()
     for file, text in texts(_places(directories), _MOST_FILES, looked):
+        if file.endswith(_LAUNCH_ENDS):
+            launched.update(set(_LAUNCH.findall(text)))
+            continue
         pattern = _pattern(os.path.basename(file))
         for match in () if pattern is None else pattern.finditer(text):
             found.setdefault(match[1], file)
-    return Variables(found, frozenset(looked))
+    return Variables(found, frozenset(looked), launched)
 
 
 def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
     for top in directories:
         for directory, listed in walk(top, _MOST_DIRECTORIES):
-            yield directory, [name for name in listed if _pattern(name) is not None]
+            yield directory, [name for name in listed if name.endswith(_LAUNCH_ENDS) or _pattern(name) is not None]
 
 
 def _pattern(name: str) -> re.Pattern[str] | None:

@@ -1,11 +1,10 @@
 """A `$(env …)` reads an environment variable that is not set here.
 
 Variables that every login or ROS installation sets are not told of, nor those that an env-hook of a package in the workspace sets
-(`catkin_add_env_hooks`, `env-hooks/*.sh`). Others may be set on the robot and not where this
-check runs; `env:` in `.launchlint.yaml` gives them a value for the check. Each variable is told of once. It is an info where the
-workspace itself sets or reads the variable elsewhere (a shell file, a Dockerfile, a service, `os.environ` or `getenv`), and where three or
-more launch files read it: it is the project's own.
-
+(`catkin_add_env_hooks`, `env-hooks/*.sh`), or one of a public package that the launch file, another that it reaches, or its own
+`package.xml` needs. Others may be set on the robot and not where this check runs; `env:` in `.launchlint.yaml` gives them a value for the
+check. The variables of a file are told of together. It is an info where the workspace itself sets or reads the variable elsewhere (a shell
+file, a Dockerfile, a service, `os.environ` or `getenv`), and where three or more launch files read it: it is the project's own.
 ## Why it matters
 
 Where the variable is not set roslaunch refuses the file. `$(optenv NAME default)` works everywhere.
@@ -29,6 +28,7 @@ Where the variable is not set roslaunch refuses the file. `$(optenv NAME default
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
@@ -39,8 +39,10 @@ from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import one_slip
+from launchlint.workspace.public_variables import public_setters
 
 RULE = Rule("LL209", "env-unset", Severity.WARNING, roslaunch="refuses")
+MOST_NAMED = 6
 CONVENTION = 3
 """Launch files of a workspace that read a variable, from which it is no oversight."""
 USUAL = (
@@ -60,29 +62,64 @@ def check(view: LaunchView) -> Iterator[Fine]:
 def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     """Suggest a default; facts: ``variable``."""
     name = problem.facts["variable"]
-    if name in USUAL or name in view.packages.hook_variables():
+    if _is_set(name, view):
         return
     slip = one_slip(name, (*USUAL, *OPTIONAL))
-    own = view.packages.own_variables().get(name)
-    notes = [f"where it is not set roslaunch stops with: environment variable '{name}' is not set"]
-    if own is not None:
-        notes.append(f"{shown(own, root_of(problem.place.source))} sets or reads it, too")
+    reason = "" if slip is not None else _convention(name, problem, view)
     given = f"write $(optenv {name} DEFAULT), or give it a value under env: in .launchlint.yaml if it is always set"
     yield RULE.at(
         problem.origin,
         f"the environment variable {name} is not set here",
-        severity=None if own is None or slip is not None else Severity.INFO,
-        notes=tuple(notes),
+        severity=Severity.INFO if reason else None,
+        notes=(f"where it is not set roslaunch stops with: environment variable '{name}' is not set", *([reason] if reason else [])),
         help=given if slip is None else f"did you mean {slip}?",
         topic=name,
-        cause=f"{name} {own is None}",
+        cause=name if reason or slip is not None else " ".join(_like(problem, view)),
     )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
-    """A variable that many launch files read without a default is a convention of the project: an info."""
+    """The variables of one file, and of files that read the same ones."""
     whole = joined(findings)
-    files = {finding.location.path for finding in findings}
-    if len(files) < CONVENTION or whole.severity is not RULE.severity or whole.help.startswith("did you mean"):
+    names = list(dict.fromkeys(finding.topic for finding in sorted(findings, key=lambda finding: finding.location)))
+    if len(names) < 2:
         return whole
-    return whole._replace(severity=Severity.INFO, notes=(*whole.notes, f"{len(files)} launch files read it: it is a convention here"))
+    more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+    return whole._replace(
+        message=f"{len(names)} environment variables are not set here: {', '.join(names[:MOST_NAMED])}{more}",
+        notes=("where one of them is not set roslaunch stops",),
+        help="write $(optenv NAME DEFAULT), or give them values under env: in .launchlint.yaml if they are always set",
+    )
+
+
+def _is_set(name: str, view: LaunchView) -> bool:
+    """Whether it is set wherever the launch can run: always, or by the hook of a package that it needs."""
+    return name in USUAL or name in view.packages.hook_variables() or any(_needs(package, view) for package in public_setters(name))
+
+
+def _needs(package: str, view: LaunchView) -> bool:
+    """Whether a launch file that was reached names the package in ``pkg`` or ``$(find …)``, or the package of the entry declares it."""
+    named = re.compile(rf"\$\(\s*find\s+{package}\s*\)|\bpkg\s*=\s*[\"']{package}[\"']")
+    home = view.packages.package_of(view.launch.entry.file)
+    return (home is not None and package in home.run_dependencies) or any(
+        named.search(document.source.text) is not None for document in view.documents.values()
+    )
+
+
+def _convention(name: str, problem: Problem, view: LaunchView) -> str:
+    """Why the project itself sees to it that the variable is set, for people; empty where nothing says so."""
+    own = view.packages.own_variables().get(name)
+    if own is not None:
+        return f"{shown(own, root_of(problem.place.source))} sets or reads it, too"
+    files = view.packages.launch_variables().get(name, 0)
+    return f"{files} launch files read it: it is a convention here" if files >= CONVENTION else ""
+
+
+def _like(problem: Problem, view: LaunchView) -> list[str]:
+    """The variables of the same file that nothing says are set."""
+    path = problem.place.source.path
+    names = {each.facts["variable"] for each in view.launch.problems if each.kind == problem.kind and each.place.source.path == path}
+    slips = (*USUAL, *OPTIONAL)
+    return sorted(
+        name for name in names if not _is_set(name, view) and one_slip(name, slips) is None and not _convention(name, problem, view)
+    )
