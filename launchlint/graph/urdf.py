@@ -11,10 +11,26 @@ LARGEST = 4 << 20
 
 
 class Joint(NamedTuple):
-    """The joint above a link: the link it hangs from, and whether it is ``fixed``: then its transform is always published."""
+    """The joint above a link: the link it hangs from, and whether it is ``fixed``: then its transform is always published.
+
+    ``origin`` is where it sits on that link, as it is written: place and angles, each number without what does not change it.
+    """
 
     parent: str
     fixed: bool
+    origin: tuple[str, ...] = ("0.0",) * 6
+
+
+def _origin(joint: Mapping[str, str]) -> tuple[str, ...]:
+    """Six numbers; what is not given is 0 (urdfdom, parsePose)."""
+    return tuple(_number(word) for name in ("xyz", "rpy") for word in (joint.get(name) or "0 0 0").split())
+
+
+def _number(word: str) -> str:
+    try:
+        return str(float(word) + 0.0)
+    except ValueError:
+        return word
 
 
 @lru_cache(maxsize=4)
@@ -38,10 +54,12 @@ def joints(text: str) -> Mapping[str, Joint] | None:
             joint["type"] = attributes.get("type", "")
         elif path[:2] == ["robot", "joint"] and len(path) == 3 and tag in ("parent", "child"):
             joint[tag] = attributes.get("link", "")
+        elif path == ["robot", "joint", "origin"]:
+            joint["xyz"], joint["rpy"] = attributes.get("xyz", ""), attributes.get("rpy", "")
 
     def end(_: str) -> None:
         if path == ["robot", "joint"] and joint.get("child") and joint.get("parent"):
-            found[joint["child"]] = Joint(joint["parent"], joint["type"] == "fixed")
+            found[joint["child"]] = Joint(joint["parent"], joint["type"] == "fixed", _origin(joint))
         path.pop()
 
     parser = ParserCreate()

@@ -36,3 +36,8 @@ def test_a_joint_of_something_else_is_none_of_the_robot() -> None:
 )
 def test_what_cannot_be_told(text: str) -> None:
     assert joints(text) is None
+
+
+def test_origin_of_a_joint() -> None:
+    text = '<robot><joint type="fixed"><parent link="a"/><child link="b"/><origin xyz="0.10 -0 1" rpy="0 0 3"/></joint></robot>'
+    assert joints(text) == {"b": Joint("a", fixed=True, origin=("0.1", "0.0", "1.0", "0.0", "0.0", "3.0"))}

@@ -1,12 +1,11 @@
 """Two nodes of one launch publish the transform of the same frame.
 
 What it does: it compares the frames whose transforms the nodes publish, as far as that is known for certain: those of the
-`static_transform_publisher`s of tf and tf2_ros, of localizers and SLAM nodes that the library knows (map → odom), and of the fixed
-joints of a plain URDF that a `robot_state_publisher` gets. It is an error where two static publishers hang one frame below two parents,
-an info where they say the same twice, or where one of the two is published upon a message that nothing in the launch sends, and a warning
-elsewhere. Nodes whose `/tf` is remapped apart do not meet, and with a `tf_prefix` in
-the launch the rule is silent.
-
+`static_transform_publisher`s of tf and tf2_ros, of localizers and SLAM nodes that the library knows (map → odom), and of the fixed joints
+of a plain URDF that a `robot_state_publisher` gets. It is an error where two static publishers hang one frame below two parents, an info
+where they say the same twice (two fixed joints with the same origin do, too), or where one of the two is published upon a message that
+nothing in the launch sends, and a warning elsewhere. Two publishers are told of once, with all the frames that both publish. Nodes whose
+`/tf` is remapped apart do not meet, and with a `tf_prefix` in the launch the rule is silent.
 ## Why it matters
 
 A frame has one parent. With two, the one heard last wins: the robot jumps between two places, or a part of the tree is cut off, and
@@ -33,16 +32,18 @@ which part changes from start to start.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
 from launchlint.rules.frames.published import STATIC, Published, has_prefix, published
+from launchlint.rules.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
 
 RULE = Rule("LL622", "competing-transforms", Severity.ERROR)
+MOST_NAMED = 6
 
 
 def check(view: GraphView) -> Iterator[Finding]:
@@ -54,11 +55,22 @@ def check(view: GraphView) -> Iterator[Finding]:
     for each in published(graph):
         if each.certain and not each.instance.node.is_test and not each.instance.node.unknown & {"args", "ns", "name"}:
             known.setdefault((each.topic, each.child), []).append(each)
+    pairs: dict[tuple[int, int, Severity], list[tuple[Published, Published]]] = {}
     for group in known.values():
         first = group[0]
         for other in group[1:]:
             if other.instance is not first.instance:
-                yield _finding(first, other, _unheard(first, graph) or _unheard(other, graph))
+                pairs.setdefault((id(first.instance), id(other.instance), _judged(first, other, graph)[0]), []).append((first, other))
+    for (*_, severity), both in pairs.items():
+        yield _finding(severity, both, graph)
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """What the same two lines do in several namespaces."""
+    first = findings[0]
+    if any(finding.location != first.location for finding in findings):
+        return joined(findings)
+    return first._replace(entries=max(finding.entries for finding in findings))
 
 
 def _unheard(one: Published, graph: ConnectionGraph) -> str:
@@ -68,25 +80,40 @@ def _unheard(one: Published, graph: ConnectionGraph) -> str:
     return f"{one.instance.name} publishes it only upon a message on {one.upon}, which nothing here sends" if waits else ""
 
 
-def _finding(first: Published, other: Published, unheard: str) -> Finding:
+def _judged(first: Published, other: Published, graph: ConnectionGraph) -> tuple[Severity, tuple[str, ...]]:
+    """How bad it is that both publish it, and what comes of it."""
     static = {first.instance.program, other.instance.program} <= STATIC
+    unheard = _unheard(first, graph) or _unheard(other, graph)
     severity, effect = Severity.WARNING, f"both say where {other.child} is in {other.parent}, and the one heard last wins"
     if first.parent != other.parent:
         severity = Severity.ERROR if static else Severity.WARNING
         effect = f"{first.instance.name} puts it below {first.parent}, {other.instance.name} below {other.parent}: a frame has one parent"
     elif static and first.instance.node.arguments.split() == other.instance.node.arguments.split():
         severity, effect = Severity.INFO, "they say the same: one of them is enough"
+    elif first.origin and first.origin == other.origin:
+        severity, effect = Severity.INFO, "they say the same, since the joints are fixed and alike: one of them is enough"
     if unheard and severity is Severity.WARNING:
         severity = Severity.INFO
+    return severity, (effect, *([unheard] if unheard else []))
+
+
+def _finding(severity: Severity, both: Sequence[tuple[Published, Published]], graph: ConnectionGraph) -> Finding:
+    """What two nodes both publish, of one severity."""
+    first, other = both[0]
+    frames = [each.child for _, each in both]
+    more = f" and {len(frames) - MOST_NAMED} more" if len(frames) > MOST_NAMED else ""
+    named = f"the frame {frames[0]}" if len(frames) == 1 else f"{len(frames)} frames ({', '.join(frames[:MOST_NAMED])}{more})"
+    here, there = _place(other.instance), _place(first.instance).place
     return RULE.at(
-        _place(other.instance),
-        f"{first.instance.name} publishes the transform of the frame {other.child}, too",
+        here,
+        f"{first.instance.name} publishes the transform{'s' * (len(frames) > 1)} of {named}, too",
         severity=severity,
         label=f"publishes {other.parent} → {other.child}",
-        related=((_place(first.instance).place, f"publishes {first.parent} → {first.child}"),),
-        notes=(effect, *([unheard] if unheard else [])),
+        related=((there, f"publishes {first.parent} → {first.child}"),),
+        notes=_judged(first, other, graph)[1],
         help="start only one of them, or give each a frame of its own",
         topic=other.child,
+        cause=" ".join((severity.word, *(f"{place.source.path}:{place.span.start}" for place in (here.place, there)), *frames)),
     )
 
 

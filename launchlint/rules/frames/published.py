@@ -25,6 +25,7 @@ class Published(NamedTuple):
     """A transform that ``instance`` publishes. ``topic`` is where, without ``_static``; frames have no ``/`` before them.
 
     ``certain``: it is published whenever the node runs and has what it needs. ``upon``: the topic without whose messages it is not.
+    ``origin``: where a fixed joint sits on its parent, if it is one.
     """
 
     instance: Instance
@@ -33,6 +34,7 @@ class Published(NamedTuple):
     child: str
     certain: bool
     upon: str = ""
+    origin: tuple[str, ...] = ()
 
 
 def bare(frame: str) -> str:
@@ -55,7 +57,15 @@ def published(graph: ConnectionGraph) -> Iterator[Published]:
                 continue
             if frame.urdf:
                 for child, joint in (description(graph, frame) or {}).items():
-                    yield Published(instance, topic(instance), bare(joint.parent), bare(child), frame.certain and joint.fixed)
+                    yield Published(
+                        instance,
+                        topic(instance),
+                        bare(joint.parent),
+                        bare(child),
+                        frame.certain and joint.fixed,
+                        "",
+                        joint.origin if joint.fixed else (),
+                    )
             elif frame.name and frame.parent:
                 yield Published(instance, topic(instance), bare(frame.parent), bare(frame.name), frame.certain, _heard(instance, frame))
 
