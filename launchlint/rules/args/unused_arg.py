@@ -55,6 +55,7 @@ from launchlint.rules.view import FileView
 from launchlint.syntax.tree import Comment, Document, Element
 
 NO_EFFECT = "a value that is given for it has no effect"
+DEMANDED = "{} has no default: roslaunch even demands a value for it"
 _MOST_ALIKE = 40
 """Args by which copies of a file are recognised; each finding carries them."""
 RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
@@ -67,7 +68,7 @@ EVAL = late(r"\$\(eval([^\n]*)")
 COMPUTED_NAME = late(r"\barg\s*\(\s*[^'\"\s]|\b(?:globals|locals|vars|dir|eval|exec)\s*\(")
 ON_PURPOSE = late(
     r"unused|not used|no longer|deprecat|obsolete|compat|ignored|legacy|dummy|placeholder|interface|"
-    r"\b(?:old|previous|previously|prevents?|backwards?|so\s+that)\b",
+    r"\b(?:old|previous|previously)\b(?!\s*(?:value|default)?\s*[:=]?\s*[-+.\d])|\b(?:prevents?|backwards?|so\s+that)\b",
     re.IGNORECASE,
 )
 
@@ -107,7 +108,7 @@ def check(view: FileView) -> Iterator[Finding]:
             severity=Severity.INFO if idle else None,
             label="unused",
             related=tuple((place, "declared here too") for place in others),
-            notes=(idle or NO_EFFECT,),
+            notes=(idle or NO_EFFECT, *([DEMANDED.format(name)] if _is_demanded(elements) else [])),
             cause=causes[idle],
             help=f"remove it here and in the includes that pass it, or use it as $(arg {name})",
             fix=None
@@ -123,10 +124,19 @@ def together(findings: Sequence[Finding]) -> Finding:
     if len(names) < 2:
         return result
     more = f" and {len(names) - 4} more" if len(names) > 4 else ""
+    demanded = sorted({name_of(finding) for finding in findings if DEMANDED.format(name_of(finding)) in finding.notes})
     return result._replace(
         message=f"{len(names)} args are never read: {', '.join(names[:4])}{more}",
+        notes=(*result.notes[:1], *([_demanded(demanded)] if demanded else [])),
         help="remove them here and in the includes that pass them, or use them as $(arg …)",
     )
+
+
+def _demanded(names: Sequence[str]) -> str:
+    if len(names) == 1:
+        return DEMANDED.format(names[0])
+    more = f" and {len(names) - 4} more" if len(names) > 4 else ""
+    return f"{', '.join(names[:4])}{more} have no default: roslaunch even demands values for them"
 
 
 def name_of(finding: Finding) -> str:
@@ -141,6 +151,11 @@ def _why_idle(name: str, elements: list[Element], in_comments: set[str]) -> str:
     if all(element.attributes.keys() & {"value", "default"} == {"value"} for element in elements):
         return "it has a fixed value, which nobody uses"
     return ""
+
+
+def _is_demanded(elements: list[Element]) -> bool:
+    """Whether roslaunch wants a value for the arg (roslaunch.substitution_args, load_args)."""
+    return not any({"default", "value", "if", "unless"} & element.attributes.keys() for element in elements)
 
 
 def _cause(unread: list[list[Element]], reason: str, document: Document) -> str:
