@@ -33,6 +33,8 @@ _ACTION_TOPICS: dict[str, dict[str, tuple[str, ...]]] = {
     "client": {"publishers": ("goal", "cancel"), "subscribers": ("status", "feedback", "result")},
     "": {},
 }
+_UNKNOWN_PARAM = re.compile(r"\{param:[^{}|]*\{any\}[^{}|]*(?:\|[^{}]*)?\}")
+"""The value of a param whose name is not known: nobody can look it up."""
 _WHEN = ("start", "subscriber", "message")
 
 
@@ -93,7 +95,7 @@ def _variant(facts: Iterable[Fact], doubts: Iterable[Doubt], source: str) -> tup
     groups: dict[str, dict[tuple[str, str, str], list[Fact]]] = {category: {} for category in CATEGORIES}
     reasons: dict[str, dict[str, None]] = {}
     unresolved = 0
-    for fact in facts:
+    for fact in (each._replace(name=_UNKNOWN_PARAM.sub("{any}", each.name)) for each in facts):
         if fact.name in _EVERYWHERE.get(fact.category, ()):
             continue
         if fact.name == "{any}" or not _is_name(fact.name):

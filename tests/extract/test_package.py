@@ -344,3 +344,23 @@ def test_programs_that_import_nothing_of_ros_are_none(tmp_path: Path) -> None:
         "worked_out": "rospy",
     }
     assert {name for name, each in programs.items() if each["variants"]["default"].get("clients")} == set(programs) - {"quiet", "stranger"}
+
+
+def test_a_name_from_a_param_whose_name_is_not_known(tmp_path: Path) -> None:
+    plugin = """class Reader : public nodelet::Nodelet {
+    void init(ros::NodeHandle& nh) { std::string t; nh.getParam("topic", t); ros::NodeHandle().advertise<std_msgs::Bool>(t, 1); }
+    };
+    """
+    root = grow(
+        tmp_path / "ws",
+        {
+            "demo/package.xml": MANIFEST.format(name="demo", more="<export><nodelet plugin='${prefix}/plugins.xml'/></export>"),
+            "demo/plugins.xml": "<library path='lib/libdemo'>"
+            "<class name='demo/Reader' type='Reader' base_class_type='nodelet::Nodelet'/></library>",
+            "demo/CMakeLists.txt": "project(demo)\nadd_library(demo reader.cpp)\n",
+            "demo/reader.cpp": plugin,
+        },
+    )
+    variant = program(root, "demo", "demo/Reader", "nodelets")["variants"]["default"]
+    assert "publishers" not in variant
+    assert variant["open"]["publishers"].startswith("a name that is not known (demo/reader.cpp:2)")
