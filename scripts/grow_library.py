@@ -109,6 +109,7 @@ def in_own_words(program: Program) -> Program:
     false alarm.
     """
     for variant in program["variants"].values():
+        variant.pop("literals", None)
         variant["open"] = {
             "params": MORE_PARAMS,
             **{name: _QUOTED.sub("", why).partition("; ")[0] for name, why in variant.get("open", {}).items()},

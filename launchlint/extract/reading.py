@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 from launchlint.errors import UsageError
 from launchlint.extract.fact import ELSEWHERE, Doubt, Fact
+from launchlint.extract.literals import SOURCE_ENDS, literals
 from launchlint.extract.plan import Task
 from launchlint.extract.python.modules import ModuleFinder
 from launchlint.extract.python.program import python_program
 from launchlint.extract.python.source import SourceError
-from launchlint.workspace.looking import read_bytes
+from launchlint.workspace.looking import read_bytes, watched
 
 CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 LONGEST_NAME = 1_000
@@ -53,6 +55,15 @@ class Reading(NamedTuple):
 
 def read(task: Task, finder: ModuleFinder) -> Reading:
     """Read one program. Never raises for what its source says."""
+    reading, looked_at = watched(lambda: _read(task, finder))
+    for variant in () if reading.program is None else reading.program["variants"].values():
+        if "open" in variant or any("{any}" in entry["name"] for category in CATEGORIES for entry in variant.get(category, ())):
+            found = literals(path for path in looked_at if os.path.splitext(path)[1] in SOURCE_ENDS)
+            variant.update({"literals": found} if found else {})
+    return reading
+
+
+def _read(task: Task, finder: ModuleFinder) -> Reading:
     options: dict[str, int] = {}
     facts: Sequence[Fact]
     try:
@@ -98,7 +109,7 @@ def _variant(facts: Iterable[Fact], doubts: Iterable[Doubt], source: str) -> tup
     for fact in (each._replace(name=_UNKNOWN_PARAM.sub("{any}", each.name)) for each in facts):
         if fact.name in _EVERYWHERE.get(fact.category, ()):
             continue
-        if fact.name == "{any}" or not _is_name(fact.name):
+        if (fact.name == "{any}" and not _TYPE.fullmatch(fact.type)) or not _is_name(fact.name):
             unresolved += 1
             reasons.setdefault(fact.category, {})[f"a name that is not known ({fact.path}:{fact.line})"] = None
         else:

@@ -137,6 +137,7 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
         certain=certain and UNKNOWN_NAMESPACE not in namer.namespace,
         client=client,
         frames=tuple(shown),
+        literals=tuple(text for part in parts for text in part.literals),
     )
 
 

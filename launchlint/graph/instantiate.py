@@ -41,6 +41,7 @@ class Interface(NamedTuple):
     open: dict[str, str]
     doubts: list[Doubt]
     has_template: bool
+    literals: tuple[str, ...] = ()
 
 
 def instantiate(program: Program, start: Start, namer: Namer, process: str, *, certain: bool) -> Interface:
@@ -50,6 +51,7 @@ def instantiate(program: Program, start: Start, namer: Namer, process: str, *, c
     """
     interface = Interface([], [], {}, [], any(is_template(each.name) for variant in program.variants for each in variant.declarations))
     variants = program.variant(start)
+    interface = interface._replace(literals=tuple(dict.fromkeys(text for variant in variants for text in variant.literals)))
     for variant in variants:
         for category, reason in variant.open.items():
             interface.open.setdefault(category, reason)
@@ -83,8 +85,10 @@ def _doubts(declaration: Declaration, pattern: str, type_: str, namer: Namer) ->
 def _around(declaration: Declaration, pattern: str, type_: str) -> Iterator[Doubt]:
     """A name of which only ``pattern`` is known, and those that follow from it, whose types are not known here."""
     yield Doubt(declaration.category, pattern, declaration.name, type_)
-    if declaration.category == "actions" or declaration.transport == "image":
+    if declaration.category == "actions":
         yield Doubt(declaration.category, f"{pattern}/*", declaration.name)
+    for suffix, its_type in _IMAGE_TOPICS if declaration.transport == "image" else ():
+        yield Doubt(declaration.category, f"{pattern}/{suffix}", declaration.name, its_type)
 
 
 def _is_usable(name: str) -> bool:

@@ -86,6 +86,11 @@ class Strangers:
             for stranger in islice(self._named.get(full, ()), MOST_LOOKED_AT):
                 if name not in stranger.moved:
                     yield stranger.possible._replace(named=True)
+        for program in islice(self._literals.get(name.rpartition("/")[2], ()), MOST_LOOKED_AT):
+            for namespace in (*parents, ""):
+                stranger_there = self._programs[program].get(namespace)
+                if stranger_there is not None and name not in stranger_there.moved:
+                    yield stranger_there.possible._replace(named=True)
         for namespace in (*parents, ""):
             yield from self._of(self._around.get(namespace, ()), name)
         yield from self._of(self._anywhere, name)
@@ -138,6 +143,27 @@ class Strangers:
         if self._all:
             for name in self._said.params:
                 found.setdefault(name, [self._all[0]])
+        return found
+
+    @cached_property
+    def _programs(self) -> Mapping[str, Mapping[str, _Stranger]]:
+        """For each program whose sources were read, and each namespace that it runs in, one of its nodes."""
+        found: dict[str, dict[str, _Stranger]] = {}
+        by_name = {stranger.possible.node: stranger for stranger in self._all}
+        for instance in self._instances:
+            if instance.literals and instance.name in by_name:
+                stranger = by_name[instance.name]
+                found.setdefault(instance.program, {}).setdefault(stranger.namespace or "", stranger)
+        return found
+
+    @cached_property
+    def _literals(self) -> Mapping[str, list[str]]:
+        """The programs in whose sources a text is that ends so: names are put together of such texts."""
+        found: dict[str, list[str]] = {}
+        texts = {instance.program: instance.literals for instance in self._instances if instance.program in self._programs}
+        for program, literals in texts.items():
+            for last in {text.rpartition("/")[2].lstrip("~") for text in literals}:
+                found.setdefault(last, []).append(program)
         return found
 
     @cached_property
@@ -218,7 +244,7 @@ class _Said:
         values = [self._parameters.value(name) for name in below if _NO_TOPIC not in name]
         texts = [part for word in words[:_MOST_VALUES] if ":=" not in word for part in word.split("=")]
         texts += [text for value in values for text in _texts(value)]
-        names = set(_names([*texts, *instance.literals], namer.namespace, namer.private))
+        names = set(_names(texts, namer.namespace, namer.private))
         names |= targets
         names.update(f"{target.rpartition('/')[0]}/camera_info" for target in targets)  # image_transport takes it from beside the image
         return frozenset(namer.moved(name) for name in names), moved

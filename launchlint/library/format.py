@@ -130,6 +130,7 @@ VARIANT = Keys(
         "run": Plain(),
         **{each: Items(INTERFACES[each]) for each in LISTS},
         "open": Keys("what is open", {category: Text() for category in CATEGORIES}),
+        "literals": Items(Text()),
     },
 )
 

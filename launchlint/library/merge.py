@@ -130,11 +130,15 @@ def _variants(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
             merged[category] = _entries([each.get(category, ()) for each in known])
     best = max(_trust_of_variant(each) for each in known)
     opened: dict[str, Any] = {}
+    literals: dict[str, None] = {}
     for each in known:
         if _trust_of_variant(each) == best:
             opened = {**each.get("open", {}), **opened}
+            literals.update(dict.fromkeys(each.get("literals", ())))
     if opened:
         merged["open"] = opened
+    if literals:
+        merged["literals"] = list(literals)
     return merged
 
 

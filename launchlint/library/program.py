@@ -50,13 +50,17 @@ class FrameDeclaration(NamedTuple):
 
 
 class Variant(NamedTuple):
-    """One way a program can be started. ``match`` is the condition for it (None: always); ``open`` the categories that may hold more."""
+    """One way a program can be started. ``match`` is the condition for it (None: always); ``open`` the categories that may hold more.
+
+    ``literals`` are texts in its sources that may be names.
+    """
 
     name: str
     match: Any
     declarations: tuple[Declaration, ...]
     open: Mapping[str, str]
     frames: tuple[FrameDeclaration, ...] = ()
+    literals: tuple[str, ...] = ()
 
 
 class Program(NamedTuple):
@@ -92,7 +96,7 @@ def program(package: str, name: str, data: Mapping[str, Any]) -> Program:
 def _variant(name: str, data: Mapping[str, Any]) -> Variant:
     declarations = [_declaration(category, entry) for category in CATEGORIES for entry in data.get(category, ())]
     frames = [_frame(entry) for entry in data.get(FRAMES, ())]
-    return Variant(name, data.get("match"), tuple(declarations), data.get("open", {}), tuple(frames))
+    return Variant(name, data.get("match"), tuple(declarations), data.get("open", {}), tuple(frames), tuple(data.get("literals", ())))
 
 
 def _frame(entry: Mapping[str, Any]) -> FrameDeclaration:

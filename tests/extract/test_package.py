@@ -202,6 +202,7 @@ def test_several_places_of_one_name(tmp_path: Path) -> None:
                 "evidence": at("demo/n:7"),
             },
             {"name": "x", "type": "std_msgs/String", "condition": {"text": "rospy.get_param('~a', 1)"}, "evidence": at("demo/n:5")},
+            {"name": "{any}", "type": "std_msgs/String", "evidence": at("demo/n:19")},
         ],
         "subscribers": [
             {
@@ -218,7 +219,7 @@ def test_several_places_of_one_name(tmp_path: Path) -> None:
             {"name": "~b", "evidence": at("demo/n:10")},
             {"name": "~c", "evidence": at("demo/n:12", "demo/n:14")},
         ],
-        "open": {"publishers": "a name that is not known (demo/n:19)"},
+        "literals": ["twice"],
     }
 
 

@@ -168,4 +168,5 @@ def test_a_command_of_another_package_makes_an_executable_of_what_has_a_main(tmp
     assert found.pop("open") == dict.fromkeys(
         ("publishers", "subscribers", "services", "clients", "actions", "params"), "not all sources of node are known"
     )
+    assert found.pop("literals") == ["done"]
     assert found == {"publishers": [{"name": "done", "type": "std_msgs/Bool", "queue": 1, "evidence": at("demo/src/part.cc:2")}]}

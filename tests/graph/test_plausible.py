@@ -103,3 +103,21 @@ def test_no_more_are_told_than_people_read(tmp_path: Path) -> None:
     launch = "".join(f'<node pkg="q" type="s" name="n{number}"><remap from="scan" to="x{number}"/></node>' for number in range(60))
     assert [each for each, _ in who(tmp_path, launch, "/x")] == ["/n0", "/n1", "/n2", "/n3", "/n4"]
     assert who(tmp_path, launch, "/scan") == [("/n49", False)]  # with so many of them some may have it by another way
+
+
+@pytest.mark.parametrize(
+    ("literals", "name", "answer"),
+    [
+        (["scan"], "/a/front/scan", (True, False)),
+        (["/b/scan"], "/a/scan", (True, False)),
+        (["map"], "/a/scan", (False, False)),
+        (["scan"], "/b/scan", None),
+        ([], "/b/scan", (False, True)),
+    ],
+)
+def test_the_texts_in_its_sources_name_what_a_program_has(
+    literals: list[str], name: str, answer: tuple[bool, bool] | None, tmp_path: Path
+) -> None:
+    packages = {"p": {"executables": {"t": program(open={"publishers": "a call"}, **({"literals": literals} if literals else {}))}}}
+    found = graph(tmp_path, '<node pkg="p" type="t" name="n" ns="a"/>', packages).may_offer("topic", name)
+    assert [(each.named, each.anything) for each in found] == ([] if answer is None else [answer])

@@ -122,10 +122,15 @@ def test_source_code_adds_programs_that_nobody_has_described(place: Place) -> No
                     }
                 ],
                 "params": [{"name": "~rate", "default": 10, "evidence": [{"by": "static", "at": f"{where}:robot/scripts/{name}:6"}]}],
-                "open": {
-                    "subscribers": f"a name that is not known (robot/scripts/{name}:9)",
-                    "params": "read from source code by a program, which may miss some",
-                },
+                "subscribers": [
+                    {
+                        "name": "{any}",
+                        "type": "std_msgs/String",
+                        "condition": {"text": "a condition in the source"},
+                        "evidence": [{"by": "static", "at": f"{where}:robot/scripts/{name}:9"}],
+                    }
+                ],
+                "open": {"params": "read from source code by a program, which may miss some"},
             }
         )
 

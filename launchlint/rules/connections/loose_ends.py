@@ -6,6 +6,7 @@ in nothing but the namespace or a slip; and not even these where something says 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
@@ -14,7 +15,7 @@ from launchlint.graph.connections import HUBS, OFFERS, Channel, ConnectionGraph,
 from launchlint.graph.plausible import Possible
 from launchlint.rules.connections.near_names import NAMESPACE, RELATIONS, SLIP, TWIN, WORDS, relation
 from launchlint.rules.connections.places import owners
-from launchlint.rules.connections.same_definition import is_known, stands_for
+from launchlint.rules.connections.same_definition import STANDARD, is_known, stands_for
 
 _MOST_CANDIDATES = 40
 """Names of one type that a loose end is compared with."""
@@ -55,6 +56,7 @@ class LooseEnds:
         self.owners = owners(graph)
         self._by_type: dict[tuple[str, bool, str], list[Channel]] | None = None
         self._connected: dict[int, bool] = {}
+        self._programs = Counter(instance.program for instance in graph.instances)
         self._compared = 0
         self._possible: dict[tuple[int, bool], tuple[Possible, ...] | None] = {}
 
@@ -110,9 +112,11 @@ class LooseEnds:
         other = min(ends, key=lambda each: self._apart(instance, self.owners[id(each)]))
         if loose and offers:  # what matters is who else could give what the other end waits for, not who else could take it
             doubts = self._beside(channel, offers=False) or ()
+        taker = other if offers else end
+        doubts = tuple(each for each in doubts if each.node != taker.node)  # what it waits for comes from somebody else
         level = self._level(end, other, how, loose=bool(loose))
         if doubts:
-            level = self._in_doubt(end, other, how, doubts, level) if loose else None
+            level = self._in_doubt(end, other, how, doubts, level) if loose or how == SLIP else None
         if level is None:
             return None
         partner = self.owners[id(other)]
@@ -132,10 +136,17 @@ class LooseEnds:
         if how == SLIP and (loose or alone or not _is_plural(end.name, other.name)):
             return Severity.WARNING
         private = any(each.declared.startswith("~") and not each.applied for each in (end, other))
-        doubtful = private or end.type.startswith(_GENERIC)
+        # A name that the launch file gives, and not the code, was meant to be that of somebody; so is one that just two nodes say.
+        chosen = any(each.applied or each.declared != each.declaration.name for each in (end, other))
+        shared = end.kind == "topic" and end.declared == other.declared
+        shared = shared and all(self._programs[self.owners[id(each)].program] == 1 for each in (end, other))
+        doubtful = private or (end.type.startswith(_GENERIC) and not (loose and (chosen or shared)))
+        if loose and self._are_only_ends(end):
+            return Severity.WARNING
         if how == NAMESPACE:
             same = loose and end.declared == other.declared
-            sure = same or (source and (loose or (offers and alone)))
+            waits = not offers and (loose or bool(end.applied))
+            sure = same or waits or (source and (loose or (offers and alone)))
             return Severity.WARNING if sure and not doubtful else Severity.INFO if alone or (loose and not private) else None
         if how == WORDS and offers and alone and source and not doubtful:
             return Severity.WARNING
@@ -143,14 +154,23 @@ class LooseEnds:
             return Severity.INFO if alone and not doubtful and (source if offers else loose) else None
         return Severity.INFO if alone or (loose and source) else None
 
-    @staticmethod
-    def _in_doubt(end: Endpoint, other: Endpoint, how: str, doubts: tuple[Possible, ...], level: Severity | None) -> Severity | None:
+    def _in_doubt(self, end: Endpoint, other: Endpoint, how: str, doubts: tuple[Possible, ...], level: Severity | None) -> Severity | None:
         """How sure that is of two loose ends beside which there are others that could be at one of them, though nothing says so."""
         if level is None or how not in (SLIP, NAMESPACE):
             return None
         if how == SLIP:
             return level
-        return level if end.declared == other.declared and not any(each.anything for each in doubts) else Severity.INFO
+        sure = self._are_only_ends(end) or (end.declared == other.declared and not any(each.anything for each in doubts))
+        return level if sure else Severity.INFO
+
+    def _are_only_ends(self, end: Endpoint) -> bool:
+        """Whether no more than two names have the type of ``end``, one on each side, and the type is made for one purpose.
+
+        In another configuration than the default one, a node that has a further one may just be switched off.
+        """
+        package = end.type.partition("/")[0]
+        sides = (self._candidates(end.kind, offers, end.type) for offers in (True, False))
+        return package not in STANDARD and not self.graph.launch.given and all(len(channels) == 1 for channels in sides)
 
     def _is_source(self, instance: Instance) -> bool:
         """Whether the node only publishes or serves, and takes nothing from others: a driver, a controller, a keyboard."""

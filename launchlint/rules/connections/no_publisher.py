@@ -1,9 +1,10 @@
 """A node waits for a topic that nobody publishes, while the launch file has a publisher that was probably meant.
 
 A launch file is often only a part of a robot, so that a topic without a publisher is no mistake by itself. It is told where another
-node publishes the same type under a name so near that one of the two is wrong: a letter apart, or in another namespace while
-that publisher in turn reaches nobody, and both nodes call the topic the same or the publisher does nothing but publish. Where the
-names are less alike, or a node that waits in vain for everything finds one single topic of its type, it is an info.
+node publishes the same type under a name so near that one of the two is wrong: a letter apart, or in another namespace while that
+publisher in turn reaches nobody; or where the two are the only ones in the launch that speak a type made for one purpose. It is an info
+where the names are less alike; where a node that waits in vain for everything finds one single topic of its type; and where the type is
+one of `std_msgs`, the names are those of the code, and one of the programs runs several times.
 
 Where a node of which not everything is known could be the publisher, and nothing says that it is, only two names are told that both meet
 nobody and differ in nothing but the namespace or one letter; a note then says which node that is. It is an info where the namespaces differ
