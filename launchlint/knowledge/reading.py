@@ -10,6 +10,7 @@ from launchlint.extract.origin import Origin
 from launchlint.extract.plan import PackageReader, Task
 from launchlint.extract.python.modules import ModuleFinder
 from launchlint.extract.reading import read
+from launchlint.knowledge.checked import checked
 from launchlint.knowledge.entry import Key, Known, States
 from launchlint.workspace import looking
 from launchlint.workspace.packages import Package
@@ -46,7 +47,9 @@ class SourceReader:
             found = read(task, self._finder)
         except Exception as error:  # a mistake of launchlint itself: one program must never take the run down
             return None, f"launchlint failed to read it: {type(error).__name__}: {error}"
-        return found.program, "" if found.program is not None else f"{task.sources[0][len(root) :].lstrip('/')} {found.problem}"
+        if found.program is None:
+            return None, f"{task.sources[0][len(root) :].lstrip('/')} {found.problem}"
+        return checked(found.program, key[1])
 
     def _reader(self, package: Package, root: str) -> PackageReader:
         if package.directory not in self._readers:

@@ -8,7 +8,6 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 
@@ -49,9 +48,9 @@ class Store:
         try:
             os.makedirs(self._directory, mode=0o700, exist_ok=True)
             self._forget()
-            descriptor, path = tempfile.mkstemp(dir=self._directory, prefix=".", suffix=".new")
+            path = os.path.join(self._directory, f".{name}.{os.getpid()}.new")
             try:
-                with open(descriptor, "w", encoding="utf-8") as file:
+                with open(path, "x", encoding="utf-8") as file:
                     file.write(_seal(name, text) + text)
                 os.replace(path, os.path.join(self._directory, f"{name}.json"))
             except OSError:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from launchlint.knowledge.checked import checked
 from launchlint.knowledge.own import OwnSources
 from launchlint.workspace.packages import Packages
 from tests.cli.running import write
@@ -75,3 +76,12 @@ def test_a_mistake_of_launchlint_itself_is_a_reason(workspace: Path, monkeypatch
     sources = own(workspace)
     assert sources.program(*SCRIPT) is None
     assert sources.reason(*SCRIPT) == "launchlint failed to read it: KeyError: 'oops'"
+
+
+def test_what_is_no_name_is_left_out_and_open() -> None:
+    good, bad = {"name": "a", "evidence": [{"by": "static", "at": ":x.py:1"}]}, {"name": "{param:{any}/x|y}"}
+    program, reason = checked({"class": "roscpp", "variants": {"default": {"publishers": [bad, good, bad]}}}, "executables")
+    assert reason == ""
+    assert program is not None
+    assert program["variants"]["default"] == {"publishers": [good], "open": {"publishers": "a name that is not known"}}
+    assert checked({"class": "nonsense"}, "executables")[0] is None
