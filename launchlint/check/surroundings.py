@@ -61,9 +61,12 @@ def _settings(options: Options) -> str:
 def _own_code() -> Iterator[bytes]:
     """The files of launchlint itself, and the one of PyYAML that names its version: a checkout changes without a new version."""
     import launchlint
+    from launchlint.knowledge.code import ROOMS, code_digest
 
-    for directory, directories, files in os.walk(os.path.dirname(launchlint.__file__)):
-        directories[:] = sorted(name for name in directories if name != "__pycache__")
+    yield code_digest().encode()
+    top = os.path.dirname(launchlint.__file__)
+    for directory, directories, files in os.walk(top):
+        directories[:] = sorted(name for name in directories if name != "__pycache__" and (directory != top or name not in ROOMS))
         for name in sorted(files):
             yield name.encode("utf-8", "surrogateescape")
             yield _content(os.path.join(directory, name)).encode()

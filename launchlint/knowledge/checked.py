@@ -27,7 +27,7 @@ def checked(program: Mapping[str, Any], table: str) -> tuple[Mapping[str, Any] |
         if not wrong:
             break
         program = deepcopy(dict(program))
-        for variant, category, _ in wrong:
+        for variant, category in sorted({each[:2] for each in wrong}):
             entries = program["variants"][variant][category]
             kept = [entry for index, entry in enumerate(entries) if (variant, category, index) not in wrong]
             program["variants"][variant][category] = kept

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from launchlint.workspace.looking import state
+from launchlint.workspace.looking import content_state, state
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class States:
     def of(self, path: str) -> str:
         """The state of an absolute path."""
         if path not in self._known:
-            self._known[path] = state(path)
+            self._known[path] = content_state(path) or state(path)
         return self._known[path]
 
     def hold(self, looks: Iterable[tuple[str, str]], root: str) -> bool:

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import os
-import sys
-from collections.abc import Iterator
 
-from launchlint import __version__
+from launchlint.knowledge.code import code_digest
 from launchlint.knowledge.entry import Key, Known, States
 from launchlint.knowledge.store import Store
 
@@ -18,10 +16,6 @@ if TYPE_CHECKING:
 
 FORMAT = 1
 """Of what is kept; another one reads everything anew."""
-_ROOMS = ("extract", "knowledge", "workspace")
-"""The rooms of launchlint that what is read hangs on."""
-_READERS = "tree_sitter"
-"""What the names of the installed libraries that read C++ begin with."""
 
 
 class Programs:
@@ -92,33 +86,9 @@ class Programs:
 
     def _digest(self) -> str:
         """Of what everything hangs on: launchlint, what it reads with, and which packages there are."""
-        found = hashlib.sha1(f"{FORMAT} {__version__} {sys.version}".encode(), usedforsecurity=False)
-        for line in (*_own_code(), *_installed()):
-            found.update(line)
+        found = hashlib.sha1(f"{FORMAT} {code_digest()}".encode(), usedforsecurity=False)
         for root, packages in self._own.places():
             for name, copies in packages.items():
                 lines = [f"{name}\0{os.path.relpath(package.directory, root)}\n" for package in copies]
                 found.update("".join(lines).encode("utf-8", "surrogateescape"))
         return found.hexdigest()
-
-
-def _own_code() -> Iterator[bytes]:
-    """The files of launchlint that matter: a checkout changes without a new version."""
-    top = os.path.dirname(os.path.dirname(__file__))
-    for room in _ROOMS:
-        for directory, directories, files in os.walk(os.path.join(top, room)):
-            directories[:] = sorted(name for name in directories if name != "__pycache__")
-            for name in sorted(files):
-                yield name.encode("utf-8", "surrogateescape")
-                with open(os.path.join(directory, name), "rb") as file:
-                    yield hashlib.sha1(file.read(), usedforsecurity=False).digest()
-
-
-def _installed() -> Iterator[bytes]:
-    """Names and versions of the libraries that C++ is read with."""
-    for directory in sys.path:
-        try:
-            names = sorted(name for name in os.listdir(directory or os.curdir) if name.startswith(_READERS))
-        except OSError:
-            continue
-        yield from (os.fsencode(name) for name in names)

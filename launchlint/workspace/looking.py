@@ -135,6 +135,18 @@ def state(path: str) -> str:
         return f"{type(error).__name__} {getattr(error, 'errno', '')} {error.args[-1] if error.args else ''}"
 
 
+def content_state(path: str) -> str:
+    """As :func:`state`, sooner, for a small file; empty for all else."""
+    from hashlib import sha1
+
+    from launchlint.workspace.reading import read_bytes
+
+    try:
+        return f"file {sha1(read_bytes(path), usedforsecurity=False).hexdigest()}"
+    except (OSError, ValueError):
+        return ""
+
+
 def _tree(directory: str) -> bytes:
     from launchlint.workspace.listing import files_of
 

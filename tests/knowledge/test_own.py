@@ -66,7 +66,8 @@ def test_only_what_one_program_needs_is_read(workspace: Path, monkeypatch: pytes
     real = disk.read_bytes
 
     def watched(path: str, largest: int = disk.LARGEST_FILE) -> bytes:
-        read.add(os.path.relpath(path, workspace))
+        if os.path.isfile(path):
+            read.add(os.path.relpath(path, workspace))
         return real(path, largest)
 
     sources = own(workspace)
