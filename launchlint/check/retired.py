@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
-from launchlint.late import late
+from launchlint.rules.aside import put_aside
 
 NOTE = "it lies in {}, which nothing outside of it leads to: somebody seems to have put it aside"
-_ASIDE = late(
-    r"(?:.*[_. -])?(?:deprecated|obsolete|outdated|unused|archives?|archived|backups?|bak|old|attic|trash|graveyard)"
-    r"|(?:deprecated|obsolete|outdated|unused|archived|old)[_. -].*",
-    re.IGNORECASE,
-)
-"""Names of directories for what is no longer used; `backup_camera` and `archive_tools` are none."""
 
 
 def judged_by_place(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
@@ -24,24 +17,17 @@ def judged_by_place(findings: Iterable[Finding], known: Known) -> Iterator[Findi
     used: list[str] | None = None
     for finding in findings:
         if finding.severity > Severity.INFO:
-            aside = _aside(finding.location.path)
-            if aside and all(_aside(path) for path in known.reached.get(finding.key, ())):
+            aside = put_aside(finding.location.path)
+            if aside and all(put_aside(path) for path in known.reached.get(finding.key, ())):
                 used = _used(known) if used is None else used
                 if not _is_used(finding.location.path, used):
                     finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, NOTE.format(aside)))
         yield finding
 
 
-def _aside(path: str) -> str:
-    """The directory on the way to ``path`` that says so; empty where none does."""
-    parts = path.split("/")[:-1]
-    number = next((number for number, part in enumerate(parts, 1) if _ASIDE.fullmatch(part)), 0)
-    return "/".join(parts[:number])
-
-
 def _used(known: Known) -> list[str]:
     """The launch files that entry files outside of such directories include, in order."""
-    return sorted({path for entry in known.entries if not _aside(entry.path) for path in entry.included})
+    return sorted({path for entry in known.entries if not put_aside(entry.path) for path in entry.included})
 
 
 def _is_used(path: str, used: list[str]) -> bool:

@@ -17,15 +17,20 @@ _SHORTEST = 6
 # A word with an underscore, or one behind a slash (an address) or within back quotes: other words stand in documents for other reasons.
 _WORD = re.compile(r"(?<![\w-])([A-Za-z]\w*_\w*)(?![\w-])")
 _QUOTED = re.compile(r"(?:(?<=`)|(?<=\w/))([A-Za-z][\w-]{0,200})(?=`|[\s)>.\"']|$)")
+_INSTALL = re.compile(r"\binstall", re.IGNORECASE)
 # A name alone in its line is a heading: what is documented here, perhaps under a former name.
 _HEADING = re.compile(r"^[# \t]*[\w-]+[ \t\r:]*$", re.MULTILINE)
 
 
 class Mentions(NamedTuple):
-    """Each name, with the first file (absolute) that has it, and the places that were looked at."""
+    """Each name, with the first file (absolute) that has it, and the places that were looked at.
+
+    ``installing`` are the lines in which people are told to install something.
+    """
 
     known: Mapping[str, str]
     looked: frozenset[str]
+    installing: tuple[str, ...] = ()
 
 
 def read_documents(directories: Iterable[str]) -> Mentions:
@@ -35,12 +40,25 @@ def read_documents(directories: Iterable[str]) -> Mentions:
     """
     found: dict[str, str] = {}
     looked: set[str] = set()
+    installing: dict[str, None] = {}
     for file, text in texts(_places(directories), _MOST_FILES, looked):
+        installing.update(dict.fromkeys(install_lines(text)))
         text = _HEADING.sub("", text)
         for match in (*_WORD.finditer(text), *_QUOTED.finditer(text)):
             if len(match[1]) >= _SHORTEST:
                 found.setdefault(match[1].removesuffix(".git"), file)
-    return Mentions(found, frozenset(looked))
+    return Mentions(found, frozenset(looked), tuple(installing))
+
+
+def install_lines(text: str) -> list[str]:
+    """The lines of ``text`` in which the word install stands; one that ends in a backslash goes on in the next."""
+    return [line for line in text.replace("\\\n", " ").splitlines() if _INSTALL.search(line)]
+
+
+def says_install(name: str, lines: Iterable[str]) -> bool:
+    """Whether one of such ``lines`` names the package, or the Debian package that it is in (``ros-noetic-rgbd-launch``)."""
+    named = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])|\bros-[\w${{}}()-]{{1,20}}?-{re.escape(name.replace('_', '-'))}(?![\w-])")
+    return any(named.search(line) is not None for line in lines)
 
 
 def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:

@@ -286,13 +286,22 @@ class Packages:
 
     def documented_in(self, name: str) -> str | None:
         """A README or another document of the workspaces (absolute) that names package ``name``; ``None`` where there is none."""
+        return self._read_documents().known.get(name)
+
+    def is_to_be_installed(self, name: str) -> bool:
+        """Whether a README or another document of the workspaces tells people to install package ``name``."""
+        from launchlint.workspace.mentions import says_install
+
+        return says_install(name, self._read_documents().installing)
+
+    def _read_documents(self) -> Mentions:
         from launchlint.workspace.looking import note
         from launchlint.workspace.mentions import read_documents
 
         if self._documented is None:
             self._documented = read_documents(self.workspaces)
         note(self._documented.looked)
-        return self._documented.known.get(name)
+        return self._documented
 
     def is_older_than(self, distribution: str) -> bool:
         """Whether the workspaces name distributions of ROS 1 (in a README, a workflow, an image …), and only older ones than this."""

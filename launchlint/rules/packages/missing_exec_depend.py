@@ -7,11 +7,12 @@ as far as it can be seen here, and so does what roslaunch itself needs. Names th
 placeholders such as `$(find [PACKAGE])` is a template that is never launched. A dependency that stands in a comment of the
 `package.xml` was left out on purpose. Everything that one `package.xml` lacks is told at once, with the first use of each package.
 
-It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has
-the other; and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse,
-the assistant itself), in a package with its `.setup_assistant`. Packages below a `CATKIN_IGNORE` are passed over, and launch files that
-an `EXCLUDE` of `install(DIRECTORY …)` leaves out.
-
+It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has the
+other; and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse, the
+assistant itself), in a package with its `.setup_assistant`. It is one, without a fix, where a comment of the launch file or a README tells
+people to install the package themselves, where only a bench or test needs something that every `ros_base` has, where only launch files
+need it that were put aside (in a directory `old`, `deprecated`, `attic` …), and where the package is a copy of a public one among packages
+of other people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out.
 ## Why it matters
 
 On the developer's machine the package happens to be there. Where only the declared dependencies are installed (rosdep, the build
@@ -74,6 +75,7 @@ from launchlint.late import late
 from launchlint.rules.missing_package import is_placeholder
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.package_contents import contents
+from launchlint.rules.packages.left_out import why_left_out
 from launchlint.rules.packages.metapackages import members
 from launchlint.rules.rule import Rule
 from launchlint.rules.stale_package import own_instead
@@ -91,6 +93,7 @@ if TYPE_CHECKING:
     from launchlint.workspace.packages import Package, Packages
 
 ELSEWHERE = "it works only where something else brings {} along"
+LEFT_OUT = "it may do without: "
 MOST_NAMED = 12
 SETUP_ASSISTANT = ".setup_assistant"
 _MOVE = "move {} to a package that starts both, such as a bringup package"
@@ -145,20 +148,22 @@ def check(view: FileView) -> Iterator[Finding]:
         way = None if tested else ways.get(name)
         closes = way is not None and (way.built or is_test)
         beside = not tested and home.name not in public_names() and _is_beside(name, packages, file)
+        reason = "" if tested else why_left_out(name, document, home, packages)
         yield RULE.at(
             place if at is None else place._replace(span=at),
             f"{manifest_path} {says}, {'and' if tested else 'which'} {document.source.path} {how} {'it' if tested else ''}".rstrip(),
-            severity=Severity.INFO if beside or extra else RULE.severity,
+            severity=Severity.INFO if beside or extra or reason else RULE.severity,
             label="for tests only" if tested else f"no {name} here",
             related=((where, "used here"),),
             notes=(
                 f"{name} lies in this workspace; whoever has only this package lacks it" if beside else ELSEWHERE.format(name),
+                *([f"{LEFT_OUT}{reason}"] if reason else []),
                 *([] if way is None else [_ring(way, closes=closes)]),
             ),
             help=_MOVE.format(document.source.path) if way is not None else f"{'change it to' if tested else 'add'} {line}",
             topic=name,
             cause="" if tested else manifest_path,
-            fix=None if tested or way is not None else _fix(place, manifest, line, safe=name not in later),
+            fix=None if tested or reason or way is not None else _fix(place, manifest, line, safe=name not in later),
         )
 
 
@@ -178,6 +183,8 @@ def _ways_for(packages: Packages, name: str) -> tuple[dict[str, Way], dict[str, 
 def together(findings: Sequence[Finding]) -> Finding:
     """One finding for all that one ``package.xml`` lacks, with the first use of each package, and one fix."""
     findings = list({finding.topic: finding for finding in reversed(findings)}.values())[::-1]
+    needed = [finding for finding in findings if not any(note.startswith(LEFT_OUT) for note in finding.notes)]
+    findings = needed or findings  # what may be left out is not told beside what may not
     first = findings[0]
     if len(findings) == 1:
         return first
