@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 _LONGEST_MACRO = 4_000
 _HARMLESS = re.compile(
-    r"^(?:ROS_|NODELET_|ASSERT|EXPECT|assert|DCHECK|CHECK|LOG|VLOG|printf|fprintf|std::cout|TIME|Q_)|(?:_DEBUG|_INFO|_WARN|_ERROR)\b"
+    r"^(?!\w+::(?!cout))(?:ROS_|NODELET_|ASSERT|EXPECT|assert|DCHECK|CHECK|LOG|VLOG|printf|fprintf|std::cout|TIME|Q_)|(?:_DEBUG|_INFO|_WARN|_ERROR)\b"
 )
 _OF_PARAMS = re.compile(r"[Pp]arams?(?:eters?)?(?![a-z])|PARAM|rosparam|param_utils")
 """Functions that are called after params read them, and do nothing else with a node handle."""

@@ -50,6 +50,8 @@ class Unseen:
             self._taken.setdefault(function.node, function)
         elif function.functions not in self._taken:
             self._taken[function.functions] = function._replace(this=function.this or frame.this)
+            if any(each.owner and (each.overrides or each.body is None) for each in function.functions):
+                self.blind.setdefault(function.functions[0].last)  # of any class that overrides it
         return function
 
     def variables(self) -> None:

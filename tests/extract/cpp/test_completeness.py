@@ -201,6 +201,7 @@ def test_a_function_that_is_declared_and_whose_source_is_not_here_may_talk(tmp_p
 
 HANDED_ON = {
     "to a function": ("framework::run(nh);", "framework::run", CATEGORIES),
+    "to one that is called like a check": ("assertions::run(nh);", "assertions::run", CATEGORIES),
     "to one that reads params": ("util::getParams(nh, x);", "util::getParams", ["params"]),
     "to an object": ("Driver driver(nh);", "Driver", CATEGORIES),
 }  # fmt: skip
@@ -256,6 +257,11 @@ FOLLOWED = {
     "objects that a list makes": """
         struct Arm { Arm() { ros::NodeHandle().advertise<std_msgs::Bool>("a", 1); } };
         int main() { std::vector<Arm> arms(4); }
+        """,
+    "a pointer to a virtual member": """
+        struct Part { virtual void start() = 0; template <class F> void safely(F f) { (this->*f)(); } };
+        struct Arm : public Part { void start() { ros::NodeHandle().advertise<std_msgs::Bool>("a", 1); } };
+        int main() { Part* part = new Arm(); part->safely(&Part::start); }
         """,
     "an object that is made in its place": """
         struct Arm { Arm(ros::NodeHandle nh) { nh.advertise<std_msgs::Bool>("a", 1); } };
