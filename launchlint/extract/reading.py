@@ -86,7 +86,9 @@ def _read(task: Task, finder: ModuleFinder) -> Reading:
     if options:
         program["options"] = options
     program["variants"] = {"default": variant}
-    return Reading(task, program, "", sum(len(variant.get(category, ())) for category in CATEGORIES), unresolved)
+    return Reading(
+        task, program, "", sum(entry["name"] != "{any}" for category in CATEGORIES for entry in variant.get(category, ())), unresolved
+    )
 
 
 def _cpp(task: Task) -> tuple[Sequence[Fact], tuple[Doubt, ...]]:
