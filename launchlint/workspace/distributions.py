@@ -11,9 +11,13 @@ from launchlint.workspace.looking import names, walk
 from launchlint.workspace.texts import texts
 
 _MOST_DIRECTORIES = 400
-_MOST_FILES = 300
+_MOST_FILES = 600
 _WORKFLOWS = os.path.join(".github", "workflows")
 _ENDS = (".yml", ".yaml", ".sh", ".bash", ".rosinstall", ".repos", ".dockerfile")
+_CMAKE = "CMakeLists.txt"
+# What catkin_create_pkg wrote: links to the documents of the distribution of its day; since Noetic (catkin_pkg 0.4.16) CMake 3.0.2.
+_LINKED = re.compile(r"ros\.org/doc/(groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic)/")
+_NEW_TEMPLATE = re.compile(r"^[ \t]*cmake_minimum_required\s*\(\s*VERSION\s+3\.(?:0\.2|[1-9])", re.MULTILINE | re.IGNORECASE)
 _NAMED = re.compile(r"(?<![A-Za-z])(fuerte|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic)(?![A-Za-z])", re.IGNORECASE)
 
 
@@ -27,26 +31,48 @@ class Distributions(NamedTuple):
     """The distributions of ROS 1 that are named (small letters), and the places that were looked at.
 
     ``installs``: some step that is written there installs what is built (catkin builds a devel space without one).
+    ``templates``: the distributions of the templates from which the ``CMakeLists.txt`` of the packages were made; it is but a hint.
     """
 
     named: frozenset[str]
     looked: frozenset[str]
     installs: bool = False
+    templates: frozenset[str] = frozenset()
+
+    @property
+    def meant(self) -> frozenset[str]:
+        """The distributions that are named; where none is, those of the templates."""
+        return self.named or self.templates
+
+    def are_older_than(self, distribution: str) -> bool:
+        """Whether only distributions before this one are meant. They are named in the order of the alphabet."""
+        return bool(self.meant) and max(self.meant) < distribution.lower()
 
 
 def read_distributions(directories: Iterable[str]) -> Distributions:
     """The distributions that files below ``directories`` name. Bounded; never raises."""
     looked: set[str] = set()
     found: set[str] = set()
+    templates: set[str] = set()
     installs = False
-    for _, text in texts(_places(directories), _MOST_FILES, looked):
+    for file, text in texts(_places(directories), _MOST_FILES, looked):
+        if file.endswith(_CMAKE):
+            templates.update(_LINKED.findall(text), ["noetic"] if _NEW_TEMPLATE.search(text) else [])
+            continue
         found.update(name.lower() for name in _NAMED.findall(text))
         installs = installs or _INSTALLS.search(text) is not None
-    return Distributions(frozenset(found), frozenset(looked), installs)
+    return Distributions(frozenset(found), frozenset(looked), installs, frozenset(templates))
 
 
 def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
     for top in directories:
         workflows = os.path.join(top, _WORKFLOWS)
         for directory, listed in ((workflows, names(workflows)), (top, names(top)), *walk(top, _MOST_DIRECTORIES)):
-            yield directory, [name for name in listed if name.lower().startswith(("readme", "dockerfile")) or name.lower().endswith(_ENDS)]
+            yield (
+                directory,
+                [
+                    name
+                    for name in listed
+                    if name.lower().startswith(("readme", "dockerfile")) or name.lower().endswith(_ENDS) or name == _CMAKE
+                ],
+            )

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from launchlint.workspace.environment_hooks import Hooks
     from launchlint.workspace.launch_files import LaunchFiles
     from launchlint.workspace.mentions import Mentions
+    from launchlint.workspace.releases import Needs
     from launchlint.workspace.variables import Variables
 
 SYSTEM_SHARE = "/usr/share"
@@ -169,6 +170,7 @@ class Packages:
         self._documented: Mentions | None = None
         self._arg_uses: ArgUses | None = None
         self._distributions: Distributions | None = None
+        self._needs: dict[str, Needs] = {}
         self._homes: Homes | None = None
         self._launch_files: LaunchFiles | None = None
 
@@ -286,15 +288,10 @@ class Packages:
 
     def documented_in(self, name: str) -> str | None:
         """A README or another document of the workspaces (absolute) that names package ``name``; ``None`` where there is none."""
-        return self._read_documents().known.get(name)
+        return self.documents().known.get(name)
 
-    def is_to_be_installed(self, name: str) -> bool:
-        """Whether a README or another document of the workspaces tells people to install package ``name``."""
-        from launchlint.workspace.mentions import says_install
-
-        return says_install(name, self._read_documents().installing)
-
-    def _read_documents(self) -> Mentions:
+    def documents(self) -> Mentions:
+        """What the READMEs and other documents of the workspaces name."""
         from launchlint.workspace.looking import note
         from launchlint.workspace.mentions import read_documents
 
@@ -303,16 +300,8 @@ class Packages:
         note(self._documented.looked)
         return self._documented
 
-    def is_older_than(self, distribution: str) -> bool:
-        """Whether the workspaces name distributions of ROS 1 (in a README, a workflow, an image …), and only older ones than this."""
-        named = self._said().named
-        return bool(named) and max(named) < distribution.lower()  # they are named in the order of the alphabet
-
-    def has_install_step(self) -> bool:
-        """Whether the workspaces have a step that installs what is built (in a README, a workflow, an image, a script)."""
-        return self._said().installs
-
-    def _said(self) -> Distributions:
+    def distributions(self) -> Distributions:
+        """What the workspaces say of ROS distributions and of installing (in a README, a workflow, an image, a script …)."""
         from launchlint.workspace.distributions import read_distributions
         from launchlint.workspace.looking import note
 
@@ -320,6 +309,16 @@ class Packages:
             self._distributions = read_distributions(self.workspaces)
         note(self._distributions.looked)
         return self._distributions
+
+    def needs(self, package: Package) -> frozenset[str]:
+        """The packages that ``package`` declares to run, and those that its launch files name."""
+        from launchlint.workspace.looking import note
+        from launchlint.workspace.releases import read_needs
+
+        if package.directory not in self._needs:
+            self._needs[package.directory] = read_needs(package.directory)
+        note(self._needs[package.directory].looked)
+        return self._needs[package.directory].names | package.run_dependencies
 
     def arg_uses(self) -> ArgUses:
         """Where files of the workspaces give args to launch files by name."""

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from launchlint.workspace.packages import Packages
+from launchlint.workspace.releases import never_released
 
 
 @pytest.mark.parametrize(
@@ -21,6 +22,9 @@ from launchlint.workspace.packages import Packages
         ({"scripts/install.sh": "apt-get install ros-kinetic-amcl\n"}, True),
         ({"notes.txt": "indigo is a colour"}, False),
         ({"README.md": "mindigos and kinetics"}, False),
+        ({"CMakeLists.txt": "# See http://ros.org/doc/groovy/api/catkin\n"}, True),
+        ({"README.md": "Runs on ROS Noetic.", "CMakeLists.txt": "# See http://ros.org/doc/groovy/api/catkin\n"}, False),
+        ({"CMakeLists.txt": "cmake_minimum_required(VERSION 3.0.2)\n# See http://ros.org/doc/groovy/api/catkin\n"}, False),
     ],
 )
 def test_older(tmp_path: Path, files: dict[str, str], older: bool) -> None:
@@ -28,4 +32,19 @@ def test_older(tmp_path: Path, files: dict[str, str], older: bool) -> None:
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text, encoding="utf-8")
     packages = Packages([str(tmp_path)], {}, explicit=True)
-    assert packages.is_older_than("noetic") is older
+    assert packages.distributions().are_older_than("noetic") is older
+
+
+@pytest.mark.parametrize(
+    ("text", "installs"),
+    [("catkin_make install\n", True), ("catkin config --init --install", True), ("catkin build\n", False), ("make install", False)],
+)
+def test_install_step(tmp_path: Path, text: str, installs: bool) -> None:
+    (tmp_path / "README.md").write_text(text, encoding="utf-8")
+    assert Packages([str(tmp_path)], {}, explicit=True).distributions().installs is installs
+
+
+def test_never_released() -> None:
+    assert never_released(["amcl", "turtlebot_bringup", "no_such_package"], "noetic") == "turtlebot_bringup"
+    assert never_released(["amcl", "no_such_package"], "noetic") == ""
+    assert never_released(["turtlebot_bringup"], "kinetic") == ""

@@ -53,7 +53,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             setting = graph.parameters.setting(frame.parameter) if frame.parameter else None
             if frame.through != "tf2" or not frame.name.startswith("/") or not frame.certain or setting is None or not is_certain(setting):
                 continue
-            old = view.packages.is_older_than(WITH_TF2)
+            old = view.packages.distributions().are_older_than(WITH_TF2)
             node = instance.node.origin.place
             yield RULE.at(
                 setting.origin,

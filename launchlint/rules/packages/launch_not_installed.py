@@ -113,7 +113,7 @@ def check(view: FileView) -> Iterator[Finding]:
     directory = inside.partition("/")[0] if "/" in inside else ""
     share = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
     headers = all((each.destination or "").partition("/")[0] == "include" for each in present)
-    devel = not installed.by_name and not packages.has_install_step()
+    devel = not installed.by_name and not packages.distributions().installs
     severity = Severity.INFO if headers or devel else RULE.severity
     meant = f"it installs {'headers' if headers else 'other files'}, so that the package is meant to be installed"
     yield RULE.at(

@@ -25,7 +25,7 @@ def why_left_out(name: str, document: Document, home: Package, packages: Package
     if put_aside(path):
         return f"{path}, which uses {name}, seems to have been put aside"
     comments = [line for comment in document.comments for line in install_lines(comment.text)]
-    if says_install(name, comments) or packages.is_to_be_installed(name):
+    if says_install(name, comments) or says_install(name, packages.documents().installing):
         return f"people are told to install {name} where they need it, so that it seems to be left out on purpose"
     if _BENCH.search(path) is not None and name in _base():
         return f"{name} is part of every installation of {BASE}, and it is used to try something out only"

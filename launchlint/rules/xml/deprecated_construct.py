@@ -1,13 +1,14 @@
 """Something that older versions of ROS knew and that has no place in a launch file any more.
 
-The `<master>` tag (roslaunch starts a master by itself), the `ros-root`, `ros-package-path`, `ros-ip` and
-`ros-hostname` attributes and the `<env>` children of a `<machine>`, the `ns` attribute of `<rosparam>` (it is called
-`param` now), and the program `xacro.py`, which ROS Noetic does not have. So are programs and params of which the library knows that a
-distribution removed them (`robot_state_publisher/state_publisher`, `use_gui` of joint_state_publisher), where the package is not in the
-workspace. A param that is set to what was its default is an info: it changed nothing when it was still read. One that is shadowed by the
-node's own private param is left alone. What a distribution removed is an info, too, where the workspace itself (a README, a workflow, an
-image, a script) names older distributions only. Each such program or param, `<master>` and `ns` are told of once, with all places.
-
+The `<master>` tag (roslaunch starts a master by itself), the `ros-root`, `ros-package-path`, `ros-ip` and `ros-hostname` attributes and
+the `<env>` children of a `<machine>`, the `ns` attribute of `<rosparam>` (it is called `param` now), and the program `xacro.py`, which ROS
+Noetic does not have. So are programs and params of which the library knows that a distribution removed them
+(`robot_state_publisher/state_publisher`, `use_gui` of joint_state_publisher), where the package is not in the workspace. A param that is
+set to what was its default is an info: it changed nothing when it was still read. One that is shadowed by the node's own private param is
+left alone. What a distribution removed is an info, too, where the workspace itself (a README, a workflow, an image, a script; where none
+of these names any, the templates of the `CMakeLists.txt`) names older distributions only, and where a launch file of the same package, or
+its `package.xml`, needs a public package that was never released for that distribution. Each such program or param, `<master>` and `ns`
+are told of once, with all places.
 ## Why it matters
 
 Some are ignored, some still work, some make roslaunch refuse the file: none does what the author once relied on.
@@ -32,8 +33,8 @@ Some are ignored, some still work, some make roslaunch refuse the file: none doe
 ## Fix
 
 `--fix` removes `<master>` and attributes that are empty, and writes `param` for the `ns` of a `<rosparam>`: nothing changes, which is
-proved before it is done. It writes `xacro` for `xacro.py`: the command is another one then. `--unsafe-fixes` removes attributes of
-`<machine>` that roslaunch refuses.
+proved before it is done. It writes `xacro` for `xacro.py`: the command is another one then, and where the workspace is for distributions
+before Kinetic only `--unsafe-fixes` does so. `--unsafe-fixes` removes attributes of `<machine>` that roslaunch refuses.
 """
 
 from __future__ import annotations
@@ -48,8 +49,9 @@ from launchlint.rules.other_file import is_inside
 from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, GraphView, LaunchView
-from launchlint.source import Origin
+from launchlint.source import Origin, Place
 from launchlint.workspace.packages import SYSTEM_SHARE, Packages
+from launchlint.workspace.releases import never_released
 
 RULE = Rule("LL111", "deprecated-construct", Severity.WARNING, fixable="safe")
 
@@ -78,6 +80,8 @@ WORDS = {
 }
 
 
+WITH_XACRO = "kinetic"
+"""The oldest distribution that is known to have a program xacro."""
 ONE_HABIT = ("xacro.py", "<master>", "rosparam ns")
 """What is told once over all files: it is copied from one to the next, and mended everywhere alike."""
 
@@ -99,7 +103,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             continue  # which version that is nobody knows
         default = reading.declaration.default
         as_default = default is not None and setting.value == default
-        old = view.packages.is_older_than(removed["in"])
+        old = _for_older(removed["in"], setting.origin.place, view.packages)
         severity = Severity.INFO if as_default or old else RULE.severity
         yield RULE.at(
             setting.origin,
@@ -108,7 +112,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             label="out of date",
             notes=("it is set to what was its default, and changed nothing when it was still read",)
             if as_default
-            else ("nothing reads it there", *_for_older(removed["in"], view.packages)),
+            else ("nothing reads it there", *old),
             help="remove it" if as_default else _instead(removed, "remove it"),
             topic=f"removed {reading.declared}",
             cause=f"{severity.word} {program} {reading.declared.lstrip('~')}",
@@ -135,12 +139,13 @@ def _program(instance: Instance, view: GraphView) -> Iterator[Finding]:
     change = None
     if instead and "/" not in instead and is_literal(place, name):
         change = fix(f"write {instead}", set_value(spot(view, place), instead), safe=False, changes=f"{instead} is started")
+    old = _for_older(removed["in"], place, view.packages)
     yield RULE.at(
         Origin(place, node.origin.step),
         f"ROS {removed['in'].title()} has no {name} in {package} any more",
-        severity=Severity.INFO if view.packages.is_older_than(removed["in"]) else None,
+        severity=Severity.INFO if old else None,
         label="out of date",
-        notes=("roslaunch loads the file there and fails when it starts this node", *_for_older(removed["in"], view.packages)),
+        notes=("roslaunch loads the file there and fails when it starts this node", *old),
         help=_instead(removed, "remove the node"),
         fix=change,
         topic="removed",
@@ -148,8 +153,13 @@ def _program(instance: Instance, view: GraphView) -> Iterator[Finding]:
     )
 
 
-def _for_older(distribution: str, packages: Packages) -> tuple[str, ...]:
-    return ("the workspace names only older distributions of ROS",) if packages.is_older_than(distribution) else ()
+def _for_older(distribution: str, place: Place, packages: Packages) -> tuple[str, ...]:
+    """Why what this distribution lacks does not concern the file, for people; nothing where it may."""
+    if packages.distributions().are_older_than(distribution):
+        return ("the workspace names only older distributions of ROS",)
+    home = packages.package_of(place.source.file)
+    needed = "" if home is None else never_released((name for name in packages.needs(home) if not packages.has(name)), distribution)
+    return (f"it needs {needed}, which was never released for ROS {distribution.title()}",) if needed else ()
 
 
 def _lies_here(package: str, view: GraphView) -> bool:
@@ -183,7 +193,7 @@ def tell(problem: Problem, view: FileView | LaunchView) -> Iterator[Finding]:
     message, note, advice = WORDS.get(construct, machine)
     if construct.startswith("machine") and not problem.refused:
         note = "not supported since ROS Fuerte"
-    older = _for_older("noetic", view.packages) if construct == "xacro.py" else ()
+    older = _for_older("noetic", problem.place, view.packages) if construct == "xacro.py" else ()
     severity = Severity.ERROR if problem.refused else Severity.INFO if older or construct == "rosparam ns" else Severity.WARNING
     yield RULE.at(
         problem.origin,
@@ -192,19 +202,22 @@ def tell(problem: Problem, view: FileView | LaunchView) -> Iterator[Finding]:
         label="out of date",
         notes=(note, *older),
         help=advice,
-        fix=_fix(construct, problem, view),
-        cause=construct if construct in ONE_HABIT and not problem.refused else "",
+        fix=_fix(
+            construct, problem, view, is_there=not older and min(view.packages.distributions().meant, default=WITH_XACRO) >= WITH_XACRO
+        ),
+        cause=f"{construct} {severity.word}" if construct in ONE_HABIT and not problem.refused else "",
     )
 
 
-def _fix(construct: str, problem: Problem, view: object) -> Fix | None:
+def _fix(construct: str, problem: Problem, view: object, *, is_there: bool) -> Fix | None:
+    """The change; it is safe if what is written instead ``is_there`` in every distribution that may be meant."""
     at = spot(view, problem.place)
     if construct == "<master>":
         return fix("remove it", remove_element(at), safe=True)
     if construct == "rosparam ns":
         return fix("write param", rename_attribute(at, "param"), safe=True)
     if construct == "xacro.py":
-        return fix("write xacro", replace(at, problem.place, "xacro"), safe=True, changes="the command is xacro")
+        return fix("write xacro", replace(at, problem.place, "xacro"), safe=is_there, changes="the command is xacro")
     if construct == "machine env" or at is None or at.attribute is None:
         return None
     if not at.attribute.value:
