@@ -21,7 +21,10 @@ LIBRARY = """\
         {"name": "chatter", "type": "std_msgs/String", "queue": 1, "evidence": [{"by": "static", "at": "repository:src/demo/talker.py:5"}]},
         {"name": "{arg:1}", "type": "std_msgs/String", "evidence": [{"by": "static", "at": "repository:src/demo/talker.py:6"}]}
        ],
-       "open": {"subscribers": "a name that is not known (src/demo/talker.py:7)"}
+       "subscribers": [
+        {"name": "{any}", "type": "std_msgs/String", "evidence": [{"by": "static", "at": "repository:src/demo/talker.py:7"}]}
+       ],
+       "literals": ["chatter"]
 """
 
 
