@@ -41,19 +41,18 @@ def is_copy(home: Package, packages: Packages) -> bool:
     people = _people(home.manifest)
     if not people:
         return False
-    own = same = 0
+    own = public = 0
     for place in packages.places[: len(packages.workspaces)]:
         for each in place.everything:
             if each.manifest is None:
                 continue
-            known = not people.isdisjoint(_people(each.manifest))
             if each.name in public_names():
-                same += known
-            elif known:
+                public += 1
+            elif not people.isdisjoint(_people(each.manifest)):
                 return False
             else:
                 own += 1
-    return own >= same
+    return own >= public
 
 
 def _people(manifest: Manifest) -> frozenset[str]:
