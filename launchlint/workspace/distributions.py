@@ -30,13 +30,13 @@ _INSTALLS = re.compile(
 class Distributions(NamedTuple):
     """The distributions of ROS 1 that are named (small letters), and the places that were looked at.
 
-    ``installs``: some step that is written there installs what is built (catkin builds a devel space without one).
+    ``installs``: the directories of the files with a step that installs what is built (catkin builds a devel space without one).
     ``templates``: the distributions of the templates from which the ``CMakeLists.txt`` of the packages were made; it is but a hint.
     """
 
     named: frozenset[str]
     looked: frozenset[str]
-    installs: bool = False
+    installs: frozenset[str] = frozenset()
     templates: frozenset[str] = frozenset()
 
     @property
@@ -54,14 +54,15 @@ def read_distributions(directories: Iterable[str]) -> Distributions:
     looked: set[str] = set()
     found: set[str] = set()
     templates: set[str] = set()
-    installs = False
+    installs: set[str] = set()
     for file, text in texts(_places(directories), _MOST_FILES, looked):
         if file.endswith(_CMAKE):
             templates.update(_LINKED.findall(text), ["noetic"] if _NEW_TEMPLATE.search(text) else [])
             continue
         found.update(name.lower() for name in _NAMED.findall(text))
-        installs = installs or _INSTALLS.search(text) is not None
-    return Distributions(frozenset(found), frozenset(looked), installs, frozenset(templates))
+        if _INSTALLS.search(text):
+            installs.add(os.path.dirname(file))
+    return Distributions(frozenset(found), frozenset(looked), frozenset(installs), frozenset(templates))
 
 
 def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:

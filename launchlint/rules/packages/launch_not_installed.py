@@ -85,11 +85,24 @@ from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.workspace.looking import exists, is_file
+from launchlint.workspace.packages import Package, Packages
 
 RULE = Rule("LL702", "launch-not-installed", Severity.WARNING)
 DEVEL = "it has catkin_install_python only, which a devel space needs, too; nothing here installs the package"
 
 _NOT_MEANT = late(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
+
+
+def _is_installed(package: Package, packages: Packages) -> bool:
+    """Whether a step that installs is written where it speaks of ``package``: above it, or in a directory beside what lies above it."""
+    homes = [each.directory for place in packages.places[: len(packages.workspaces)] for each in place.everything]
+    for directory in packages.distributions().installs:
+        scope = directory
+        while scope != posixpath.dirname(scope) and not any(is_inside(f"{home}/package.xml", (scope,)) for home in homes):
+            scope = posixpath.dirname(scope)
+        if is_inside(package.manifest_path, (scope,)):
+            return True
+    return False
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -113,7 +126,7 @@ def check(view: FileView) -> Iterator[Finding]:
     directory = inside.partition("/")[0] if "/" in inside else ""
     share = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
     headers = all((each.destination or "").partition("/")[0] == "include" for each in present)
-    devel = not installed.by_name and not packages.distributions().installs
+    devel = not installed.by_name and not _is_installed(package, packages)
     severity = Severity.INFO if headers or devel else RULE.severity
     meant = f"it installs {'headers' if headers else 'other files'}, so that the package is meant to be installed"
     yield RULE.at(
