@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
-from launchlint.rules.aside import put_aside
+from launchlint.workspace.put_aside import put_aside
 
 NOTE = "it lies in {}, which nothing outside of it leads to: somebody seems to have put it aside"
 

@@ -6,6 +6,7 @@ import posixpath
 
 from launchlint.workspace.looking import walk
 from launchlint.workspace.packages import Packages
+from launchlint.workspace.put_aside import is_out_of_use
 
 _MOST_DIRECTORIES = 300
 
@@ -24,6 +25,6 @@ def installed_from(file: str, packages: Packages) -> str | None:
     found = [
         posixpath.join(parent, name)
         for parent, listed in walk(package.directory, _MOST_DIRECTORIES)
-        if posixpath.basename(parent) == last and name in listed
+        if posixpath.basename(parent) == last and name in listed and not is_out_of_use(f"{parent}/{name}", file)
     ]
     return found[0] if len(found) == 1 else None

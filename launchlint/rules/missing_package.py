@@ -13,7 +13,7 @@ from typing import NamedTuple
 from launchlint.finding import Severity
 from launchlint.late import late
 from launchlint.library.shipped import is_in_library
-from launchlint.rules.stale_package import own_instead
+from launchlint.rules.stale_package import lacks_all, own_instead
 from launchlint.spelling import closest, distance, one_slip
 from launchlint.workspace.packages import Hidden, Package, Packages
 from launchlint.workspace.public_packages import public_names
@@ -34,11 +34,12 @@ def is_placeholder(name: str) -> bool:
 
 
 class Judgement(NamedTuple):
-    """How bad it is that a package is not here, ``why`` that can be said (one line), and the ``help``."""
+    """How bad it is that a package is not here, ``why`` that can be said (one line), the ``help``, and which package it proposes."""
 
     severity: Severity
     why: str
     help: str
+    meant: str = ""
 
 
 def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | None:
@@ -50,7 +51,8 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
     ``*.repos`` names, one whose ``package.xml`` is here and broken (LL704 tells of that), and a placeholder.
     Warning: a name that is much like one that is here, declared or public, or that is made from one that is here (``arm_tools`` beside
     ``arm``). Info: any other: it may well lie in another repository of the same people.
-    One slip from a public package is help and no more: no list holds all packages.
+    One slip from a public package is help and no more: no list holds all packages. A package is proposed only where it has a file that
+    is asked for by ``$(find name)/…``, if any is.
     """
     if packages.has(name) or is_placeholder(name):
         return None
@@ -66,7 +68,18 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
     answer = known[key]
     if answer is not None and answer.severity in (Severity.INFO, Severity.WARNING):
         packages.documented_in(name)  # which notes for the cache that the answer hangs on the documents
-    return answer
+    return answer if answer is None else _held_against_files(answer, name, text, packages, near)
+
+
+def _held_against_files(answer: Judgement, name: str, text: str, packages: Packages, near: str) -> Judgement:
+    """``answer`` without the package that it proposes where that has none of the files which ``text`` asks of ``name``."""
+    meant = packages.get(answer.meant, near) if answer.meant else None
+    if meant is None or not (lacking := lacks_all(meant, name, text)):
+        return answer
+    if packages.complete:
+        return answer._replace(help=_add(name), meant="")
+    why = f"{answer.meant} is here, and has no {lacking}: another package seems to be meant, which no list here knows"
+    return Judgement(min(answer.severity, Severity.WARNING), why, _add(name))
 
 
 def cause(name: str, severity: Severity) -> str:
@@ -118,7 +131,7 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
                 "every package that exists here is known",
                 f"install it: rosdep install {name}, or your system's package of it",
             )
-        return Judgement(Severity.ERROR, "every package that exists here is known", _did_you_mean(near) or _add(name))
+        return Judgement(Severity.ERROR, "every package that exists here is known", _did_you_mean(near) or _add(name), near or "")
     if name in public or name in declared or is_in_library(name) or packages.listed_in(name) is not None:
         return None
     unlisted = f"it is not in the list of {len(public):,} public packages that launchlint ships"
@@ -126,7 +139,7 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
     slip = _one_slip(name, known)
     if slip is not None:
         where = "here" if packages.has(slip) else "declared in a package.xml"
-        return Judgement(Severity.ERROR, f"{slip} is {where}, and {unlisted}", _did_you_mean(slip))
+        return Judgement(Severity.ERROR, f"{slip} is {where}, and {unlisted}", _did_you_mean(slip), slip)
     near = _near(name, known) or _one_slip(name, public.about_as_long(name))
     document = packages.documented_in(name)
     if document is not None:
@@ -134,7 +147,7 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
         return Judgement(Severity.INFO, why, f"declare {name} in package.xml, or list its repository in a .rosinstall or .repos")
     why = f"no package.xml here declares it, and {unlisted}"
     if near is not None:
-        return Judgement(Severity.WARNING, why, _did_you_mean(near))
+        return Judgement(Severity.WARNING, why, _did_you_mean(near), near)
     made_from = max((each for each in known if name.startswith((f"{each}_", f"{each}-"))), key=len, default=None)
     return Judgement(Severity.INFO if made_from is None else Severity.WARNING, why, _add(name))
 

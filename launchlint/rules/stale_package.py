@@ -46,6 +46,16 @@ def own_instead(name: str, text: str, packages: Packages, near: str) -> Package 
     return home if all(each is not None and each[1] in programs for each in types) else None
 
 
+def lacks_all(package: Package, name: str, text: str) -> str:
+    """The first file that a launch file with content ``text`` asks of the package ``name``, where ``package`` has none; else empty.
+
+    Of a path that goes on with a substitution the directory counts.
+    """
+    asked = [posixpath.dirname(file) if made else file for file, made in _asked(text).files.get(name, ())]
+    asked = [file for file in asked if file]
+    return "" if any(exists(posixpath.join(package.directory, file)) for file in asked) else next(iter(asked), "")
+
+
 class _Asked(NamedTuple):
     """What a launch file asks of each package: files (True: a substitution follows the name), and the start tags of its programs."""
 

@@ -23,6 +23,7 @@ from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.prefixes import Prefix
 
 _SCRIPT_ENDS = (".py", ".sh", ".bash", ".pl", ".rb", ".lua")
+_RELAYED = "catkin_install_python(PROGRAMS)"
 _EXECUTABLE = stat.S_IRUSR | stat.S_IXUSR
 
 
@@ -47,10 +48,11 @@ class Executables:
 
     ``by_name`` is sorted by name. ``reasons`` say why there may be more than these (empty: ``exhaustive``). ``installed`` says that the
     package is an installed one, not one in a workspace. ``nodelet_classes`` maps class names (as ``pkg/Class``) to their descriptions, and
-    ``nodelet_reasons`` say why there may be more of those.
+    ``nodelet_reasons`` say why there may be more of those. ``relayed`` are the names that ``catkin_install_python`` is given: since ROS
+    Noetic it writes a program of each into the devel space, which roslaunch finds first and which reads the script.
     """
 
-    __slots__ = ("_unrunnable", "by_name", "installed", "nodelet_classes", "nodelet_reasons", "reasons")
+    __slots__ = ("_unrunnable", "by_name", "installed", "nodelet_classes", "nodelet_reasons", "reasons", "relayed")
 
     def __init__(
         self,
@@ -59,6 +61,7 @@ class Executables:
         installed: bool,
         nodelets: tuple[Mapping[str, NodeletClass], Sequence[str]],
         unrunnable: Mapping[str, str],
+        relayed: frozenset[str] = frozenset(),
     ) -> None:
         self.by_name = by_name
         self.reasons = tuple(reasons)
@@ -66,6 +69,7 @@ class Executables:
         self.nodelet_classes = nodelets[0]
         self.nodelet_reasons = tuple(nodelets[1])
         self._unrunnable = unrunnable
+        self.relayed = relayed
 
     @property
     def exhaustive(self) -> bool:
@@ -168,7 +172,8 @@ def executables(package: Package, prefixes: Iterable[Prefix] = ()) -> Executable
     for name, how in facts.executables.items():
         found.setdefault(name, Executable(name, how, None))
     nodelets = read_nodelet_classes(package)
-    return Executables(dict(sorted(found.items())), reasons, installed, nodelets, unrunnable)
+    relayed = frozenset(name for name, how in facts.executables.items() if how == _RELAYED)
+    return Executables(dict(sorted(found.items())), reasons, installed, nodelets, unrunnable, relayed)
 
 
 def launch_install_directories(package: Package) -> InstalledFiles:

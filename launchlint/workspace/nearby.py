@@ -6,6 +6,7 @@ import os
 
 from launchlint.spelling import closest
 from launchlint.workspace.looking import is_file, names
+from launchlint.workspace.put_aside import is_out_of_use
 
 MOST_DIRECTORIES = 50
 
@@ -14,7 +15,7 @@ def nearby_file(file: str, ending: str = "") -> str | None:
     """The file that was probably meant instead of ``file``, which is not there.
 
     That is the file of the nearest name in the same directory (its name is returned), else the file of the same name in a directory
-    beside it (returned with that directory). Only names that end with ``ending`` count.
+    beside it (returned with that directory). Only names that end with ``ending`` count, and nothing that was put aside.
     """
     directory, name = os.path.split(file)
     if not name or "\0" in file:
@@ -24,7 +25,8 @@ def nearby_file(file: str, ending: str = "") -> str | None:
     if near is not None:
         return near
     parent, last = os.path.split(directory)
-    found = [other for other in names(parent)[:MOST_DIRECTORIES] if other != last and is_file(os.path.join(parent, other, name))]
+    beside = [(other, os.path.join(parent, other, name)) for other in names(parent)[:MOST_DIRECTORIES] if other != last]
+    found = [other for other, path in beside if is_file(path) and not is_out_of_use(path, file)]
     if not parent or not name.endswith(ending) or not found:
         return None
     return f"{closest(last, found) or found[0]}/{name}"

@@ -187,13 +187,15 @@ def rosparam(file: FileEvaluation, element: Element, context: Context, namespace
         return
     if name is None and not substitute and "$(" in text[0]:
         _notice_unsubstituted(file, element, text[0])
+    written = None
     if substitute:
         resolved = resolve(file, text[0], _in_text(element, name), context)
         if isinstance(resolved, Unknown):
             file.effect(MoreParameters(full))
             return
+        written = text[1]
         text = (resolved, None if resolved != text[0] else text[1])
-    _load(file, element, text, below, full, in_node=in_node)
+    _load(file, element, text, below, full, in_node=in_node, written=written)
 
 
 def _notice_unsubstituted(file: FileEvaluation, element: Element, text: str) -> None:
@@ -214,6 +216,22 @@ def _in_text(element: Element, name: str | None) -> Any:
         return Span(element.text_offset(start), max(element.text_offset(max(end - 1, start)) + 1, element.text_offset(start) + 1))
 
     return where
+
+
+def _line(written: Source | None, content: str, start: int, end: int) -> Place | None:
+    """The place in the file ``written`` of what stands at ``start`` to ``end`` of ``content``, in which substitutions are replaced.
+
+    That is the key itself where nothing before it in its line was replaced, else the line; None where replacing changed the lines.
+    """
+    if written is None or written.text.count("\n") != content.count("\n"):
+        return None
+    number = content.count("\n", 0, start)
+    before = content[content.rfind("\n", 0, start) + 1 : start]
+    begin = written.line_starts[number]
+    line = written.line(number + 1)
+    if line.startswith(before + content[start:end]):
+        return Place(written, Span(begin + len(before), begin + len(before) + end - start))
+    return Place(written, Span(begin + len(line) - len(line.lstrip()), begin + len(line.rstrip())))
 
 
 def _yaml_text(file: FileEvaluation, element: Element, name: str | None, reads: frozenset[str]) -> tuple[str, Source | None] | None:
@@ -256,7 +274,9 @@ def _loaded(session: Session, content: str) -> Loaded:
     return result
 
 
-def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None], below: str, full: str, *, in_node: bool) -> None:
+def _load(
+    file: FileEvaluation, element: Element, text: tuple[str, Source | None], below: str, full: str, *, in_node: bool, written: Source | None
+) -> None:
     from launchlint.evaluate.ros1.rosparam import YamlError, YamlUnknown
 
     file.progress.angles = True
@@ -279,10 +299,10 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
     except YamlError as error:
         end = content.find("\n", error.offset) if error.kind == "colon" else -1
         at = place(error.offset, min(error.offset + 1, len(content)) if end < 0 else end)
-        written = element.attributes.get("file")
+        named = element.attributes.get("file")
         related: tuple[tuple[Place, str], ...] = ()
-        if source is not None and written is not None:
-            related = ((file.place(written.value_span), "loaded here"),)
+        if source is not None and named is not None:
+            related = ((file.place(named.value_span), "loaded here"),)
         file.record_at(at, "param-yaml-invalid", refused=True, related=related, reason=str(error), in_file=source is not None,
                        hint="colon" if error.kind == "colon" else "", file="" if source is None else source.path)  # fmt: skip
         return
@@ -295,9 +315,10 @@ def _load(file: FileEvaluation, element: Element, text: tuple[str, Source | None
         file.record_at(at, "param-yaml-invalid", refused=True, reason=reason, hint=hint, **loaded_from)
         return
     for duplicate in loaded.duplicates:
-        related = ((place(*duplicate.first), "the first one"),)
+        first, second = (_line(written, content, *span) or place(*span) for span in (duplicate.first, duplicate.second))
+        related = ((first, "the first one"),)
         key = "/".join(map(str, duplicate.path))
-        file.record_at(place(*duplicate.second), "yaml-duplicate-key", related=related, key=key, same=duplicate.same_value)
+        file.record_at(second, "yaml-duplicate-key", related=related, key=key, same=duplicate.same_value)
     _notice_ros2(file, element, loaded, content, full, place)
     same = (file.document, element.index, "" if source is None else source.path, content, full, file.conditions)
     known = file.session.settings.get(same)

@@ -1,7 +1,8 @@
 """A `$(…)` is not one that roslaunch can resolve.
 
 It has a command that does not exist, too few or too many words, or another substitution or parenthesis inside it. The
-commands are `find`, `env`, `optenv`, `dirname`, `anon` and `arg`; `$(eval …)` must be the whole value.
+commands are `find`, `env`, `optenv`, `dirname`, `anon` and `arg`; `$(eval …)` must be the whole value. The same mistake is told once in a
+file.
 
 ## Why it matters
 
@@ -25,7 +26,8 @@ roslaunch refuses the file when it gets to the value.
 
 ## Fix
 
-`--fix` writes the command that the name is one slip away from: `$(args x)` becomes `$(arg x)`.
+`--fix` writes the command that the name is one slip away from: `$(args x)` becomes `$(arg x)`. What asks for a package as in a shell,
+`$(rospack find x)`, becomes `$(find x)`.
 """
 
 from __future__ import annotations
@@ -33,6 +35,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
+from launchlint.late import late
 from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, replace, spot
 from launchlint.rules.rule import Rule
@@ -41,6 +44,10 @@ from launchlint.syntax.ros1.dialect import ROS2_SUBSTITUTIONS
 
 RULE = Rule("LL207", "bad-substitution", Severity.ERROR, roslaunch="refuses", fixable="safe")
 COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
+MOST_WORDS = 3
+_ASKING = frozenset(("find", "rospack", "package", "pkg"))
+_PART = late(r"[^a-z]+")
+_NAME = late(r"[A-Za-z][\w-]*")
 EVAL_ALONE = "$(eval …) must be the whole value: write the text around it as strings in the expression"
 
 
@@ -51,23 +58,37 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     command = words[0] if words else ""
     if command in ROS2_SUBSTITUTIONS:
         return
+    unknown = bool(command) and command not in (*COMMANDS, "eval") and "inside" not in reason
     yield RULE.at(
         problem.origin,
         f"{text[:60]}{'' if text.endswith(')') else '…'} cannot be resolved: {reason}",
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         notes=("roslaunch stops when it gets here",),
         help=_advice(reason, command, words),
-        fix=_fix(problem, view, command),
+        fix=_fix(problem, view, command, words) if unknown else None,
+        label="not a command" if unknown else "",
+        cause=f"{problem.place.source.path} {command if unknown else text} {reason} {problem.refused}",
     )
 
 
-def _fix(problem: Problem, view: object, command: str) -> Fix | None:
-    """A misspelt command becomes the only one that it is a slip for."""
-    meant = None if command in COMMANDS else surely(command, COMMANDS)
+def _fix(problem: Problem, view: object, command: str, words: list[str]) -> Fix | None:
+    """A misspelt command becomes the only one that it is a slip for, and a shell's way to find a package that of roslaunch."""
+    meant = surely(command, COMMANDS)
     text = problem.place.text
+    package = _package(words)
+    if package and text.startswith("$(") and text.endswith(")"):
+        found = f"$(find {package})"
+        return fix(f"write {found}", replace(spot(view, problem.place), problem.place, found), safe=True, changes=LOADS)
     if meant is None or not text.startswith("$(") or text.count(command) != 1:
         return None
     return fix(f"write {meant}", replace(spot(view, problem.place), problem.place, text.replace(command, meant)), safe=True, changes=LOADS)
+
+
+def _package(words: list[str]) -> str:
+    """The package that is asked for in other words than ``$(find X)``: ``rospack find X``, ``find-package X``; empty where none is."""
+    parts = {part for word in words[:-1] for part in _PART.split(word.lower())}
+    asks = len(words) > 1 and words[0] not in COMMANDS and not parts.isdisjoint(_ASKING)
+    return words[-1] if asks and len(words) <= MOST_WORDS and _NAME.fullmatch(words[-1]) else ""
 
 
 def _advice(reason: str, command: str, words: list[str]) -> str:
@@ -81,6 +102,8 @@ def _advice(reason: str, command: str, words: list[str]) -> str:
         if len(words) < 3:
             return f"write $({command} name)"
         return f"{command} takes a single name: is there a ) missing before {words[2]}?"
+    if package := _package(words):
+        return f"write $(find {package})"
     glued = next((known for known in COMMANDS if command.startswith(known) and known != "dirname"), None)
     if glued is not None and len(words) == 1:
         return f"did you mean $({glued} {command.removeprefix(glued)})?"

@@ -2,7 +2,8 @@
 
 A checkout does not hold what is installed on the robot, so that a package which is merely not here is nothing to tell of; nor is
 one that has the name of a repository in a `.gitmodules`, `*.rosinstall` or `*.repos` of the workspace. It is an error where the
-name is one slip away from a package that is here or that a `package.xml` here declares, or where everything is here: a ROS
+name is one slip away from a package that is here (and has one of the files asked for) or that a `package.xml` here declares, or where
+everything is here: a ROS
 installation is set up on this machine, or the configuration says `packages: complete`. It is a warning where the name is
 much like that of a package that is here, declared or public (no list holds all packages, so that a near name in one is help and not proof),
 or is made from one that is here (`arm_tools` beside `arm`); else an info, since it may well lie in another repository of the same people.
@@ -16,7 +17,7 @@ roslaunch refuses the file.
 
 ```xml
 <launch>
-  <param name="maps" value="$(find my_robto)/maps"/>
+  <param name="maps" value="$(find my_robto)"/>
 </launch>
 ```
 
@@ -34,7 +35,7 @@ roslaunch refuses the file.
 
 ```xml
 <launch>
-  <param name="maps" value="$(find my_robot)/maps"/>
+  <param name="maps" value="$(find my_robot)"/>
 </launch>
 ```
 

@@ -45,7 +45,8 @@ roslaunch reads every include before it starts the first node, and stops at one 
 
 `--fix` writes `$(dirname)/` before a plain name that exists beside the including file: roslaunch finds it then wherever it is started.
 `--unsafe-fixes` writes the name that the help proposes: a similar one beside it or in its package, or the file of that very name in another
-package, where there is only one. A file that is included there anyhow is never proposed.
+package, where there is only one. A file that is included there anyhow is never proposed, nor one in a directory such as `old` or
+`graveyard`.
 """
 
 from __future__ import annotations
@@ -67,6 +68,7 @@ from launchlint.rules.view import LaunchView
 from launchlint.source import Source
 from launchlint.spelling import closest
 from launchlint.workspace.looking import is_file, names, walk
+from launchlint.workspace.put_aside import is_out_of_use
 
 RULE = Rule("LL401", "include-not-found", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
@@ -150,7 +152,7 @@ def _fix(problem: Problem, view: LaunchView, written: str, name: str, *, sure: b
 def _suggestion(file: str, source: Source, written: str, view: LaunchView, root: str) -> str:
     """A launch file of that or a similar name: in the same directory, else in the same package; else one of that name elsewhere.
 
-    Not one that the same file includes anyhow.
+    Not one that the same file includes anyhow, nor one that was put aside.
     """
     absolute = posixpath.abspath(file) if posixpath.isabs(file) else posixpath.join(posixpath.dirname(posixpath.abspath(source.file)), file)
     directory, base = posixpath.split(absolute)
@@ -158,7 +160,8 @@ def _suggestion(file: str, source: Source, written: str, view: LaunchView, root:
     taken = {posixpath.abspath(each.file) for each in (source, *inside) if each is not None}
     near = _close(base, [name for name in _launch_files(directory) if posixpath.join(directory, name) not in taken])
     package = view.packages.package_of(directory)
-    found = [] if package is None else [each for each in _below(package.directory) if each not in taken]
+    below = [] if package is None else _below(package.directory)
+    found = [each for each in below if each not in taken and not is_out_of_use(each, absolute)]
     same = [each for each in found if posixpath.basename(each) == base]
     if near is not None and not same and written.endswith(base):
         return f"did you mean {written[: -len(base)]}{near}?"
@@ -166,7 +169,7 @@ def _suggestion(file: str, source: Source, written: str, view: LaunchView, root:
         nearest = _close(base, sorted({posixpath.basename(each) for each in found}))
         same = [each for each in found if posixpath.basename(each) == nearest]
     if not same:
-        same = [each for each in view.packages.launch_files(base) if each not in taken]
+        same = [each for each in view.packages.launch_files(base) if each not in taken and not is_out_of_use(each, absolute)]
         package = view.packages.package_of(same[0]) if len(same) == 1 else None
     if len(same) > 1:
         listed = ", ".join(shown(each, root) for each in same[:_MOST_NAMED]) + (" …" if len(same) > _MOST_NAMED else "")

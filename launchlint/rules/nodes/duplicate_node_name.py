@@ -42,7 +42,8 @@ anything as soon as two nodes share one, often because a file is included twice.
 
 ## Fix
 
-`--unsafe-fixes` puts a number behind the name of the second node: `camera_2`. Other launch files and nodes may know it by its old name.
+`--unsafe-fixes` removes the second node where both are equal (program, args, remaps, params). Else it puts a number behind its name:
+`camera_2`. Other launch files and nodes may know it by its old name.
 """
 
 from __future__ import annotations
@@ -53,10 +54,11 @@ from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Node
 from launchlint.problem import Problem
-from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
+from launchlint.rules.edits import LOADS, fix, is_literal, remove_element, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
+from launchlint.syntax.tree import Element
 
 RULE = Rule("LL301", "duplicate-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -79,6 +81,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     tried = view.tried
     notes = (stops,) if not tried else (stops, f"only with {tried}, which is not what this launch file does by itself")
     twice = first.origin.place == second.origin.place
+    equal = not twice and _are_equal(first, second, view)
     if not twice:
         related = ((problem.related[0][0], "the first one"), *related)
     yield RULE.at(
@@ -89,8 +92,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         related=related,
         notes=notes,
         cause=_cause(first, second, tried, view),
-        help=_advice(first, second, twice),
-        fix=None if twice else _fix(second, view),
+        help="remove the second one, which starts the same once more" if equal else _advice(first, second, twice),
+        fix=None if twice else _removal(second, view) if equal else _fix(second, view),
     )
 
 
@@ -102,6 +105,44 @@ def _cause(first: Node, second: Node, tried: str, view: LaunchView) -> str:
         return ""
     ways = ((place.source.path, place.span.start) for node in (first, second) for place in node.origin.chain)
     return f"{second.origin.place.source.path} {[*ways]}"
+
+
+def _are_equal(first: Node, second: Node, view: LaunchView) -> bool:
+    """Whether both start the same program in the same way: what acts on them is the same, and so is what is written inside them."""
+    if first.unknown or second.unknown or _acting_on(first) != _acting_on(second):
+        return False
+    one, other = (_element(node, view) for node in (first, second))
+    if one is None or other is None or any(one.get(name) != other.get(name) for name in ("if", "unless")):
+        return False
+    here = first.origin.chain == second.origin.chain and first.origin.place.source is second.origin.place.source
+    inside = _written(one)
+    return inside == _written(other) and (here or "$" not in repr(inside))
+
+
+def _acting_on(node: Node) -> tuple[object, ...]:
+    remaps = [(each.source, each.target) for each in node.remaps]
+    environment = [(each.name, each.value) for each in node.environment]
+    started = (node.package, node.executable, node.machine, node.arguments.split(), node.launch_prefix, node.cwd)
+    return (*started, node.output, node.respawn, node.required, remaps, environment)
+
+
+def _element(node: Node, view: LaunchView) -> Element | None:
+    place = node.attributes.get("name")
+    at = None if place is None else spot(view, place)
+    return None if at is None else at.element
+
+
+def _written(element: Element) -> list[object]:
+    """What is written inside an element, at any depth (the parser bounds it), without its layout."""
+    return [
+        (child.tag, sorted((name, child.get(name)) for name in child.attributes), child.text.strip(), _written(child))
+        for child in element.children
+    ]
+
+
+def _removal(second: Node, view: LaunchView) -> Fix | None:
+    at = spot(view, second.attributes["name"])
+    return fix("remove the second one", remove_element(at), safe=False, changes=f"{LOADS}, and the node is started once")
 
 
 def _fix(second: Node, view: LaunchView) -> Fix | None:

@@ -1,8 +1,9 @@
 """A node's script cannot be run: it lacks the executable bit or the `#!` line.
 
 What it does: where the package of a node lies in the workspace or is installed, it looks at the script that `type` names.
-Programs that CMake builds are passed over, and those that `catkin_install_python` wraps (an info where the first line is missing, since
-ROS Noetic makes up for it in a devel space only). It is a warning where `install()` gives the script
+Programs that CMake builds are passed over, and those that `catkin_install_python` names: ROS Noetic writes a program of that name into
+the devel space, which runs the script whatever it lacks. It is an info where the first line is missing, since nothing makes up for that
+elsewhere. It is a warning where `install()` gives the script
 the executable bit: it runs from an install space only. It is an info where another command of `CMakeLists.txt` names the
 script, as with `execute_process(COMMAND chmod +x …)`. Each script is told of once; where no script of a package has the bit, the
 package is.
@@ -76,9 +77,6 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
 
-_WRAPPED = "catkin_install_python(PROGRAMS)"
-"""Since ROS Noetic catkin writes a program of that name into the devel space, too, which reads the script (catkin_install_python.cmake)."""
-
 RULE = Rule("LL305", "not-executable", Severity.ERROR, roslaunch="reports")
 
 
@@ -98,8 +96,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
         flaw = found.flaw(node.executable)
         if flaw is None:
             continue
-        known = found.by_name.get(node.executable)
-        wrapped = known is not None and known.how == _WRAPPED
+        wrapped = node.executable in found.relayed  # catkin_install_python.cmake; roslib.packages.find_node looks there first
         if wrapped and not flaw.lacks_shebang:
             continue
         path = shown(flaw.path, root)
@@ -127,7 +124,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
             related=((line_of(flaw.path, root), "its first line"),),
             notes=tuple(notes),
             help=help,
-            cause=f"{package.directory if none_has_it else flaw.path} {made is None} {installed}",
+            cause=f"{package.directory if none_has_it else flaw.path} {made is None} {installed} {wrapped}",
         )
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from launchlint.late import late
-from launchlint.rules.aside import put_aside
 from launchlint.rules.packages.metapackages import members
 from launchlint.syntax.tree import Document
 from launchlint.workspace.mentions import install_lines, says_install
 from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.public_packages import public_names
+from launchlint.workspace.put_aside import put_aside
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
