@@ -13,9 +13,9 @@ def spokesman(findings: Sequence[Finding]) -> Finding:
     return min(findings, key=lambda finding: (-int(finding.severity), -len(finding.related)))
 
 
-def joined(findings: Sequence[Finding]) -> Finding:
-    """The :func:`spokesman` of ``findings`` with the others as related places, and all repairs as one."""
-    first = spokesman(findings)
+def joined(findings: Sequence[Finding], first: Finding | None = None) -> Finding:
+    """The :func:`spokesman` of ``findings`` (or the one given as ``first``) with the others as related places, and all repairs as one."""
+    first = spokesman(findings) if first is None else first
     others = [finding for finding in findings if finding is not first]
     related = {item.location: item for item in first.related}
     new = [finding for finding in others if finding.location not in related]
@@ -32,6 +32,15 @@ def joined(findings: Sequence[Finding]) -> Finding:
     )
 
 
+def led_by(findings: Sequence[Finding], *rules: str) -> Finding:
+    """As :func:`joined`, told by the first finding of ``rules``, the cause of the others, at the level of the worst."""
+    worst = spokesman(findings)
+    first = next((each for each in findings if each.rule in rules), worst)
+    told = joined(findings, first)
+    notes = told.notes if told.rule == worst.rule else tuple(dict.fromkeys((*told.notes, *worst.notes[:1])))
+    return told._replace(severity=worst.severity, notes=notes)
+
+
 def _joined_fix(findings: Sequence[Finding]) -> Fix | None:
     """All repairs as one; none where one rule can repair some of the places only, or where two repairs change the same text."""
     fixes = [finding.fix for finding in findings if finding.fix is not None]
@@ -42,7 +51,8 @@ def _joined_fix(findings: Sequence[Finding]) -> Fix | None:
     if any(_overlap(one, other) for one, other in pairwise(edits)):
         return None
     changes = next((fix.changes for fix in fixes if fix.changes), "")
-    return Fix(f"{fixes[0].message}, and the others alike", all(fix.safe for fix in fixes), tuple(edits), changes)
+    message = fixes[0].message if len(fixes) == 1 else f"{fixes[0].message}, and the others alike"
+    return Fix(message, all(fix.safe for fix in fixes), tuple(edits), changes)
 
 
 def _overlap(one: Edit, other: Edit) -> bool:

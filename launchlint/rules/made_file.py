@@ -31,6 +31,11 @@ def cause_of(path: str, maker: Made | None) -> str:
     return f"missing {path}" if maker is None else f"made {path}"
 
 
+def malformed(file: str) -> str:
+    """What LL101 tells of together with the includes that lead there: that the file at ``file`` cannot be read."""
+    return f"malformed {posixpath.abspath(file)}"
+
+
 def made(path: str, view: LaunchView, root: str) -> Made | None:
     """What makes the file at ``path`` (absolute), which is not here; ``None`` where nothing is known to.
 

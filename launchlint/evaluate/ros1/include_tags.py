@@ -148,7 +148,8 @@ def _open(file: FileEvaluation, element: Element, name: str, *, from_environment
     if document.launch is None:
         malformed = any(problem.kind == "malformed-xml" for problem in document.problems)
         reason = "it is not well-formed XML" if malformed else "it is not a launch file"
-        file.problem("include-not-loadable", span, refused=True, file=name, reason=reason, environment=from_environment)
+        file.problem("include-not-loadable", span, refused=True, file=name, reason=reason, environment=from_environment,
+                     malformed=malformed)  # fmt: skip
     else:
         deprecated = document.launch.get("deprecated")
         if deprecated:

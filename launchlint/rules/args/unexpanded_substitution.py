@@ -2,7 +2,7 @@
 
 `$(arg x` without its closing parenthesis, `$arg x)`, `$arg(x)`, `${arg x}`, `$ (arg x)` and `(arg x)` are plain text for
 roslaunch, and so is every `$(…)` in a `<rosparam>` without `subst_value="true"`. A parenthesis too many behind a substitution
-stays in the value as well.
+stays in the value as well. What comes of it is told with it: files that are not found for that reason.
 
 ## Why it matters
 
@@ -42,6 +42,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import fix, replace, spot
+from launchlint.rules.left_over import cause_at
 from launchlint.rules.rule import Rule
 
 _NEARLY = re.compile(r"\$\s*(?:[({\[]\s*)?(arg|find|env|anon)(?:\s+|\(\s*)([\w.-]+)\s*[)}\]]?")
@@ -60,7 +61,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     else:
         message = f"{text.strip()[:60]} is no substitution: it stays in the value as it is"
         advice = _advice(text)
-    yield RULE.at(problem.origin, message, label="plain text", help=advice, fix=_fix(problem, view))
+    yield RULE.at(problem.origin, message, label="plain text", help=advice, fix=_fix(problem, view), shared_cause=cause_at(problem))
 
 
 def _fix(problem: Problem, view: object) -> Fix | None:

@@ -52,13 +52,15 @@ package, where there is only one. A file that is included there anyhow is never 
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.installed import installed_from
-from launchlint.rules.made_file import cause_of, made
+from launchlint.rules.joined import led_by
+from launchlint.rules.left_over import left_over_in
+from launchlint.rules.made_file import cause_of, made, malformed
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.robot_file import advice as robots_advice
 from launchlint.rules.robot_file import is_robots
@@ -94,6 +96,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
             problem.origin, f"the included file {shown(file, root)} cannot be loaded: {problem.facts['reason']}",
             severity=Severity.INFO if environment else None, label="included here",
             notes=("roslaunch stops with: Invalid roslaunch XML syntax",), help="mend that file, or include another one",
+            shared_cause="" if environment or not problem.facts["malformed"] else malformed(file),
         )  # fmt: skip
         return
     reason = problem.facts["reason"]
@@ -132,8 +135,13 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         notes=tuple(notes),
         help=advice,
         fix=None if environment else _fix(problem, view, written, f"$(dirname)/{file}" if beside else _meant(advice), sure=beside),
-        shared_cause="" if relative or environment or installed is not None else cause_of(file, maker),
+        shared_cause=left_over_in(file, view) or ("" if relative or environment or installed is not None else cause_of(file, maker)),
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """One for all: the mistake in the file, or in its name, is told before the includes that it breaks."""
+    return led_by(findings, "LL101", "LL215")
 
 
 def _meant(advice: str) -> str:

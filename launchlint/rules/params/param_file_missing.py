@@ -39,12 +39,14 @@ radius: 0.1
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
 from launchlint.rules.installed import installed_from
+from launchlint.rules.joined import led_by
+from launchlint.rules.left_over import left_over_in
 from launchlint.rules.made_file import cause_of, made
 from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.robot_file import advice, is_robots
@@ -111,8 +113,13 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         else advice(path)
         if robots
         else _advice(facts),
-        shared_cause=cause_of(facts["file"], maker) if look and path and not placeholder else "",
+        shared_cause=left_over_in(facts["file"], view) or (cause_of(facts["file"], maker) if look and path and not placeholder else ""),
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """One for all: text that was meant to be replaced is told before the names of files that have it."""
+    return led_by(findings, "LL215")
 
 
 def _advice(facts: Mapping[str, Any]) -> str:

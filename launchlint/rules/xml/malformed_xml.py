@@ -1,7 +1,8 @@
 """The file is not well-formed XML.
 
 It names the slip behind the parser's complaint: the element that was never closed, the quote that is missing, the
-character that must be escaped. The caret stands where the mistake is, not where the parser noticed it.
+character that must be escaped. The caret stands where the mistake is, not where the parser noticed it. The includes
+that lead to the file are shown with it.
 
 ## Why it matters
 
@@ -37,6 +38,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.problem import Problem
+from launchlint.rules.made_file import malformed
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import has_placeholder
 
@@ -56,4 +58,5 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         related=problem.related,
         notes=(*notes, "it looks like a template that is filled in before anybody launches it") if template else notes,
         help=facts["hint"],
+        shared_cause=malformed(source.file),
     )
