@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
+from launchlint.check.fragments import FRAGMENT, told_together
 from launchlint.finding import Finding
 from launchlint.order import most_severe_first, ordered
 from launchlint.rules.joined import joined, spokesman
@@ -33,6 +34,8 @@ def _told(findings: Sequence[Finding]) -> Finding:
     first = spokesman(findings)
     if len(findings) == 1:
         return first
+    if first.cause.startswith(FRAGMENT):
+        return told_together(most_severe_first(findings))
     rule = find(first.rule)
     together: Callable[[Sequence[Finding]], Finding] | None = None if rule is None else getattr(rule.load(), "together", None)
     return joined(findings) if together is None else together(most_severe_first(findings))

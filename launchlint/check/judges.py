@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
+from launchlint.check.fragments import judged_by_inclusion
 from launchlint.check.given_elsewhere import judged_by_givers
 from launchlint.check.given_together import judged_by_callers
 from launchlint.check.known import Known
+from launchlint.check.overridden import judged_by_includers
 from launchlint.check.retired import judged_by_place
 from launchlint.check.unregistered import judged_by_marker, judged_by_registration
 from launchlint.finding import Finding
@@ -16,6 +18,8 @@ JUDGES: tuple[Callable[[Iterable[Finding], Known], Iterator[Finding]], ...] = (
     judged_by_registration,
     judged_by_marker,
     judged_by_place,
+    judged_by_inclusion,
+    judged_by_includers,
     judged_by_givers,
 )
 

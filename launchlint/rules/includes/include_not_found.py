@@ -3,6 +3,7 @@
 What it does: it looks for the `file` of every `<include>` whose name can be worked out. A plain relative name is looked up where
 roslaunch is started, not beside the including file. It is a warning where the answer hangs on this machine: for absolute names outside
 the workspace, for relative names that do exist beside the including file, and for files that `CMakeLists.txt` may install. It is an info
+where only the default of an arg leads there that all files which include this one override,
 for files of the robot (below `/etc`, `/opt`, `/home` and the like, outside of the workspace), for names made from an environment
 variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a template that lies beside
 it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration, or by what `.gitignore`
@@ -45,7 +46,8 @@ roslaunch reads every include before it starts the first node, and stops at one 
 
 `--fix` writes `$(dirname)/` before a plain name that exists beside the including file: roslaunch finds it then wherever it is started.
 `--unsafe-fixes` writes the name that the help proposes: a similar one beside it or in its package, or the file of that very name in another
-package, where there is only one. A file that is included there anyhow is never proposed, nor one in a directory such as `old` or
+package, where there is only one. Where the name is made from an arg it writes the right default of that. A file that is included
+there anyhow is never proposed, nor one in a directory such as `old` or
 `graveyard`.
 """
 
@@ -57,6 +59,7 @@ from collections.abc import Iterator, Sequence
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import fix, set_value, spot
+from launchlint.rules.includes.default_to_correct import correction, has_arg
 from launchlint.rules.installed import installed_from
 from launchlint.rules.joined import led_by
 from launchlint.rules.left_over import left_over_in
@@ -120,6 +123,9 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")
     severity = Severity.WARNING if beside or outside or installed is not None else None
     advice = f'write file="$(dirname)/{file}"' if beside else _suggestion(file, source, written, view, root)
+    repair = None if environment else _fix(problem, view, written, f"$(dirname)/{file}" if beside else _meant(advice), sure=beside)
+    if not beside and has_arg(written) and (meant := _meant(advice)) and not _keeps_args(written, meant):
+        advice, repair = _correct_arg(problem, written, meant, view)
     if maker is not None:
         severity, advice = Severity.INFO, maker.help
     elif outside and installed is None and is_robots(file, view.packages, root):
@@ -134,7 +140,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         label="found only beside this file" if beside else "not here" if maker is not None else "not found",
         notes=tuple(notes),
         help=advice,
-        fix=None if environment else _fix(problem, view, written, f"$(dirname)/{file}" if beside else _meant(advice), sure=beside),
+        fix=repair,
         shared_cause=left_over_in(file, view) or ("" if relative or environment or installed is not None else cause_of(file, maker)),
     )
 
@@ -148,6 +154,26 @@ def _meant(advice: str) -> str:
     """The name that :func:`_suggestion` proposes, where it is one that can be written into any file."""
     name = advice.removeprefix("did you mean ").removesuffix("?")
     return name if name != advice and name.startswith("$(") else ""
+
+
+def _keeps_args(written: str, meant: str) -> bool:
+    """Whether ``meant`` holds all args of ``written``: then other callers get what they ask for."""
+    return "$(eval" not in written and all(f"$(arg{part.partition(')')[0]})" in meant for part in written.split("$(arg")[1:])
+
+
+def _correct_arg(problem: Problem, written: str, meant: str, view: LaunchView) -> tuple[str, Fix | None]:
+    """Help and fix where the name is made from args: the value is mended at its place, never what other callers fill in otherwise."""
+    right = correction(problem, written, meant, view)
+    if right is None:
+        return f"{_CORRECT}; there is {meant}", None
+    if right.default is None:
+        return f"give the arg {right.arg} the value {right.value}: {meant} is there", None
+    edits = set_value(right.default, right.value)
+    changes = f"{meant} is included where {right.arg} is not given"
+    return (
+        f"give the arg {right.arg} the default {right.value}: {meant} is there",
+        fix(f'write default="{right.value}" for {right.arg}', edits, safe=False, changes=changes),
+    )
 
 
 def _fix(problem: Problem, view: LaunchView, written: str, name: str, *, sure: bool) -> Fix | None:

@@ -10,7 +10,8 @@ well be there on the robot: a path outside of all packages, a relative one, and 
 an info where a system keeps its own files (`/etc`, `/opt`, `/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the
 workspace; where the path is made from an environment variable, whose value here says little; and where the file is made: by a command
 of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, or by what `.gitignore` keeps out of the repository;
-and where it lies in a git submodule that is not checked out. A directory that is missing is told once, with all files that would be in it.
+where it lies in a git submodule that is not checked out; and where only the default of an arg leads there that all files which include
+this one override. A directory that is missing is told once, with all files that would be in it.
 
 ## Example
 

@@ -1,0 +1,46 @@
+"""A file name that is made from an arg: which value of the arg would lead to a file that is there."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from launchlint.late import late
+from launchlint.problem import Problem
+from launchlint.rules.edits import Spot
+from launchlint.rules.view import LaunchView
+
+_ARG = late(r"\$\(arg\s+(\w+)\s*\)")
+
+
+class Correction(NamedTuple):
+    """The arg, the value with which the file is found, and where its default stands that leads elsewhere; None where it has another."""
+
+    arg: str
+    value: str
+    default: Spot | None
+
+
+def has_arg(written: str) -> bool:
+    """Whether the name ``written`` is made from args: other callers may fill it in otherwise."""
+    return "$(arg" in written or "$(eval" in written
+
+
+def correction(problem: Problem, written: str, meant: str, view: LaunchView) -> Correction | None:
+    """What to give the only arg of ``written`` so that it becomes ``meant``; ``problem`` names the file that is not there."""
+    args = list(_ARG.finditer(written))
+    if len(args) != 1 or "$(eval" in written:
+        return None
+    name, (start, end) = args[0][1], args[0].span()
+    found = re.fullmatch(f"{re.escape(written[:start])}([^/$()]+){re.escape(written[end:])}", meant)
+    if found is None:
+        return None
+    document = view.documents.get(problem.place.source.path)
+    elements = () if document is None else document.elements
+    declared = [each for each in elements if each.tag == "arg" and each.get("name") == name and each.depth == 1]
+    default = declared[0].attributes.get("default") if len(declared) == 1 else None
+    if document is None or default is None or "$" in default.value:
+        return Correction(name, found[1], None)
+    filled = f"{written[:start].rpartition(')')[2]}{default.value}{written[end:]}"
+    is_it = problem.facts["file"].endswith(filled)
+    return Correction(name, found[1], Spot(document, declared[0], default) if is_it else None)
