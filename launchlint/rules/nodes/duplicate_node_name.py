@@ -108,11 +108,19 @@ def _cause(first: Node, second: Node, tried: str, view: LaunchView) -> str:
 
 
 def _are_equal(first: Node, second: Node, view: LaunchView) -> bool:
-    """Whether both start the same program in the same way: what acts on them is the same, and so is what is written inside them."""
+    """Whether both start the same program in the same way: what acts on them is the same, and so is what is written inside them.
+
+    Who writes ``$(anon …)`` wants several of them.
+    """
     if first.unknown or second.unknown or _acting_on(first) != _acting_on(second):
         return False
     one, other = (_element(node, view) for node in (first, second))
-    if one is None or other is None or any(one.get(name) != other.get(name) for name in ("if", "unless")):
+    if (
+        one is None
+        or other is None
+        or "$(anon " in (other.get("name") or "")
+        or any(one.get(name) != other.get(name) for name in ("if", "unless"))
+    ):
         return False
     here = first.origin.chain == second.origin.chain and first.origin.place.source is second.origin.place.source
     inside = _written(one)
