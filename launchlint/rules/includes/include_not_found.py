@@ -147,7 +147,10 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
 
 def together(findings: Sequence[Finding]) -> Finding:
     """One for all: the mistake in the file, or in its name, is told before the includes that it breaks."""
-    return led_by(findings, "LL101", "LL215")
+    broken = next((each for each in findings if each.rule == "LL101"), None)
+    if broken is not None:  # at its own level: a template that is filled in later is no mistake of who includes it
+        return led_by(findings, "LL101")._replace(severity=broken.severity)
+    return led_by(findings, "LL215")
 
 
 def _meant(advice: str) -> str:
