@@ -35,8 +35,8 @@ def test_it_writes_a_page_and_says_so(repository: Path) -> None:
     assert ran == (
         0,
         "",
-        "launchlint: wrote report.html: 1 error, 1 warning in 3 launch files; of 3 entry files 2 load, 1 is refused by roslaunch; "
-        "4 of 4 nodes known\n",
+        "launchlint: wrote report.html: 1 error, 1 warning in 3 launch files; of 3 entry files 2 load, "
+        + "1 is refused by roslaunch; 4 of 4 nodes known\n",
     )
     assert data_of((repository / "report.html").read_text(encoding="utf-8"))["title"] == "repository"
 
