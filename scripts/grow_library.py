@@ -25,6 +25,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from library_repositories import Place, Wanted, read_list, unpack
+from library_second_look import open_what_was_missed
 from library_shelf import TABLES, Program, Shelf, entries_of
 
 from launchlint.check.run import default_directory
@@ -69,14 +70,22 @@ def read_sources(group: Sequence[Wanted], place: Place) -> Found:
                 if name in own:
                     manifest.unlink()  # the repository's own copy of the package is the one that it uses
         known = extract([str(root)], names).document["packages"]
-    for package in names:
-        for table in TABLES:
-            programs = {
-                name: located(in_own_words(program), group)
-                for name, program in known.get(package, {}).get(table, {}).items()
-                if not wanted.skip.intersection((name, f"{package}/{name}")) and any(entries_of(program))
-            }
-            found.packages.setdefault(package, {})[table] = programs
+        places = {each.id: root / each.name for each in group}
+
+        def text_of(file: str) -> str:
+            source, _, path = file.partition(":")
+            return (places[source] / path).read_text(encoding="utf-8", errors="replace")
+
+        for package in names:
+            for table in TABLES:
+                programs = {
+                    name: located(in_own_words(program), group)
+                    for name, program in known.get(package, {}).get(table, {}).items()
+                    if not wanted.skip.intersection((name, f"{package}/{name}")) and any(entries_of(program))
+                }
+                for program in programs.values():
+                    open_what_was_missed(program, text_of)
+                found.packages.setdefault(package, {})[table] = programs
     return found
 
 

@@ -186,6 +186,19 @@ def test_repositories_are_read_beside_those_that_they_use(place: Place) -> None:
         place.grow("--checkouts", "clones")
 
 
+def test_a_call_that_was_not_followed_leaves_the_program_open(place: Place) -> None:
+    node = NODE.partition("if rospy")[0] + "# rospy.Service('no', String)\n\n\ndef never():\n    rospy.Subscriber('~late', String, print)\n"
+    commit = place.clone("team/late", {"robot/package.xml": MANIFEST.format("robot"), "robot/scripts/late": node})
+    (place.directory / "list.yaml").write_text(f"team/late: {{commit: {commit}, packages: [robot]}}\n")
+    place.grow("--checkouts", "clones")
+    variant = place.known("robot")["packages"]["robot"]["executables"]["late"]["variants"]["default"]
+    assert [entry["name"] for entry in variant["publishers"]] == ["chatter"]
+    assert variant["open"] == {
+        "subscribers": "a call that was not followed (robot/scripts/late:12)",
+        "params": "read from source code by a program, which may miss some",
+    }
+
+
 def test_a_probe_confirms_what_is_described_and_says_what_is_missing(place: Place) -> None:
     seen = [{"by": "dynamic", "run": "debian"}]
     md5 = "992ce8a1687cec8c8bd883ec73ca41d1"
