@@ -57,5 +57,10 @@ def counted(unseen: Iterable[tuple[str, str, int]]) -> tuple[Unseen, ...]:
     return tuple(Unseen(*key, found[key]) for key in sorted(found))
 
 
+def reason_beside(program: str, reason: str) -> str:
+    """The reason why ``program`` is not known, for one who has just read its name."""
+    return reason.replace(f"the nodelet class {program}", "it").replace(program, "it")
+
+
 def _shortened(text: str) -> str:
     return text if len(text) <= LONGEST_TEXT else f"{text[: LONGEST_TEXT - 1]}…"

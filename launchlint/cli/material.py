@@ -106,24 +106,32 @@ def known_programs(entries: Iterable[EntryMaterial], library: Library, options: 
 
 
 def learnable(entries: Iterable[EntryMaterial], packages: Packages) -> dict[str, str]:
-    """Program that is not known → what to type so that it becomes known."""
+    """Program that is not known → what makes it known: ``probe`` where its package is here, ``sources`` where they would help."""
+    from launchlint.probe.unknown import package_here
+    from launchlint.probe.words import is_a, is_package
+
     unknown = {
         node.program for entry in entries for node in (entry.topology.nodes if entry.topology else ()) if node.knowledge == "unknown"
     }
     found = {}
-    for program in sorted(unknown):
-        package = program.partition("/")[0]
-        if not package.replace("_", "a").replace("-", "a").isalnum() or not package.isascii():
-            continue  # no package is called that
-        directory = packages.find(package, os.curdir)
-        shown = None if directory is None else os.path.relpath(directory)
-        if shown is not None and not shown.startswith(os.pardir):
-            found[program] = "launchlint probe --unknown"
-        else:
-            found[program] = (
-                f"launchlint probe probe.yaml -o library.json, where probe.yaml has packages: [{package}] and the repository of it"
-            )
+    for program in unknown:
+        if is_a("program", program):
+            package = program.partition("/")[0].partition("::")[0]
+            if package_here(program, packages) is not None:
+                found[program] = "probe"
+            elif is_package(package):
+                found[program] = "sources"
     return found
+
+
+def probe_command(paths: Iterable[str]) -> str:
+    """What to type to have probed what the launch files at ``paths`` start and nobody knows."""
+    import shlex
+
+    named = [path for path in paths if path not in ("", os.curdir)]
+    if not all(path.isprintable() and not path.startswith("-") for path in named):
+        named = []  # such a path can be read, but not typed
+    return " ".join(["launchlint probe --unknown", *map(shlex.quote, named)])
 
 
 def beside_base(surveyed: Sequence[Surveyed], surveyor: Surveyor, old: Revision, base: str) -> tuple[list[Surveyed], list[Topology | None]]:

@@ -17,7 +17,17 @@ from launchlint.check.options import EntryRequest, Options
 from launchlint.check.run import default_directory
 from launchlint.check.survey import Surveyed, Surveyor, reached, survey_entries
 from launchlint.cli.entries import EntryOptions, leave_others_out, parse_severity, tell
-from launchlint.cli.material import base_only, beside_base, known_programs, learnable, reader, roots, source_prefix, usual_title
+from launchlint.cli.material import (
+    base_only,
+    beside_base,
+    known_programs,
+    learnable,
+    probe_command,
+    reader,
+    roots,
+    source_prefix,
+    usual_title,
+)
 from launchlint.errors import UsageError
 from launchlint.finding import Finding, Severity
 from launchlint.fingerprint import fingerprints
@@ -123,6 +133,8 @@ def _entries(outcome: Outcome, separate: Sequence[Finding], pairs: Sequence[tupl
             findings,
             each.result.summary.included,
             each.details,
+            each.result.sight,
+            probe_command([each.result.path]),
         )
         for (each, before), findings in zip(pairs, concerned, strict=True)
     ]
@@ -146,6 +158,8 @@ def _material(
         programs=programs,
         learn=learnable(entries, surveyor.packages),
         left_out=left_out,
+        sight=outcome.sight,
+        probe=probe_command(entry.paths),
     )
 
 

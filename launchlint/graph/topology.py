@@ -5,10 +5,11 @@ Everything that shows, exports or compares a graph starts here. Rules look at :m
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.graph.connections import HUB_SIZE, HUBS, OFFERS, Channel, ConnectionGraph, Endpoint, Instance
+from launchlint.graph.doubts import NO_DOUBTS, End, MayBe
 from launchlint.graph.names import kind as spelling_of
 from launchlint.library.terms import evidence_text
 from launchlint.model import Binary, Command, Condition, Node, Scope, Unknown
@@ -125,7 +126,8 @@ class TopologyParam(NamedTuple):
 class Topology(NamedTuple):
     """A connection graph. ``entry`` is the launch file, ``configurations`` the ways of starting it that were joined (args as text).
 
-    ``verdict`` is what roslaunch makes of the launch file; None where that was not asked.
+    ``verdict`` is what roslaunch makes of the launch file, ``doubts`` who may be at empty ends (:mod:`.doubts`); None and
+    empty where that was not asked.
     """
 
     entry: str
@@ -137,6 +139,7 @@ class Topology(NamedTuple):
     params: tuple[TopologyParam, ...]
     containers: tuple[Container, ...]
     verdict: Verdict | None = None
+    doubts: Mapping[End, tuple[MayBe, ...]] = NO_DOUBTS
 
 
 EMPTY = Topology("", ("",), True, (), (), (), (), ())

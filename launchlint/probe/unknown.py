@@ -49,7 +49,7 @@ def unknown(graphs: Iterable[ConnectionGraph], packages: Packages, directory: st
     here: dict[str, Package] = {}
     present, absent = [], []
     for program in sorted(args):
-        package = _package(program, packages)
+        package = package_here(program, packages)
         if package is None:
             absent.append(program)
             continue
@@ -66,8 +66,8 @@ def unknown(graphs: Iterable[ConnectionGraph], packages: Packages, directory: st
     return Unknown(tuple(present), tuple(absent), settings)
 
 
-def _package(program: str, packages: Packages) -> Package | None:
-    """The package of a program, if its sources are in the workspace."""
+def package_here(program: str, packages: Packages) -> Package | None:
+    """The package of a program, if its sources are in the workspace: what ``probe --unknown`` can build and run."""
     name = program.partition("/")[0].partition("::")[0]
     return _of_workspace(name, packages) if is_package(name) else None
 

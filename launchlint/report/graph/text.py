@@ -8,7 +8,7 @@ from launchlint.graph.partners import Partners, meet
 from launchlint.graph.topology import Connection, Topology, TopologyNode, TopologyParam
 from launchlint.library.terms import READ_FROM
 from launchlint.report.escape import line_start, visible
-from launchlint.report.graph.words import DOES, MISSED, listed, loading, number, place, remapped, when, wrapped
+from launchlint.report.graph.words import DOES, doubted, listed, loading, missed, number, place, remapped, when, wrapped
 
 MOST_PARTNERS = 6
 """Names of partners on one line."""
@@ -131,7 +131,7 @@ def _rows(
         known = [each.type, *(text for text in each.evidence[:1] if text.startswith(READ_FROM))]
         type_ = f"  ({visible(', '.join(filter(None, known)))})" if any(known) else ""
         only = "" if each.only == node.only else f"  [{when(each.only, topology.configurations)}]" if each.only else ""
-        yield f"    {verb:{first}}  {visible(each.name):{second}}  {arrow} {_partners(each, partners)}{type_}{only}"
+        yield f"    {verb:{first}}  {visible(each.name):{second}}  {arrow} {_partners(each, partners, topology)}{type_}{only}"
         if remapped(each.remaps):
             yield f"    {'':{first}}    {remapped(each.remaps, node.place)}"
     if itself:
@@ -143,9 +143,12 @@ def _verb(connection: Connection) -> str:
     return DOES[connection.role] if connection.certain else f"perhaps {DOES[connection.role]}"
 
 
-def _partners(connection: Connection, partners: Partners) -> str:
+def _partners(connection: Connection, partners: Partners, topology: Topology) -> str:
     others = listed(partners.of(connection, MOST_PARTNERS), partners.count(connection))
-    return ", ".join(filter(None, (others, "itself" if partners.is_its_own(connection) else ""))) or "nobody"
+    if others or partners.is_its_own(connection):
+        return ", ".join(filter(None, (others, "itself" if partners.is_its_own(connection) else "")))
+    who = doubted(topology.doubts.get((connection.kind, connection.name, not connection.offers), ()))
+    return f"nobody here, but {visible(who)} may" if who else "nobody"
 
 
 def _alone(connections: Iterable[Connection], node: TopologyNode, topology: Topology, *, dangling: bool) -> Iterator[str]:
@@ -156,7 +159,7 @@ def _alone(connections: Iterable[Connection], node: TopologyNode, topology: Topo
             perhaps += 1
             continue
         only = "" if each.only == node.only or not each.only else f" [{when(each.only, topology.configurations)}]"
-        said = f"{'' if each.certain else 'perhaps, and '}{MISSED[each.role]}"
+        said = f"{'' if each.certain else 'perhaps, and '}{missed(each, topology)}"
         lists.setdefault(said, {})[visible(each.name) + only] = None
     for said, names in lists.items():
         yield from wrapped(f"    {said}: ", list(names))

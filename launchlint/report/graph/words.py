@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from launchlint.graph.doubts import MayBe
 from launchlint.graph.topology import Connection, RemapStep, Topology
 from launchlint.report.escape import visible
 
@@ -17,15 +18,17 @@ DOES = {
     "action server": "serves action",
     "action client": "calls action",
 }
-MISSED = {
-    "publisher": "nobody subscribes",
-    "subscriber": "nobody publishes",
-    "server": "nobody calls",
-    "client": "nobody serves",
-    "action server": "nobody calls action",
-    "action client": "nobody serves action",
+OTHERS = {
+    "publisher": "subscribes",
+    "subscriber": "publishes",
+    "server": "calls",
+    "client": "serves",
+    "action server": "calls action",
+    "action client": "serves action",
 }
-"""What is said of a name that has nobody at its other end."""
+"""What is done at the other end of a name."""
+MOST_DOUBTED = 3
+"""Those who may be at an empty end that are named."""
 
 
 def number(count: int, one: str, many: str = "") -> str:
@@ -51,6 +54,27 @@ def wrapped(start: str, words: Sequence[str]) -> Iterator[str]:
         else:
             line += f", {word}"
     yield line
+
+
+def missed(connection: Connection, topology: Topology) -> str:
+    """What is said of a name that has nobody at its other end: ``nobody publishes``, with the doubt that is there."""
+    who = doubted(topology.doubts.get((connection.kind, connection.name, not connection.offers), ()))
+    others = OTHERS[connection.role]
+    return f"nobody here {others}, but {visible(who)} may" if who else f"nobody {others}"
+
+
+def doubted(who: Iterable[MayBe]) -> str:
+    """``/driver (not known) and /rviz (not all of it is known)``: those who may be at an empty end; empty where there are none."""
+    all_ = [f"{each.node or 'another one'} ({_why(each)})" for each in who]
+    shown = list(dict.fromkeys(all_))
+    if len(shown) > MOST_DOUBTED:
+        shown = [*shown[:MOST_DOUBTED], "others"]
+    return " and ".join(filter(None, (", ".join(shown[:-1]), *shown[-1:])))
+
+
+def _why(who: MayBe) -> str:
+    """Why it is not known, in few words: of what is no node the reason without its details."""
+    return who.reason.partition(":")[0] if not who.node else "not known" if who.unknown else "not all of it is known"
 
 
 def loading(topology: Topology) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from launchlint.finding import Finding, Location
-from launchlint.report.html.entry import entry_data
+from launchlint.report.html.entry import entry_data, mend
 from launchlint.report.html.material import EntryMaterial, Material
 from launchlint.report.html.places import AROUND, Place, Places
 from launchlint.report.html.plain import Plain
@@ -40,6 +40,8 @@ def report_data(material: Material) -> dict[str, Any]:
         "library": [program_data(each, plain) for each in material.programs],
         "libraryLeftOut": material.left_out,
         "notices": [plain.text(each) for each in material.notices],
+        "sight": [material.sight.known, material.sight.nodes],
+        "mend": mend(material.learn, plain.text(material.probe), plain),
     }
 
 

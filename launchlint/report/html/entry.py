@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from launchlint.finding import Finding
-from launchlint.graph.topology import Connection, Topology, TopologyNode, TopologyParam
+from launchlint.graph.topology import Connection, Topology, TopologyChannel, TopologyNode, TopologyParam
 from launchlint.report.html.attachment import Attachment
 from launchlint.report.html.material import EntryMaterial
 from launchlint.report.html.places import Places
@@ -35,6 +35,8 @@ def entry_data(
         "withArgs": plain.text(material.verdict.with_args),
         "configurations": [plain.text(each) for each in state.configurations],
         "complete": material.topology is None or material.topology.complete,
+        "sight": [material.sight.known, material.sight.nodes],
+        "mend": mend({each: learn[each] for each in entry.unknown() if each in learn}, plain.text(material.probe), plain),
         "containers": entry.containers(),
         "nodes": entry.nodes(learn),
         "channels": entry.channels(),
@@ -43,6 +45,23 @@ def entry_data(
         "findings": list(material.findings),
         **_mark(REMOVED if gone else "added" if compared and material.before is None else ""),
     }
+
+
+MOST_PACKAGES = 6
+"""Packages that one sentence names."""
+
+
+def mend(learn: Mapping[str, str], probe: str, plain: Plain) -> dict[str, str]:
+    """What makes the programs of ``learn`` known: one ``command`` (empty: none helps), and one sentence on the others, ``advice``."""
+    absent = sorted({program.partition("/")[0].partition("::")[0] for program, how in learn.items() if how == "sources"})
+    names = [plain.name(each) for each in absent[:MOST_PACKAGES]]
+    if len(absent) > MOST_PACKAGES:
+        names.append(f"{len(absent) - MOST_PACKAGES} more")
+    listed = " and ".join(filter(None, (", ".join(names[:-1]), *names[-1:])))
+    are, them = ("are", "them") if len(absent) > 1 else ("is", "it")
+    where = f"{listed} {are} not in the workspace: put the sources there, or name their directory with --workspace"
+    advice = f"{where}, and launchlint reads {them} by itself"
+    return {"command": probe if "probe" in learn.values() else "", "advice": advice if absent else ""}
 
 
 def _nothing(material: EntryMaterial) -> Topology:
@@ -92,6 +111,10 @@ class _EntryData:
             )
         return found
 
+    def unknown(self) -> set[str]:
+        """The programs of which nothing is known."""
+        return {node.item.program for node in self._state.nodes if node.item.knowledge == "unknown" and not node.base}
+
     def nodes(self, learn: Mapping[str, str]) -> list[dict[str, Any]]:
         name, text = self._plain.name, self._plain.text
         found = []
@@ -106,7 +129,7 @@ class _EntryData:
                     "kind": item.kind,
                     "knowledge": item.knowledge,
                     "reason": text(item.reason),
-                    "learn": text(learn.get(item.program, "")) if item.knowledge == "unknown" else "",
+                    "learn": learn.get(item.program, "") if item.knowledge == "unknown" else "",
                     "host": name(item.host),
                     "machine": [] if base else [name(each) for each in self._details.machines.get((item.name, item.place), ())],
                     "namespace": name(item.namespace),
@@ -114,6 +137,7 @@ class _EntryData:
                     "place": self._places.of(item.place, base=base),
                     "container": self._container(item.container, base=base),
                     "open": [[category, text(why)] for category, why in item.open],
+                    "partly": [] if base else [[kind, name(each)] for kind, each in self._details.partly.get((item.name, item.place), ())],
                     "conditions": [text(each) for each in item.conditions],
                     "only": self._only(item.only),
                     "findings": [] if base else self._attachment.inside(item.place),
@@ -137,9 +161,18 @@ class _EntryData:
                     "hub": item.hub,
                     "plumbing": item.plumbing or key in of_actions,
                     "findings": self._of_channels.get(key, []),
+                    "may": self._may(item),
                     **_mark(mark),
                 }
             )
+        return found
+
+    def _may(self, channel: TopologyChannel) -> list[list[Any]]:
+        """Who may be at an empty end."""
+        found = []
+        for offers in (True, False):
+            for node, unknown, reason in self._details.doubts.get((channel.kind, channel.name, offers), ()):
+                found.append([offers, self._plain.name(node), unknown, self._plain.text(reason)])
         return found
 
     def connections(self) -> list[dict[str, Any]]:

@@ -9,6 +9,7 @@ from launchlint.finding import Finding
 from launchlint.graph.details import NO_DETAILS, Details
 from launchlint.graph.topology import Topology
 from launchlint.library.catalogue import Entry as KnownProgram
+from launchlint.sight import NOTHING, Sight
 from launchlint.source import Source, Span
 from launchlint.verdict import Verdict
 
@@ -25,6 +26,8 @@ class EntryMaterial(NamedTuple):
         findings: indexes of the findings that concern it.
         includes: paths of the launch files it reads.
         details: of ``topology``.
+        sight: how many of its nodes are known, as ``check`` says it.
+        probe: what to type to have those of its programs probed that are not known.
     """
 
     path: str
@@ -35,6 +38,8 @@ class EntryMaterial(NamedTuple):
     findings: Sequence[int]
     includes: Sequence[str] = ()
     details: Details = NO_DETAILS
+    sight: Sight = NOTHING
+    probe: str = "launchlint probe --unknown"
 
 
 class Material(NamedTuple):
@@ -51,9 +56,11 @@ class Material(NamedTuple):
         source: the text of a file by its shown path; None where it cannot be read.
         base_source: the same at the revision.
         programs: what is known of each program.
-        learn: package/executable of a program that is not known → what to type so that it becomes known.
+        learn: package/executable of a program that is not known → what makes it known: ``probe`` (its package is here) or ``sources``.
         notices: what is told of the run as a whole.
         left_out: how many programs of the given libraries are not among ``programs``.
+        sight: of all entries, as ``check`` says it.
+        probe: as of an entry, for all of them.
     """
 
     title: str
@@ -69,3 +76,5 @@ class Material(NamedTuple):
     learn: Mapping[str, str]
     notices: Sequence[str] = ()
     left_out: int = 0
+    sight: Sight = NOTHING
+    probe: str = "launchlint probe --unknown"

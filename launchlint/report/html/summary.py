@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from launchlint.sight import Sight, reason_beside
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
@@ -15,6 +17,10 @@ MOST_GROUPS = 40
 
 SAID = {"refused": "refused by roslaunch", "cannot be told": "cannot be told"}
 """Verdict → how people read it."""
+
+
+HELPS = {"probe": "the command above", "sources": "its sources", "": ""}
+"""What makes a program known → how the table says it."""
 
 
 class Count(NamedTuple):
@@ -74,16 +80,17 @@ def overview(data: Mapping[str, Any]) -> list[tuple[str, int, int]]:
 
 
 def empty_states(data: Mapping[str, Any]) -> Mapping[str, Any]:
-    """What is to be said where something is missing: ``unknown`` programs with what to type, whether nodes, channels or entries lack."""
+    """What is to be said where something is missing: ``unknown`` programs with the reason, whether nodes, channels or entries lack."""
     unknown: dict[str, tuple[int, str, str]] = {}
     for node in _nodes(data):
         if node["knowledge"] == "unknown":
             count, _, _ = unknown.get(node["program"], (0, "", ""))
-            unknown[node["program"]] = (count + 1, node["reason"], node["learn"])
+            unknown[node["program"]] = (count + 1, reason_beside(node["program"], node["reason"]), HELPS[node["learn"]])
     entries = data["entries"]
     return {
         "entries": not entries,
         "nodes": bool(entries) and not any(entry["nodes"] for entry in entries),
+        "sight": Sight(data["sight"][1], data["sight"][0]).brief if data["sight"][1] else "",
         "refused": [entry for entry in entries if entry["verdict"] != "loads"],
         "unknown": [(program, *unknown[program]) for program in sorted(unknown, key=lambda each: (-unknown[each][0], each))],
         "findings": not data["findings"],

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from launchlint.graph.doubts import MayBe
+from launchlint.report.graph.words import doubted
 from launchlint.report.html.links import source_link
 
 TYPE_CHECKING = False
@@ -127,7 +129,16 @@ def _channels(entry: Mapping[str, Any], kind: str, parties: Mapping[int, tuple[l
     for index, channel in enumerate(entry["channels"]):
         if channel["kind"] == kind and not channel["plumbing"]:
             offers, uses = parties.get(index, ([], []))
-            yield Row(index, (channel["name"], ", ".join(channel["types"]), _some(offers), _some(uses)), channel.get("mark", ""))
+            sides = [_some(names) or _nobody(channel, offers=side) for side, names in ((True, offers), (False, uses))]
+            yield Row(index, (channel["name"], ", ".join(channel["types"]), *sides), channel.get("mark", ""))
+
+
+def _nobody(channel: Mapping[str, Any], *, offers: bool) -> str:
+    """What is said of an empty end: that nobody is there, with the doubt that there is; nothing of what everybody uses or has gone."""
+    if channel.get("mark") == "removed":
+        return ""
+    who = doubted(MayBe(*each[1:]) for each in channel["may"] if each[0] == offers)
+    return f"nobody here, but {who} may" if who else "" if channel["hub"] else "nobody"
 
 
 def _parties(entry: Mapping[str, Any]) -> Mapping[int, tuple[list[str], list[str]]]:

@@ -7,11 +7,12 @@ from pathlib import Path
 import pytest
 
 from launchlint.graph.difference import difference
+from launchlint.graph.doubts import MayBe
 from launchlint.graph.selection import Selection, select
 from launchlint.graph.topology import RemapStep, Topology, TopologyParam
 from launchlint.graph.topology import topology as record
 from launchlint.report.graph import changes, text
-from launchlint.report.graph.words import WIDTH, listed, remapped, when
+from launchlint.report.graph.words import WIDTH, doubted, listed, remapped, when
 from tests.graph import sample, tiny
 from tests.report.graph import hostile
 
@@ -281,3 +282,21 @@ def test_what_is_gained() -> None:
 
 def test_nothing_changed() -> None:
     assert changes.render([difference(tiny.topology("/a > /x"), tiny.topology("/a > /x"))]) == ""
+
+
+def test_nobody_is_said_with_the_doubt_that_is_there() -> None:
+    who = (MayBe("/driver", True, "nobody knows it"), MayBe("/rviz", False, "plugins"))
+    names = {("topic", "/in", True): who, ("topic", "/cloud", False): (MayBe("", False, "an include could not be followed: x.launch"),)}
+    topology = tiny.topology("/a < /in", "/a > /out", "/a > /cloud")._replace(doubts=names)
+    assert said(topology)[3:] == [
+        "    nobody here subscribes, but another one (an include could not be followed) may: /cloud",
+        "    nobody subscribes: /out",
+        "    nobody here publishes, but /driver (not known) and /rviz (not all of it is known) may: /in",
+    ]
+
+
+def test_those_who_may_be_there_are_a_few() -> None:
+    assert doubted(()) == ""
+    assert doubted([MayBe(f"/n{number}", True, "") for number in range(3)]) == "/n0 (not known), /n1 (not known) and /n2 (not known)"
+    five = doubted([MayBe(f"/n{number}", True, "") for number in range(5)])
+    assert five == "/n0 (not known), /n1 (not known), /n2 (not known) and others"

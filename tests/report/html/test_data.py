@@ -42,6 +42,7 @@ def test_the_declarations_are_true(repository: Path) -> None:
         "Channel": [each for entry in entries for each in entry["channels"]],
         "Connection": [each for entry in entries for each in entry["connections"]],
         "Param": [each for entry in entries for each in entry["params"]],
+        "Mend": [data["mend"], *(entry["mend"] for entry in entries)],
     }
     interfaces = declared()
     assert sorted(found) == sorted(interfaces)
@@ -202,3 +203,58 @@ def test_alternatives_of_one_name_have_each_their_own_connections(repository: Pa
 def test_the_library_has_what_runs_and_what_was_given(repository: Path, words: tuple[str, ...], programs: list[str]) -> None:
     data = data_of(page(*words, "demo/launch/more.launch"))
     assert [f"{each['package']}/{each['name']}" for each in data["library"]] == programs
+
+
+def test_the_share_of_known_nodes_is_that_of_check(repository: Path) -> None:
+    write(
+        repository,
+        {"demo/launch/two.launch": '<launch><node name="a" pkg="away" type="x"/><node name="b" pkg="demo" type="talk.py"/></launch>'},
+    )
+    words = ("--library", "library.json", "demo/launch")
+    data = data_of(page(*words))
+    sight = json.loads(run(repository, "check", "--format", "json", *words).output)["sight"]
+    assert (
+        data["sight"]
+        == [sight["known"], sight["nodes"]]
+        == [sum(side) for side in zip(*(each["sight"] for each in data["entries"]), strict=True)]
+    )
+    for entry in data["entries"]:
+        file = data["files"][entry["file"]]
+        alone = json.loads(run(repository, "check", "--format", "json", "--library", "library.json", file).output)["sight"]
+        assert entry["sight"] == [alone["known"], alone["nodes"]], file
+        unknown = {each["program"] for each in entry["nodes"] if each["knowledge"] == "unknown"}
+        assert unknown == {each["program"] for each in alone["unknown"]}
+
+
+def test_one_command_and_one_sentence_make_all_known(repository: Path) -> None:
+    nodes = "".join(f'<node name="n{number}" pkg="away{number % 2}" type="x{number}"/>' for number in range(4))
+    mine = '<node name="m" pkg="demo" type="unknown.py"/><node name="o" pkg="demo" type="unknown.py"/>'
+    write(repository, {"demo/launch/a b.launch": f"<launch>{nodes}{mine}</launch>", "demo/launch/away.launch": f"<launch>{nodes}</launch>"})
+    (entry,) = data_of(page("demo/launch/a b.launch"))["entries"]
+    assert entry["mend"] == {
+        "command": "launchlint probe --unknown 'demo/launch/a b.launch'",
+        "advice": "away0 and away1 are not in the workspace: put the sources there, or name their directory with --workspace, "
+        "and launchlint reads them by itself",
+    }
+    assert [each["learn"] for each in entry["nodes"]] == ["probe", *["sources"] * 4, "probe"]
+    (entry,) = data_of(page("demo/launch/away.launch"))["entries"]
+    assert entry["mend"]["command"] == ""
+    assert data_of(page("demo/launch"))["mend"]["command"] == "launchlint probe --unknown demo/launch"
+    assert data_of(page("--library", "library.json", "demo/launch/nav.launch"))["mend"]["advice"] == ""
+
+
+def test_who_may_be_where_nobody_is_known(repository: Path) -> None:
+    talk, unknown = '<node name="talk" pkg="demo" type="talk.py"/>', '<node name="u" pkg="demo" type="unknown.py"/>'
+    write(
+        repository,
+        {
+            "demo/launch/sure.launch": f'<launch><group ns="near">{talk}</group><group ns="far">{unknown}</group></launch>',
+            "demo/launch/doubtful.launch": f"<launch>{talk}{unknown}</launch>",
+        },
+    )
+    may = {}
+    for name in ("sure", "doubtful"):
+        (entry,) = data_of(page("--library", "library.json", f"demo/launch/{name}.launch"))["entries"]
+        may[name] = {each["name"]: each["may"] for each in entry["channels"]}
+    assert may["doubtful"] == {"/chatter": [[False, "/u", True, "it is not known what /u does: it is a script, but not Python"]]}
+    assert may["sure"] == {"/near/chatter": []}

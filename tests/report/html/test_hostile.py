@@ -63,3 +63,20 @@ def test_endless_names_do_not_make_an_endless_page(directory: Path) -> None:
     (directory / "endless.launch").write_text(text.format(name="n" * 1_000_000), encoding="utf-8")
     small, large = len(page("hostile.launch")), len(page("endless.launch"))
     assert large < small
+
+
+def test_a_command_is_one_that_can_be_typed(directory: Path) -> None:
+    package = "<package><name>demo</name><version>1.0.0</version><description/><maintainer email='a@b.c'>a</maintainer></package>"
+    (directory / "demo").mkdir()
+    (directory / "demo" / "package.xml").write_text(package, encoding="utf-8")
+    (directory / "demo" / "run.sh").write_text("#!/bin/sh\n", encoding="utf-8")
+    (directory / "demo" / "run.sh").chmod(0o755)
+    commands = {"$(touch x).launch": "launchlint probe --unknown '$(touch x).launch'", "a\u202eb.launch": "launchlint probe --unknown"}
+    for name, command in commands.items():
+        nodes = '<node pkg="demo" type="run.sh" name="a"/><node pkg="&lt;img src=x&gt;" type="&lt;script&gt;alert(1)" name="b"/>'
+        (directory / name).write_text(f"<launch>{nodes}</launch>", encoding="utf-8")
+        html = page(name)
+        (entry,) = data_of(html)["entries"]
+        assert entry["mend"]["command"] == command
+        assert "<img" not in html
+        assert html.count("<script") == 3

@@ -61,7 +61,7 @@ def test_tables_say_all_without_scripts(repository: Path) -> None:
         "std_msgs/Int32 | demo/launch/nav.launch:9 | give one of the two another name, or put a node between them that converts"
     )
     assert text_of(html, "table-unknown") == (
-        "Program | Nodes | Why | What to type\ndemo/unknown.py | 1 | it is a script, but not Python | launchlint probe --unknown"
+        "Program | Nodes | Why | What helps\ndemo/unknown.py | 1 | it is a script, but not Python | the command above"
     )
 
 
@@ -140,3 +140,17 @@ def test_a_page_about_fifty_nodes_is_small(tmp_path: Path, monkeypatch: pytest.M
     html = page("main.launch", "--library", "library.json")
     assert [len(entry["nodes"]) for entry in data_of(html)["entries"]] == [50]
     assert len(html.encode()) <= 2_200_000
+
+
+@pytest.mark.parametrize(("namespace", "said"), [("/", "nobody here, but /u (not known) may"), ("/far", "nobody")])
+def test_tables_say_nobody_with_the_doubt_that_is_there(namespace: str, said: str, repository: Path) -> None:
+    unknown = f'<node name="u" ns="{namespace}" pkg="demo" type="unknown.py"/>'
+    talk = '<node name="talk" ns="near" pkg="demo" type="talk.py"/>'
+    (repository / "demo" / "launch" / "doubt.launch").write_text(f"<launch>{unknown}{talk}</launch>", encoding="utf-8")
+    html = page("--library", "library.json", "demo/launch/doubt.launch")
+    assert text_of(html, "table-topics").splitlines()[1] == f"/near/chatter | std_msgs/String | /near/talk | {said}"
+    assert "1 of 2 nodes known." in html
+    assert (
+        '<pre class="command" tabindex="0" role="group" aria-label="Command">launchlint probe --unknown demo/launch/doubt.launch</pre>'
+        in html
+    )

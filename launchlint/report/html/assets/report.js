@@ -2322,6 +2322,11 @@ ${counted(about.nodes, "node")}`;
     const ends = (model.onChannel[channel] ?? []).filter((each) => isIn(each, configuration) && each.mark !== "removed");
     return { offered: ends.some((each) => each.offers), used: ends.some((each) => !each.offers), certain: ends.some((each) => each.certain) };
   }
+  function mayBeAt(model, channel, offers, configuration) {
+    var _a;
+    const isThere = (node) => (model.nodesNamed.get(node) ?? []).some((index) => isIn(model.entry.nodes[index] ?? { only: [] }, configuration));
+    return (((_a = model.entry.channels[channel]) == null ? void 0 : _a.may) ?? []).filter((each) => each[0] === offers && (!each[1] || isThere(each[1])));
+  }
   var channelKey = (kind, name) => `${kind} ${name}`;
   function related(entry, index) {
     var _a, _b, _c;
@@ -2788,24 +2793,36 @@ ${counted(about.nodes, "node")}`;
 
   // launchlint/report/html/js/page/wording.js
   var ROLES = /* @__PURE__ */ new Map([
-    ["publisher", ["publishes", "nobody subscribes", "Publishers"]],
-    ["subscriber", ["subscribes to", "nobody publishes", "Subscribers"]],
-    ["server", ["serves", "nobody calls it", "Servers"]],
-    ["client", ["calls", "nobody serves it", "Clients"]],
-    ["action server", ["serves action", "nobody calls it", "Action servers"]],
-    ["action client", ["calls action", "nobody serves it", "Action clients"]]
+    ["publisher", ["publishes", "subscribes to it", "Publishers"]],
+    ["subscriber", ["subscribes to", "publishes it", "Subscribers"]],
+    ["server", ["serves", "calls it", "Servers"]],
+    ["client", ["calls", "serves it", "Clients"]],
+    ["action server", ["serves action", "calls it", "Action servers"]],
+    ["action client", ["calls action", "serves it", "Action clients"]]
   ]);
+  var MOST_DOUBTED = 3;
   var ROLE_ORDER = [...ROLES.keys()];
-  var words = (role) => ROLES.get(role.replace("_", " ")) ?? [role, "nobody else uses it", role];
+  var words = (role) => ROLES.get(role.replace("_", " ")) ?? [role, "uses it", role];
   var does = (role) => words(role)[0];
-  var missed = (role) => words(role)[1];
+  function missed(role, doubts) {
+    const who = doubted(doubts);
+    return who ? `nobody here ${words(role)[1]}, but ${who} may` : `nobody ${words(role)[1]}`;
+  }
+  function doubted(doubts) {
+    const names = [...new Set(doubts.map((each) => `${each[1] || "another one"} (${why(each)})`))];
+    if (names.length > MOST_DOUBTED) names.splice(MOST_DOUBTED, names.length, "others");
+    return [names.slice(0, -1).join(", "), ...names.slice(-1)].filter(Boolean).join(" and ");
+  }
+  function why([, node, unknown, reason]) {
+    return node ? unknown ? "not known" : "not all of it is known" : reason.replace(/:.*/s, "");
+  }
   var nounOf = (role) => words(role)[2];
   function number(count3, one2, many2 = `${one2}s`) {
     return `${count3.toLocaleString("en")} ${count3 === 1 ? one2 : many2}`;
   }
-  function notice({ verdict, why, withArgs }) {
+  function notice({ verdict, why: why2, withArgs }) {
     if (verdict === "loads") return withArgs && `loads; ${withArgs}`;
-    return `${verdict === "refused" ? "refused by roslaunch" : verdict}: ${why}${withArgs && `; ${withArgs}`}`;
+    return `${verdict === "refused" ? "refused by roslaunch" : verdict}: ${why2}${withArgs && `; ${withArgs}`}`;
   }
   function configurationName(args) {
     return args || "default args";
@@ -3559,14 +3576,18 @@ ${end.mark}`;
     return element2("ol", { class: "remaps", "aria-label": "Remapped" }, ...items);
   }
   function peerList(page, others, self) {
-    const channel = page.model.entry(page.store.get().entry).entry.channels[self.channel];
+    const { entry: shown, configuration } = page.store.get();
+    const model = page.model.entry(shown);
+    const channel = model.entry.channels[self.channel];
     const direction = (channel == null ? void 0 : channel.kind) === "topic" === self.offers ? "to" : "from";
     if (others.length > 0)
       return list(
         [...new Set(others.map((each) => each.node))].map((node) => nodeReference(page, node)),
         `peers ${direction}`
       );
-    return element2("p", { class: (channel == null ? void 0 : channel.hub) || (channel == null ? void 0 : channel.plumbing) || !self.certain ? "note" : "missing" }, missed(self.role));
+    const doubts = mayBeAt(model, self.channel, !self.offers, configuration);
+    const isNote = (channel == null ? void 0 : channel.hub) || (channel == null ? void 0 : channel.plumbing) || !self.certain || doubts.length > 0;
+    return element2("p", { class: isNote ? "note" : "missing" }, missed(self.role, doubts));
   }
   function connectionFacts(page, connection, withType = true) {
     var _a;
@@ -3609,6 +3630,10 @@ ${end.mark}`;
     if (!next.delete(id)) next.add(id);
     return next;
   }
+  function commandPart(command, words2) {
+    if (!command) return [];
+    return [element2("p", {}, words2), element2("pre", { class: "command", tabindex: 0, role: "group", "aria-label": "Command" }, command)];
+  }
 
   // launchlint/report/html/js/page/panel_channel.js
   var KINDS = {
@@ -3639,7 +3664,7 @@ ${end.mark}`;
       types.length > 0 ? list(types, "types") : element2("p", { class: "note" }, "Its type is not known."),
       findingsBlock(page, channel.findings),
       ...sides2,
-      offered !== used && aloneBlock(model, channel, missed(offered ? offering : using))
+      offered !== used && aloneBlock(page, model, index, offered ? offering : using, offered)
     ];
   }
   function md5({ model }, type) {
@@ -3656,13 +3681,18 @@ ${end.mark}`;
     );
     return block(`${title2}: ${items.length}`, list(items, "connections"));
   }
-  function aloneBlock(model, channel, missing) {
-    const unknown = model.entry.nodes.filter((each) => each.knowledge === "unknown").length;
-    const might = unknown > 0 && `${number(unknown, "node")} of this launch file ${unknown === 1 ? "is" : "are"} not known; one of them might.`;
+  function aloneBlock(page, model, index, role, offered) {
+    const { hub, plumbing } = model.entry.channels[index] ?? {};
+    const doubts = mayBeAt(model, index, !offered, page.store.get().configuration);
+    const words2 = missed(role, doubts);
     const others = "A node that another launch file starts, or a person at a terminal, may be at the other end.";
+    const reasons = [...new Map(doubts.map(([, node, , reason]) => [reason, node]))].map(([reason, node]) => {
+      const [at] = model.nodesNamed.get(node) ?? [];
+      return element2("div", {}, at !== void 0 && nodeReference(page, at), element2("div", { class: "note" }, reason));
+    });
     return block(
-      `${missing.charAt(0).toUpperCase()}${missing.slice(1)}`,
-      element2("p", {}, channel.hub || channel.plumbing ? "That is usual here: ROS's own tools use it." : might || others)
+      `${words2.charAt(0).toUpperCase()}${words2.slice(1)}`,
+      reasons.length > 0 ? list(reasons) : element2("p", {}, hub || plumbing ? "That is usual here: ROS's own tools use it." : others)
     );
   }
   function paramPanel(page, model, index) {
@@ -3845,9 +3875,10 @@ ${end.mark}`;
       element2("p", {}, "runs ", element2("code", {}, node.program), host(page, model, node), machine(node)),
       findingsBlock(page, node.findings),
       node.related.length > 0 && block("Findings elsewhere that speak of it", findingList(page, node.related)),
-      node.knowledge === "unknown" && unknownBlock(node),
+      node.knowledge === "unknown" && unknownBlock(node, model.entry.mend),
       ...ROLE_ORDER.map((role) => roleBlock(page, model, role, connections)),
       openBlock(node),
+      partlyBlock(node),
       paramsBlock(page, model, index, configuration),
       presenceBlock(page, node.only, node.conditions),
       sourceBlock(page, node.place),
@@ -3885,17 +3916,27 @@ ${end.mark}`;
     const rest = those.filter((each) => !isIdle(each)).map(item2);
     return block(`${title2.charAt(0).toUpperCase()}${title2.slice(1)}`, rest.length > 0 && list(rest, "connections"), idle.length > 0 && more());
   }
+  function openReasons({ open }) {
+    const kinds = /* @__PURE__ */ new Map();
+    for (const [kind, why2] of open) kinds.set(why2, [...kinds.get(why2) ?? [], kind]);
+    return [...kinds].map(([why2, those]) => `${[those.slice(0, -1).join(", "), ...those.slice(-1)].filter(Boolean).join(" and ")}: ${why2}`);
+  }
   function openBlock(node) {
     if (node.open.length === 0 || node.knowledge === "unknown") return null;
-    return block("There may be more", list(node.open.map(([kind, why]) => `${kind}: ${why}`)));
+    return block("There may be more", list(openReasons(node)));
   }
-  function unknownBlock({ reason, learn }) {
-    const why = reason.charAt(0).toUpperCase() + reason.slice(1);
+  function partlyBlock({ partly }) {
+    if (partly.length === 0) return null;
+    const items = partly.map(([kind, pattern]) => element2("div", {}, `${kind}: `, pattern === "*" ? "any name" : element2("code", {}, pattern)));
+    return block("Names known only in part", list(items));
+  }
+  function unknownBlock({ reason, learn }, mend) {
+    const why2 = reason.charAt(0).toUpperCase() + reason.slice(1);
     return block(
       "What it does is not known",
-      element2("p", {}, `${why ? `${why}. ` : ""}So launchlint cannot say what it is connected to, and keeps quiet about it.`),
-      learn && element2("p", {}, "To know it, run this, then make the page again with ", element2("code", {}, "--library library.json"), ":"),
-      learn && element2("pre", { class: "command" }, learn)
+      element2("p", {}, `${why2 ? `${why2}. ` : ""}So launchlint cannot say what it is connected to, and keeps quiet about it.`),
+      learn === "probe" && commandPart(mend.command, "To know it, run this, then make the page again:"),
+      learn === "sources" && element2("p", {}, "Its package is not in the workspace: put the sources there, or name their directory with --workspace, and launchlint reads them by itself.")
     );
   }
   function paramsBlock(page, model, index, configuration) {
@@ -4017,27 +4058,32 @@ ${end.mark}`;
     const connected = topics.filter((each) => each.offered && each.used).length;
     const waiting = topics.filter((each) => !each.offered && each.certain);
     const unheard = topics.filter((each) => !each.used && each.certain);
+    const share = shareKnown(model, configuration);
+    const inDoubt = (index, offers) => mayBeAt(model, index, offers, configuration).length > 0;
+    const numbers = (those) => those.map((each) => each.index);
+    const doubtful = (those, offers) => numbers(those).filter((each) => inDoubt(each, offers));
+    const doubtless = (those, offers) => numbers(those).filter((each) => !inDoubt(each, offers));
     return [
       block(
         "Does it connect?",
         element2(
           "p",
           {},
-          topics.length > 0 ? `${connected} of ${number(topics.length, "topic")} ${connected === 1 ? "has" : "have"} both ends.` : "No topic is known."
+          topics.length > 0 ? `${connected} of ${number(topics.length, "topic")} ${connected === 1 ? "has" : "have"} both ends.` : "No topic is known.",
+          share && ` ${share}.`
         ),
-        loosePart(
-          page,
-          "Nobody publishes, yet a node waits for it:",
-          waiting.map((each) => each.index)
-        ),
-        loosePart(
-          page,
-          "Nobody in this launch file subscribes:",
-          unheard.map((each) => each.index)
-        )
+        loosePart(page, "Nobody publishes, yet a node waits for it:", doubtless(waiting, true)),
+        loosePart(page, "Nobody here is known to publish, yet somebody may:", doubtful(waiting, true)),
+        loosePart(page, "Nobody in this launch file subscribes:", doubtless(unheard, false)),
+        loosePart(page, "Nobody here is known to subscribe, yet somebody may:", doubtful(unheard, false))
       ),
       unknown.length > 0 && unknownBlock2(page, model, unknown)
     ];
+  }
+  function shareKnown({ entry }, configuration) {
+    const [known3, nodes] = entry.sight;
+    if (nodes === 0 || configuration > 0) return "";
+    return `${known3} of ${number(nodes, "node")} known${entry.configurations.length > 1 ? " when it is started without args" : ""}`;
   }
   function loosePart(page, title2, channels2) {
     return channels2.length > 0 && [
@@ -4049,23 +4095,27 @@ ${end.mark}`;
     ];
   }
   function unknownBlock2(page, model, unknown) {
-    const all = unknown.length === model.entry.nodes.length;
-    const what = all ? "No library knows any of these nodes, so no connections can be drawn. Names, params and what is wrong in the files are complete all the same." : "Nothing is drawn from or to these, because no library knows what they do.";
-    const commands = [...new Set(unknown.map((each) => {
-      var _a;
-      return ((_a = model.entry.nodes[each]) == null ? void 0 : _a.learn) ?? "";
-    }))].filter(Boolean);
+    var _a;
+    const { entry } = model;
+    const all = unknown.length === entry.nodes.length;
+    const what = all ? "Nothing is known of any of these nodes, so no connections can be drawn. Names, params and what is wrong in the files are complete all the same." : "Nothing is drawn from or to these, because nothing says what they do:";
+    const programs = /* @__PURE__ */ new Map();
+    for (const index of unknown) {
+      const program = ((_a = entry.nodes[index]) == null ? void 0 : _a.program) ?? "";
+      programs.set(program, [...programs.get(program) ?? [], index]);
+    }
+    const items = [...programs].map(([program, nodes]) => {
+      var _a2;
+      const reason = ((_a2 = entry.nodes[nodes[0] ?? -1]) == null ? void 0 : _a2.reason) ?? "";
+      const why2 = reason.replaceAll(`the nodelet class ${program}`, "it").replaceAll(program, "it");
+      return element2("div", {}, ...nodes.flatMap((each, at) => [at > 0 && ", ", nodeReference(page, each)]), element2("div", { class: "note" }, element2("code", {}, program), why2 && `: ${why2}`));
+    });
     return block(
       `${number(unknown.length, "node")} not known`,
       element2("p", {}, what),
-      list(unknown.map((each) => nodeReference(page, each))),
-      commands.length > 0 && [
-        element2("p", {}, "To know them, run these, then make the page again with ", element2("code", {}, "--library library.json"), ":"),
-        list(
-          commands.map((each) => element2("code", {}, each)),
-          "commands"
-        )
-      ]
+      list(items),
+      commandPart(entry.mend.command, "To know those whose packages are here, run this, then make the page again:"),
+      entry.mend.advice && element2("p", {}, `${entry.mend.advice}.`)
     );
   }
   function nothingBlock() {

@@ -30,9 +30,24 @@ export interface ReportData {
   library: Program[];
   /** How many programs of libraries given by hand are not among them. */
   libraryLeftOut: number;
+  /** Of all entries, as `launchlint check` says it. */
+  sight: Sight;
+  mend: Mend;
   /** What is told of the run as a whole. */
   notices: string[];
 }
+
+/** How many of the nodes that are started without args are known; both 0 where nobody looked. */
+export type Sight = [known: number, nodes: number];
+
+/** What makes programs known: one command for those whose packages are here, a sentence on the others; empty where that helps none. */
+export interface Mend {
+  command: string;
+  advice: string;
+}
+
+/** Somebody who may be at an empty end: the end that offers, or the other; the name is empty for what is no node. */
+export type MayBe = [offers: boolean, node: string, unknown: boolean, reason: string];
 
 export type Mark = "added" | "removed" | "changed";
 
@@ -49,6 +64,8 @@ export interface Entry {
   configurations: string[];
   /** Whether every include could be followed. */
   complete: boolean;
+  sight: Sight;
+  mend: Mend;
   containers: Container[];
   nodes: Node[];
   channels: Channel[];
@@ -85,8 +102,8 @@ export interface Node {
   /** known, template, unknown …: Instance.knowledge; reason says why it is not known. */
   knowledge: string;
   reason: string;
-  /** What to type so that it becomes known; empty where it is. */
-  learn: string;
+  /** What makes it known: a probe, as its package is here; its sources, which are not; empty where it is known, or nothing helps. */
+  learn: "probe" | "sources" | "";
   host: string;
   /** Name of the <machine> it runs on, and its address, which may be empty; empty: where roslaunch itself runs. */
   machine: [] | [name: string, address: string];
@@ -97,6 +114,8 @@ export interface Node {
   container: number;
   /** Kinds of which there may be more than is known, and why. */
   open: [kind: string, why: string][];
+  /** Names that are known only in part: what is known, with * for the rest. */
+  partly: [kind: string, pattern: string][];
   conditions: string[];
   /** Indexes of the configurations it exists in; empty: all. */
   only: number[];
@@ -116,6 +135,8 @@ export interface Channel {
   /** Machinery of nodes (bonds, dynamic_reconfigure, nodelet services), or nothing but a part of an action: not shown by itself. */
   plumbing: boolean;
   findings: number[];
+  /** Who may be where nobody is known. */
+  may: MayBe[];
   mark?: Mark;
 }
 

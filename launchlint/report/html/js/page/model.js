@@ -107,6 +107,20 @@ export function endsOf(model, channel, configuration) {
   return { offered: ends.some((each) => each.offers), used: ends.some((each) => !each.offers), certain: ends.some((each) => each.certain) };
 }
 
+/**
+ * Who may be at an end of a channel where nobody is known, in a configuration.
+ *
+ * @param {EntryModel} model
+ * @param {number} channel
+ * @param {boolean} offers the end that publishes or serves, or the other
+ * @param {number} configuration
+ */
+export function mayBeAt(model, channel, offers, configuration) {
+  const isThere = (/** @type {string} */ node) =>
+    (model.nodesNamed.get(node) ?? []).some((index) => isIn(model.entry.nodes[index] ?? { only: [] }, configuration));
+  return (model.entry.channels[channel]?.may ?? []).filter((each) => each[0] === offers && (!each[1] || isThere(each[1])));
+}
+
 /** @param {string} kind @param {string} name */
 export const channelKey = (kind, name) => `${kind} ${name}`;
 

@@ -1,6 +1,7 @@
 /** Pieces that several panels share. */
 
 import { button, element } from "./elements.js";
+import { mayBeAt } from "./model.js";
 import { nodeReference, reference } from "./reference.js";
 import { source, written } from "./source.js";
 import { missed, when } from "./wording.js";
@@ -138,7 +139,9 @@ function renaming({ model }, connection) {
  * @param {Connection} self
  */
 export function peerList(page, others, self) {
-  const channel = page.model.entry(page.store.get().entry).entry.channels[self.channel];
+  const { entry: shown, configuration } = page.store.get();
+  const model = page.model.entry(shown);
+  const channel = model.entry.channels[self.channel];
   // Data goes from publishers to subscribers, and from clients to servers.
   const direction = (channel?.kind === "topic") === self.offers ? "to" : "from";
   if (others.length > 0)
@@ -146,7 +149,9 @@ export function peerList(page, others, self) {
       [...new Set(others.map((each) => each.node))].map((node) => nodeReference(page, node)),
       `peers ${direction}`,
     );
-  return element("p", { class: channel?.hub || channel?.plumbing || !self.certain ? "note" : "missing" }, missed(self.role));
+  const doubts = mayBeAt(model, self.channel, !self.offers, configuration);
+  const isNote = channel?.hub || channel?.plumbing || !self.certain || doubts.length > 0;
+  return element("p", { class: isNote ? "note" : "missing" }, missed(self.role, doubts));
 }
 
 /**
@@ -210,4 +215,10 @@ export function toggled(those, id) {
   const next = new Set(those);
   if (!next.delete(id)) next.add(id);
   return next;
+}
+
+/** A command to type, with what is said before it. @param {string} command @param {string} words @returns {Child[]} */
+export function commandPart(command, words) {
+  if (!command) return [];
+  return [element("p", {}, words), element("pre", { class: "command", tabindex: 0, role: "group", "aria-label": "Command" }, command)];
 }

@@ -1,10 +1,10 @@
 /** The panels of a topic, service or action, and of a param. */
 
 import { element } from "./elements.js";
-import { isIn } from "./model.js";
+import { isIn, mayBeAt } from "./model.js";
 import { badge, block, connectionFacts, findingsBlock, heading, list, presenceBlock, sourceBlock } from "./panel_blocks.js";
 import { nodeReference } from "./reference.js";
-import { missed, nounOf, number, ROLE_ORDER } from "./wording.js";
+import { missed, nounOf, ROLE_ORDER } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
 /** @typedef {import("./elements.js").Child} Child */
@@ -48,7 +48,7 @@ export function channelPanel(page, model, index) {
     types.length > 0 ? list(types, "types") : element("p", { class: "note" }, "Its type is not known."),
     findingsBlock(page, channel.findings),
     ...sides,
-    offered !== used && aloneBlock(model, channel, missed(offered ? offering : using)),
+    offered !== used && aloneBlock(page, model, index, offered ? offering : using, offered),
   ];
 }
 
@@ -70,14 +70,27 @@ function endBlock(page, title, those, withType) {
   return block(`${title}: ${items.length}`, list(items, "connections"));
 }
 
-/** @param {EntryModel} model @param {Channel} channel @param {string} missing */
-function aloneBlock(model, channel, missing) {
-  const unknown = model.entry.nodes.filter((each) => each.knowledge === "unknown").length;
-  const might = unknown > 0 && `${number(unknown, "node")} of this launch file ${unknown === 1 ? "is" : "are"} not known; one of them might.`;
+/**
+ * What is said of a channel that has one end only.
+ *
+ * @param {Page} page
+ * @param {EntryModel} model
+ * @param {number} index
+ * @param {string} role of those that are there
+ * @param {boolean} offered whether these offer
+ */
+function aloneBlock(page, model, index, role, offered) {
+  const { hub, plumbing } = model.entry.channels[index] ?? {};
+  const doubts = mayBeAt(model, index, !offered, page.store.get().configuration);
+  const words = missed(role, doubts);
   const others = "A node that another launch file starts, or a person at a terminal, may be at the other end.";
+  const reasons = [...new Map(doubts.map(([, node, , reason]) => [reason, node]))].map(([reason, node]) => {
+    const [at] = model.nodesNamed.get(node) ?? [];
+    return element("div", {}, at !== undefined && nodeReference(page, at), element("div", { class: "note" }, reason));
+  });
   return block(
-    `${missing.charAt(0).toUpperCase()}${missing.slice(1)}`,
-    element("p", {}, channel.hub || channel.plumbing ? "That is usual here: ROS's own tools use it." : might || others),
+    `${words.charAt(0).toUpperCase()}${words.slice(1)}`,
+    reasons.length > 0 ? list(reasons) : element("p", {}, hub || plumbing ? "That is usual here: ROS's own tools use it." : others),
   );
 }
 

@@ -5,6 +5,7 @@ import { isIn, peers } from "./model.js";
 import {
   badge,
   block,
+  commandPart,
   connectionFacts,
   findingList,
   findingsBlock,
@@ -53,9 +54,10 @@ export function nodePanel(page, model, index) {
     element("p", {}, "runs ", element("code", {}, node.program), host(page, model, node), machine(node)),
     findingsBlock(page, node.findings),
     node.related.length > 0 && block("Findings elsewhere that speak of it", findingList(page, node.related)),
-    node.knowledge === "unknown" && unknownBlock(node),
+    node.knowledge === "unknown" && unknownBlock(node, model.entry.mend),
     ...ROLE_ORDER.map((role) => roleBlock(page, model, role, connections)),
     openBlock(node),
+    partlyBlock(node),
     paramsBlock(page, model, index, configuration),
     presenceBlock(page, node.only, node.conditions),
     sourceBlock(page, node.place),
@@ -100,20 +102,36 @@ function roleBlock(page, model, role, connections) {
   return block(`${title.charAt(0).toUpperCase()}${title.slice(1)}`, rest.length > 0 && list(rest, "connections"), idle.length > 0 && more());
 }
 
+/** Each reason with the kinds that it is one for. @param {GraphNode} node */
+function openReasons({ open }) {
+  /** @type {Map<string, string[]>} */
+  const kinds = new Map();
+  for (const [kind, why] of open) kinds.set(why, [...(kinds.get(why) ?? []), kind]);
+  return [...kinds].map(([why, those]) => `${[those.slice(0, -1).join(", "), ...those.slice(-1)].filter(Boolean).join(" and ")}: ${why}`);
+}
+
 /** @param {GraphNode} node */
 function openBlock(node) {
   if (node.open.length === 0 || node.knowledge === "unknown") return null;
-  return block("There may be more", list(node.open.map(([kind, why]) => `${kind}: ${why}`)));
+  return block("There may be more", list(openReasons(node)));
 }
 
-/** What can be done about a node of which nothing is known. @param {GraphNode} node */
-function unknownBlock({ reason, learn }) {
+/** The names of which only a part is known. @param {GraphNode} node */
+function partlyBlock({ partly }) {
+  if (partly.length === 0) return null;
+  const items = partly.map(([kind, pattern]) => element("div", {}, `${kind}: `, pattern === "*" ? "any name" : element("code", {}, pattern)));
+  return block("Names known only in part", list(items));
+}
+
+/** What can be done about a node of which nothing is known. @param {GraphNode} node @param {import("../data").Mend} mend */
+function unknownBlock({ reason, learn }, mend) {
   const why = reason.charAt(0).toUpperCase() + reason.slice(1);
   return block(
     "What it does is not known",
     element("p", {}, `${why ? `${why}. ` : ""}So launchlint cannot say what it is connected to, and keeps quiet about it.`),
-    learn && element("p", {}, "To know it, run this, then make the page again with ", element("code", {}, "--library library.json"), ":"),
-    learn && element("pre", { class: "command" }, learn),
+    learn === "probe" && commandPart(mend.command, "To know it, run this, then make the page again:"),
+    learn === "sources" &&
+      element("p", {}, "Its package is not in the workspace: put the sources there, or name their directory with --workspace, and launchlint reads them by itself."),
   );
 }
 

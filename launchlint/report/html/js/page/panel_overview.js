@@ -2,8 +2,8 @@
 
 import { element } from "./elements.js";
 import { changesBlocks } from "./changes.js";
-import { endsOf, isIn } from "./model.js";
-import { badge, block, findingList, list } from "./panel_blocks.js";
+import { endsOf, isIn, mayBeAt } from "./model.js";
+import { badge, block, commandPart, findingList, list } from "./panel_blocks.js";
 import { channelReference, nodeReference } from "./reference.js";
 import { number } from "./wording.js";
 
@@ -49,6 +49,11 @@ function connectedBlocks(page, model, configuration) {
   const connected = topics.filter((each) => each.offered && each.used).length;
   const waiting = topics.filter((each) => !each.offered && each.certain);
   const unheard = topics.filter((each) => !each.used && each.certain);
+  const share = shareKnown(model, configuration);
+  const inDoubt = (/** @type {number} */ index, /** @type {boolean} */ offers) => mayBeAt(model, index, offers, configuration).length > 0;
+  const numbers = (/** @type {{ index: number }[]} */ those) => those.map((each) => each.index);
+  const doubtful = (/** @type {{ index: number }[]} */ those, /** @type {boolean} */ offers) => numbers(those).filter((each) => inDoubt(each, offers));
+  const doubtless = (/** @type {{ index: number }[]} */ those, /** @type {boolean} */ offers) => numbers(those).filter((each) => !inDoubt(each, offers));
   return [
     block(
       "Does it connect?",
@@ -56,20 +61,27 @@ function connectedBlocks(page, model, configuration) {
         "p",
         {},
         topics.length > 0 ? `${connected} of ${number(topics.length, "topic")} ${connected === 1 ? "has" : "have"} both ends.` : "No topic is known.",
+        share && ` ${share}.`,
       ),
-      loosePart(
-        page,
-        "Nobody publishes, yet a node waits for it:",
-        waiting.map((each) => each.index),
-      ),
-      loosePart(
-        page,
-        "Nobody in this launch file subscribes:",
-        unheard.map((each) => each.index),
-      ),
+      loosePart(page, "Nobody publishes, yet a node waits for it:", doubtless(waiting, true)),
+      loosePart(page, "Nobody here is known to publish, yet somebody may:", doubtful(waiting, true)),
+      loosePart(page, "Nobody in this launch file subscribes:", doubtless(unheard, false)),
+      loosePart(page, "Nobody here is known to subscribe, yet somebody may:", doubtful(unheard, false)),
     ),
     unknown.length > 0 && unknownBlock(page, model, unknown),
   ];
+}
+
+/**
+ * "12 of 15 nodes known", as `launchlint check` says it: of what is started without args. Empty where another configuration is shown.
+ *
+ * @param {EntryModel} model
+ * @param {number} configuration
+ */
+function shareKnown({ entry }, configuration) {
+  const [known, nodes] = entry.sight;
+  if (nodes === 0 || configuration > 0) return "";
+  return `${known} of ${number(nodes, "node")} known${entry.configurations.length > 1 ? " when it is started without args" : ""}`;
 }
 
 /** @param {Page} page @param {string} title @param {number[]} channels */
@@ -85,24 +97,30 @@ function loosePart(page, title, channels) {
   );
 }
 
-/** @param {Page} page @param {EntryModel} model @param {number[]} unknown */
+/** How many nodes are known, what stands in the way of the others, and what mends it. @param {Page} page @param {EntryModel} model @param {number[]} unknown */
 function unknownBlock(page, model, unknown) {
-  const all = unknown.length === model.entry.nodes.length;
+  const { entry } = model;
+  const all = unknown.length === entry.nodes.length;
   const what = all
-    ? "No library knows any of these nodes, so no connections can be drawn. Names, params and what is wrong in the files are complete all the same."
-    : "Nothing is drawn from or to these, because no library knows what they do.";
-  const commands = [...new Set(unknown.map((each) => model.entry.nodes[each]?.learn ?? ""))].filter(Boolean);
+    ? "Nothing is known of any of these nodes, so no connections can be drawn. Names, params and what is wrong in the files are complete all the same."
+    : "Nothing is drawn from or to these, because nothing says what they do:";
+  /** @type {Map<string, number[]>} */
+  const programs = new Map();
+  for (const index of unknown) {
+    const program = entry.nodes[index]?.program ?? "";
+    programs.set(program, [...(programs.get(program) ?? []), index]);
+  }
+  const items = [...programs].map(([program, nodes]) => {
+    const reason = entry.nodes[nodes[0] ?? -1]?.reason ?? "";
+    const why = reason.replaceAll(`the nodelet class ${program}`, "it").replaceAll(program, "it");
+    return element("div", {}, ...nodes.flatMap((each, at) => [at > 0 && ", ", nodeReference(page, each)]), element("div", { class: "note" }, element("code", {}, program), why && `: ${why}`));
+  });
   return block(
     `${number(unknown.length, "node")} not known`,
     element("p", {}, what),
-    list(unknown.map((each) => nodeReference(page, each))),
-    commands.length > 0 && [
-      element("p", {}, "To know them, run these, then make the page again with ", element("code", {}, "--library library.json"), ":"),
-      list(
-        commands.map((each) => element("code", {}, each)),
-        "commands",
-      ),
-    ],
+    list(items),
+    commandPart(entry.mend.command, "To know those whose packages are here, run this, then make the page again:"),
+    entry.mend.advice && element("p", {}, `${entry.mend.advice}.`),
   );
 }
 

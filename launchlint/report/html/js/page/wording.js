@@ -1,27 +1,51 @@
 /** How roles, counts and conditions are put into words: the same as in launchlint's text output. */
 
 /** @typedef {import("../data").Entry} Entry */
+/** @typedef {import("../data").MayBe} MayBe */
 
-/** @type {ReadonlyMap<string, [does: string, missed: string, noun: string]>} */
+/** @type {ReadonlyMap<string, [does: string, others: string, noun: string]>} */
 const ROLES = new Map([
-  ["publisher", ["publishes", "nobody subscribes", "Publishers"]],
-  ["subscriber", ["subscribes to", "nobody publishes", "Subscribers"]],
-  ["server", ["serves", "nobody calls it", "Servers"]],
-  ["client", ["calls", "nobody serves it", "Clients"]],
-  ["action server", ["serves action", "nobody calls it", "Action servers"]],
-  ["action client", ["calls action", "nobody serves it", "Action clients"]],
+  ["publisher", ["publishes", "subscribes to it", "Publishers"]],
+  ["subscriber", ["subscribes to", "publishes it", "Subscribers"]],
+  ["server", ["serves", "calls it", "Servers"]],
+  ["client", ["calls", "serves it", "Clients"]],
+  ["action server", ["serves action", "calls it", "Action servers"]],
+  ["action client", ["calls action", "serves it", "Action clients"]],
 ]);
+
+const MOST_DOUBTED = 3;
 
 /** The order in which the roles of a node are shown. */
 export const ROLE_ORDER = [...ROLES.keys()];
 
 /** @param {string} role */
-const words = (role) => ROLES.get(role.replace("_", " ")) ?? [role, "nobody else uses it", role];
+const words = (role) => ROLES.get(role.replace("_", " ")) ?? [role, "uses it", role];
 
 /** "publishes". @param {string} role */
 export const does = (role) => words(role)[0];
-/** What is said of a name that has nobody at its other end. @param {string} role */
-export const missed = (role) => words(role)[1];
+/**
+ * What is said of a name that has nobody at its other end, with the doubt that is there.
+ *
+ * @param {string} role
+ * @param {readonly MayBe[]} doubts
+ */
+export function missed(role, doubts) {
+  const who = doubted(doubts);
+  return who ? `nobody here ${words(role)[1]}, but ${who} may` : `nobody ${words(role)[1]}`;
+}
+
+/** Who may be there, the first of them by name; as the tables say it. @param {readonly MayBe[]} doubts */
+function doubted(doubts) {
+  const names = [...new Set(doubts.map((each) => `${each[1] || "another one"} (${why(each)})`))];
+  if (names.length > MOST_DOUBTED) names.splice(MOST_DOUBTED, names.length, "others");
+  return [names.slice(0, -1).join(", "), ...names.slice(-1)].filter(Boolean).join(" and ");
+}
+
+/** @param {MayBe} doubt */
+function why([, node, unknown, reason]) {
+  return node ? (unknown ? "not known" : "not all of it is known") : reason.replace(/:.*/s, "");
+}
+
 /** "Publishers". @param {string} role */
 export const nounOf = (role) => words(role)[2];
 
