@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterable, Sequence
-from functools import lru_cache
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
+from launchlint.extract.definitions import Library
 from launchlint.extract.fact import Plugin
+from launchlint.extract.scanned import Files, scan, text_of
 from launchlint.extract.template import Template, filled, template_of
 from launchlint.workspace import looking
 from launchlint.workspace.cmake_exports import Exported, exported_commands
@@ -27,12 +28,8 @@ MOST_SOURCES = 400
 _MOST_SCANNED = 1_500
 _MOST_DESCRIPTIONS = 50
 
-_INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n\0]{1,300})[>"]', re.MULTILINE)
-_QUOTED = re.compile(r'"([\w:/]{3,200})"')
 _EXPORTED = re.compile(r"<\w+\s[^>]*?\bplugin\s*=\s*[\"']([^\"'\n\0]{1,300})[\"']")
-_LOADER = re.compile(r"\bnodelet::Loader\b")
 _MAIN = re.compile(r"^[ \t]*int[ \t\n]+main[ \t\n]*\(", re.MULTILINE)
-_CLASS_LOADER = re.compile(r"\bClassLoader\s*<")
 
 
 class Assembled(NamedTuple):
@@ -61,6 +58,17 @@ class Parts:
         self.own_includes = tuple(each for each in self.cmake.include_directories if os.path.isdir(each))
         self._libraries: tuple[str, ...] | None = None
 
+    def linked(self, target: Target) -> list[Target]:
+        """A target with the libraries of this package that are linked to it."""
+        found, seen = [target], {id(target)}
+        for each in found:
+            for library in each.libraries:
+                inner = self.cmake.targets.get(library)
+                if inner is not None and id(inner) not in seen:
+                    seen.add(id(inner))
+                    found.append(inner)
+        return found
+
     @property
     def library_sources(self) -> tuple[str, ...]:
         """The C++ files of the libraries that it offers to others: all but nodelets."""
@@ -88,6 +96,12 @@ class Workspace:
         self._exported: dict[str, tuple[Exported, frozenset[str]]] = {}
         self._includes: dict[str, tuple[tuple[str, ...], frozenset[str]]] = {}
         self._plugins: dict[str, tuple[tuple[NodeletClass, ...], frozenset[str]]] = {}
+        self.files = Files()
+        self._classes: dict[tuple[tuple[str, ...], str], tuple[tuple[str, ...], frozenset[str]]] = {}
+        self._libraries: dict[tuple[str, ...], Library] = {}
+        self._providers: dict[tuple[str, str], tuple[tuple[str, ...], frozenset[str]]] = {}
+        self._may_read: dict[tuple[str, str], bool] = {}
+        self._owners: dict[str, str] = {}
         self._by_directory = {os.path.abspath(package.directory): package.name for package in self.packages.values()}
 
     def parts(self, name: str) -> Parts:
@@ -119,6 +133,11 @@ class Workspace:
     def package_of(self, path: str) -> str:
         """The package that a file lies in; empty where it lies in none."""
         directory = os.path.dirname(path)
+        if directory not in self._owners:
+            self._owners[directory] = self._owner(directory)
+        return self._owners[directory]
+
+    def _owner(self, directory: str) -> str:
         for _ in range(100):
             if directory in self._by_directory:
                 return self._by_directory[directory]
@@ -159,11 +178,49 @@ class Workspace:
 
     def may_read(self, path: str, root: str) -> bool:
         """Whether a source of a program of ``root`` may be read at all."""
-        return os.path.realpath(path).startswith(self._limits or os.path.realpath(root).rstrip(os.sep) + os.sep)
+        key = (path, root)
+        if key not in self._may_read:
+            self._may_read[key] = os.path.realpath(path).startswith(self._limits or os.path.realpath(root).rstrip(os.sep) + os.sep)
+        return self._may_read[key]
 
-    def assemble(self, name: str, target: Target, root: str) -> Assembled:
-        """The files of a target of the package ``name``; none of them lies outside ``root``."""
-        return _Assembly(self, name, root).of(target)
+    def providers(self, name: str, header: str) -> tuple[str, ...]:
+        """The library sources of a package that define what a header of it declares: those that include it, and define a name in it."""
+        key = (name, header)
+        if key not in self._providers:
+            self._providers[key] = looking.watched(lambda: self._find_providers(name, header))
+        found, looked = self._providers[key]
+        looking.note(looked)
+        return found
+
+    def _find_providers(self, name: str, header: str) -> tuple[str, ...]:
+        last = os.path.basename(header)
+        library = self._library(name, self.parts(name).library_sources)
+        defining = set(library.defining(header))
+        return tuple(
+            path
+            for path in self.parts(name).library_sources
+            if any(os.path.basename(each) == last for _, each in self.files.scan(path).includes) and path in defining
+        )
+
+    def class_sources(self, name: str, target: Target, type_: str, root: str) -> tuple[str, ...]:
+        """The sources of a target and the libraries linked to it that a class needs; all where that is not known."""
+        sources = tuple(path for each in self.parts(name).linked(target) for path in cpp_sources(each) if self.may_read(path, root))
+        key = (sources, type_)
+        if key not in self._classes:
+            self._classes[key] = looking.watched(lambda: self._library(name, sources).of_class(type_))
+        found, looked = self._classes[key]
+        looking.note(looked)
+        return found
+
+    def _library(self, name: str, sources: tuple[str, ...]) -> Library:
+        if sources not in self._libraries:
+            directories = self.includes(name)
+            self._libraries[sources] = Library(sources, self.files.text, lambda path: self.files.included(path, directories))
+        return self._libraries[sources]
+
+    def assemble(self, name: str, target: Target, root: str, entry: str = "") -> Assembled:
+        """The files of a target of the package ``name``, or of the class ``entry`` in it; none of them lies outside ``root``."""
+        return _Assembly(self, name, root).of(target, entry)
 
 
 class _Assembly:
@@ -176,6 +233,7 @@ class _Assembly:
         self.sources: dict[str, None] = {}
         self.doubts: dict[str, None] = {}
         self.includes = dict.fromkeys(workspace.includes(name))
+        self._directories = tuple(self.includes)
         self.packages = {name}
         self.plugins: dict[Plugin, None] = {}
         self.templates: dict[str, Template] = {}
@@ -184,8 +242,8 @@ class _Assembly:
         self._pending: list[str] = []
         self._scanned: set[str] = set()
 
-    def of(self, target: Target) -> Assembled:
-        self._add_target(target, self.workspace.parts(self.name))
+    def of(self, target: Target, entry: str) -> Assembled:
+        self._add_target(target, self.name, entry)
         self._scan()
         while self._add_plugins():
             self._scan()
@@ -196,23 +254,25 @@ class _Assembly:
             tuple(self.sources), tuple(self.templates.values()), tuple(self.includes), tuple(self.plugins), tuple(self.doubts), packages
         )
 
-    def _add_target(self, target: Target, parts: Parts) -> None:
-        """A target with the libraries of its package that are linked to it."""
-        pending, seen = [target], {id(target)}
-        while pending and len(self.sources) < MOST_SOURCES:
-            each = pending.pop(0)
+    def _add_target(self, target: Target, name: str, entry: str = "") -> None:
+        """A target with the libraries of its package that are linked to it; of these only what the class ``entry`` needs, where one is."""
+        parts = self.workspace.parts(name)
+        linked = parts.linked(target)
+        needed = set(self.workspace.class_sources(name, target, entry, self.root)) if entry else None
+        for each in linked:
             if not each.complete:
                 self.doubts[f"not all sources of {each.output} are known"] = None
             for path in cpp_sources(each):
-                self._add_source(path)
+                if needed is None or path in needed:
+                    self._add_source(path)
             for output, made in each.generated.items():
                 if output.endswith(CPP_ENDINGS):
                     self._add_template(template_of(made), each)
-            for library in each.libraries:
-                inner = parts.cmake.targets.get(library)
-                if inner is not None and id(inner) not in seen:
-                    seen.add(id(inner))
-                    pending.append(inner)
+
+    def _add_package(self, name: str) -> None:
+        self.packages.add(name)
+        self.includes.update(dict.fromkeys(self.workspace.includes(name)))
+        self._directories = tuple(self.includes)
 
     def _add_source(self, path: str) -> None:
         if path not in self.sources and len(self.sources) < MOST_SOURCES and self.workspace.may_read(path, self.root):
@@ -232,12 +292,14 @@ class _Assembly:
             if path in self._scanned:
                 continue
             self._scanned.add(path)
-            text = filled(text_of(path), path, tuple(self.templates.values()))
-            self.loads_nodelets = self.loads_nodelets or _LOADER.search(text) is not None
-            self.loads_classes = self.loads_classes or _CLASS_LOADER.search(text) is not None
-            self.words.update(_QUOTED.findall(text))
-            for quote, spelled in _INCLUDE.findall(text):
-                header = found_header(spelled, quote == '"', path, tuple(self.includes))
+            said = self.workspace.files.scan(path)
+            if path in self.templates:
+                said = scan(filled(self.workspace.files.text(path), path, tuple(self.templates.values())))
+            self.loads_nodelets = self.loads_nodelets or said.loads_nodelets
+            self.loads_classes = self.loads_classes or said.loads_classes
+            self.words.update(said.quoted)
+            for quoted, spelled in said.includes:
+                header = self.workspace.files.header(path, quoted, spelled, self._directories)
                 if header is not None and header not in self._scanned:
                     self._pending.append(header)
                     owner = self.workspace.package_of(header)
@@ -246,12 +308,9 @@ class _Assembly:
 
     def _add_providers(self, name: str, header: str) -> None:
         if name not in self.packages:
-            self.packages.add(name)
-            self.includes.update(dict.fromkeys(self.workspace.includes(name)))
-        last = os.path.basename(header)
-        for path in self.workspace.parts(name).library_sources:
-            if last in included_names(path):
-                self._add_source(path)
+            self._add_package(name)
+        for path in self.workspace.providers(name, header):
+            self._add_source(path)
 
     def _add_plugins(self) -> bool:
         """Plugins that the program can load, by the names and base classes that it spells; whether there were any new ones."""
@@ -267,9 +326,8 @@ class _Assembly:
                 target = None if parts is None else parts.library(each.library)
                 if parts is not None and target is not None and plugin not in self.plugins:
                     self.plugins[plugin] = None
-                    self.packages.add(package)
-                    self.includes.update(dict.fromkeys(self.workspace.includes(package)))
-                    self._add_target(target, parts)
+                    self._add_package(package)
+                    self._add_target(target, package, plugin.type)
         return len(self.plugins) > before
 
 
@@ -295,54 +353,6 @@ def cpp_sources(target: Target) -> list[str]:
 def has_main(target: Target) -> bool:
     """Whether one of its sources defines ``main()``."""
     return any(_MAIN.search(text_of(path)) is not None for path in cpp_sources(target))
-
-
-def found_header(name: str, quoted: bool, includer: str, directories: Sequence[str]) -> str | None:
-    """The file that ``#include`` means, beside the includer or in the directories; None where it is not here."""
-    if "\0" in name or os.path.isabs(name):
-        return None
-    beside = os.path.dirname(includer)
-    near = (os.path.join(beside, "include"), os.path.join(os.path.dirname(beside), "include"))
-    # Where a header is not found, a directory called include beside the file is looked into, too.
-    for directory in (beside, *directories, *near) if quoted else directories:
-        path = os.path.normpath(os.path.join(directory, name))
-        if os.path.isfile(path):
-            return path
-    return None
-
-
-def included_names(path: str) -> frozenset[str]:
-    """The last parts of the names of the headers that a file includes."""
-    looking.note((os.path.abspath(path),))
-    return _included_names(path, _stamp(path))
-
-
-@lru_cache(maxsize=4096)
-def _included_names(path: str, stamp: object) -> frozenset[str]:
-    return frozenset(os.path.basename(name) for _, name in _INCLUDE.findall(_text(path, stamp)))
-
-
-def text_of(path: str) -> str:
-    """The text of a file; empty where it cannot be read."""
-    looking.note((os.path.abspath(path),))
-    return _text(path, _stamp(path))
-
-
-@lru_cache(maxsize=512)
-def _text(path: str, stamp: object) -> str:
-    try:
-        return looking.read_bytes(path).decode("utf-8", "replace")
-    except OSError:
-        return ""
-
-
-def _stamp(path: str) -> object:
-    """Another one where the file is another."""
-    try:
-        status = os.stat(path)
-    except (OSError, ValueError):
-        return None
-    return (status.st_mtime_ns, status.st_size, status.st_ino)
 
 
 def files_below(directory: str) -> list[str]:

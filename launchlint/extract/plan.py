@@ -204,7 +204,7 @@ class PackageReader:
         self._cpp("nodelets", name, "nodelet", target, described.type or name.replace("/", "::"), name)
 
     def _cpp(self, kind: str, name: str, client: str, target: Target, entry: str, shown: str) -> None:
-        made = self.workspace.assemble(self.package.name, target, self.origin.root)
+        made = self.workspace.assemble(self.package.name, target, self.origin.root, entry)
         if not made.sources:
             self.skipped.append(Skipped(self.package.name, shown, self._shown(self.package.directory), "its source files are not here"))
             return

@@ -7,8 +7,8 @@ import re
 from collections import OrderedDict
 from collections.abc import Sequence
 
-from launchlint.extract.assembly import found_header
 from launchlint.extract.cpp.syntax import Root, parse
+from launchlint.extract.scanned import found_header
 from launchlint.extract.template import Template, filled
 from launchlint.workspace.looking import LARGEST_FILE, read_bytes
 
