@@ -293,12 +293,19 @@ class Unseen:
     def __init__(self, launch: Launch, instances: tuple[Instance, ...], parameters: Parameters) -> None:
         said = _Said(launch, instances, parameters)
         self._strangers = {category: Strangers(category, launch, instances, said) for category in CATEGORIES}
+        self._known: dict[tuple[str, str, str, bool], tuple[Possible, ...]] = {}
 
     def who(self, kind: str, name: str, type_: str, *, offers: bool) -> tuple[Possible, ...]:
         """Who could offer (publish, serve) or use a ``topic``, ``service`` or ``action`` of that name and type (empty: any).
 
-        Those of which something says so come first; at most MOST_ANSWERS.
+        Those of which something says so come first; at most MOST_ANSWERS. Several rules ask the same: it is worked out once.
         """
+        key = (kind, name, type_, offers)
+        if key not in self._known:
+            self._known[key] = self._who(kind, name, type_, offers=offers)
+        return self._known[key]
+
+    def _who(self, kind: str, name: str, type_: str, *, offers: bool) -> tuple[Possible, ...]:
         found: dict[str, Possible] = {}
         for category in _CATEGORIES[kind, offers]:
             of_action = category == "actions" and kind == "topic"

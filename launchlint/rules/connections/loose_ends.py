@@ -63,19 +63,22 @@ class LooseEnds:
     def missed(self, kind: str, *, offers: bool) -> Iterator[Missed]:
         """The loose ends of a kind that give (``offers``) or take, where something says what they were meant for: one for each name."""
         for channel in self.graph.channels.values():
-            if channel.kind == kind and (doubts := self._beside(channel, offers=offers)) is not None:
-                found = [
-                    missed
-                    for end in (channel.offers if offers else channel.uses)
-                    if end.certain and not end.action and is_known(end.type) and end.declaration.when != "subscriber"
-                    if (missed := self._meant(end, doubts)) is not None
-                ]
+            if channel.kind != kind or not _is_one_sided(channel, offers=offers):
+                continue
+            ends = [
+                end
+                for end in (channel.offers if offers else channel.uses)
+                if end.certain and not end.action and is_known(end.type) and end.declaration.when != "subscriber"
+                if self._candidates(kind, not offers, end.type)
+            ]
+            if ends and (doubts := self._beside(channel, offers=offers)) is not None:
+                found = [missed for end in ends if (missed := self._meant(end, doubts)) is not None]
                 if found:
                     yield min(found, key=lambda each: (-each.level, *self._apart(each.instance, each.partner), each.instance.name))
 
     def _beside(self, channel: Channel, *, offers: bool) -> tuple[Possible, ...] | None:
         """Who could be at the other end of a name of which only one side is known; None where somebody is, by all that is known."""
-        if channel.is_hub or channel.is_plumbing or (channel.uses if offers else channel.offers):
+        if not _is_one_sided(channel, offers=offers):
             return None
         key = (id(channel), offers)
         if key not in self._possible:
@@ -211,6 +214,11 @@ class LooseEnds:
     def _apart(one: Instance, other: Instance) -> tuple[bool, int, str]:
         at, there = one.node.origin.place, other.node.origin.place
         return at.source is not there.source, abs(at.span.start - there.span.start), other.name
+
+
+def _is_one_sided(channel: Channel, *, offers: bool) -> bool:
+    """Whether a name is only offered (``offers``) or only used, by all that is known, and is none that everybody has."""
+    return not (channel.uses if offers else channel.offers) and not channel.is_hub and not channel.is_plumbing
 
 
 def _types(ends: Iterable[Endpoint]) -> set[str]:
