@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
+from launchlint.check.conventions import judged_by_conventions
 from launchlint.check.fragments import judged_by_inclusion
 from launchlint.check.given_elsewhere import judged_by_givers
 from launchlint.check.given_together import judged_by_callers
@@ -14,6 +15,7 @@ from launchlint.check.unregistered import judged_by_marker, judged_by_registrati
 from launchlint.finding import Finding
 
 JUDGES: tuple[Callable[[Iterable[Finding], Known], Iterator[Finding]], ...] = (
+    judged_by_conventions,
     judged_by_callers,
     judged_by_registration,
     judged_by_marker,

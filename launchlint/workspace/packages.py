@@ -270,21 +270,14 @@ class Packages:
         return self._listed.get(folded(name))
 
     def own_variables(self) -> Mapping[str, str]:
-        """The environment variables that files of the workspaces set or read, each with one file (absolute) that does."""
-        return self._read_variables().known
-
-    def launch_variables(self) -> Mapping[str, int]:
-        """The environment variables that launch files of the workspaces read without a default, each with the number of these files."""
-        return self._read_variables().launched
-
-    def _read_variables(self) -> Variables:
+        """The environment variables that files of the workspaces but launch files set or read, each with one (absolute) that does."""
         from launchlint.workspace.looking import note
         from launchlint.workspace.variables import read_variables
 
         if self._variables is None:
             self._variables = read_variables(self.workspaces)
         note(self._variables.looked)
-        return self._variables
+        return self._variables.known
 
     def documented_in(self, name: str) -> str | None:
         """A README or another document of the workspaces (absolute) that names package ``name``; ``None`` where there is none."""

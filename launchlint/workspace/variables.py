@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from launchlint.workspace.looking import walk
@@ -25,35 +25,35 @@ _SOURCE = re.compile(r"(?:environ(?:\.get)?[ \t]*[\[(]|getenv[ \t]*\()[ \t]*[\"'
 
 
 class Variables(NamedTuple):
-    """Each variable that is set or read, with the first file (absolute) that does, and the places that were looked at.
-
-    ``launched`` says how many launch files read a variable without a default; those are not among the others.
-    """
+    """Each variable that is set or read, with the first file (absolute) that does, and the places that were looked at."""
 
     known: Mapping[str, str]
     looked: frozenset[str]
-    launched: Mapping[str, int]
 
 
 def read_variables(directories: Iterable[str]) -> Variables:
-    """The variables that files below ``directories`` set or read; values are not looked at. Bounded; never raises."""
+    """The variables that files below ``directories`` but launch files set or read; values are not looked at. Bounded; never raises."""
     found: dict[str, str] = {}
-    launched: Counter[str] = Counter()
     looked: set[str] = set()
-    for file, text in texts(_places(directories), _MOST_FILES, looked):
-        if file.endswith(_LAUNCH_ENDS):
-            launched.update(set(_LAUNCH.findall(text)))
-            continue
+    for file, text in texts(_places(directories, lambda name: _pattern(name) is not None), _MOST_FILES, looked):
         pattern = _pattern(os.path.basename(file))
         for match in () if pattern is None else pattern.finditer(text):
             found.setdefault(match[1], file)
-    return Variables(found, frozenset(looked), launched)
+    return Variables(found, frozenset(looked))
 
 
-def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
+def count_launch_files(directories: Iterable[str]) -> Mapping[str, int]:
+    """The variables that launch files below ``directories`` read without a default, and how many do. Bounded; never raises."""
+    counted: Counter[str] = Counter()
+    for _, text in texts(_places(directories, lambda name: name.endswith(_LAUNCH_ENDS)), _MOST_FILES, set()):
+        counted.update(set(_LAUNCH.findall(text)))
+    return counted
+
+
+def _places(directories: Iterable[str], wanted: Callable[[str], bool]) -> Iterator[tuple[str, list[str]]]:
     for top in directories:
         for directory, listed in walk(top, _MOST_DIRECTORIES):
-            yield directory, [name for name in listed if name.endswith(_LAUNCH_ENDS) or _pattern(name) is not None]
+            yield directory, [name for name in listed if wanted(name)]
 
 
 def _pattern(name: str) -> re.Pattern[str] | None:

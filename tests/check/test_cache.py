@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import sqlite3
 import subprocess
 import sys
@@ -399,8 +400,7 @@ def test_two_processes_at_once(repository: Repository) -> None:
         for process in processes:
             output, errors = process.communicate(timeout=120)
             assert (process.returncode, output, errors) == expected
-        for file in repository.cache.glob("*"):
-            file.unlink()
+        shutil.rmtree(repository.cache)
 
 
 def test_text_that_stands_in_for_a_file_is_not_kept(repository: Repository) -> None:

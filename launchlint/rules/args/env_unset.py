@@ -43,8 +43,6 @@ from launchlint.workspace.public_variables import public_setters
 
 RULE = Rule("LL209", "env-unset", Severity.WARNING, roslaunch="refuses")
 MOST_NAMED = 6
-CONVENTION = 3
-"""Launch files of a workspace that read a variable, from which it is no oversight."""
 USUAL = (
     *("HOME", "LANG", "LOGNAME", "PATH", "PWD", "SHELL", "USER"),
     *("ROS_DISTRO", "ROS_ETC_DIR", "ROS_MASTER_URI", "ROS_PACKAGE_PATH", "ROS_PYTHON_VERSION", "ROS_ROOT", "ROS_VERSION"),
@@ -64,8 +62,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     name = problem.facts["variable"]
     if _is_set(name, view):
         return
-    slip = one_slip(name, (*USUAL, *OPTIONAL))
-    reason = "" if slip is not None else _convention(name, problem, view)
+    slip = slip_of(name)
+    reason = "" if slip is not None else _elsewhere(name, problem, view)
     given = f"write $(optenv {name} DEFAULT), or give it a value under env: in .launchlint.yaml if it is always set"
     yield RULE.at(
         problem.origin,
@@ -106,20 +104,19 @@ def _needs(package: str, view: LaunchView) -> bool:
     )
 
 
-def _convention(name: str, problem: Problem, view: LaunchView) -> str:
-    """Why the project itself sees to it that the variable is set, for people; empty where nothing says so."""
+def slip_of(name: str) -> str | None:
+    """The well-known variable that ``name`` is a slip of the pen for; ``None`` where there is none."""
+    return one_slip(name, (*USUAL, *OPTIONAL))
+
+
+def _elsewhere(name: str, problem: Problem, view: LaunchView) -> str:
+    """Where the project itself sets or reads the variable, for people; empty where it does not. Launch files are not looked at here."""
     own = view.packages.own_variables().get(name)
-    if own is not None:
-        return f"{shown(own, root_of(problem.place.source))} sets or reads it, too"
-    files = view.packages.launch_variables().get(name, 0)
-    return f"{files} launch files read it: it is a convention here" if files >= CONVENTION else ""
+    return "" if own is None else f"{shown(own, root_of(problem.place.source))} sets or reads it, too"
 
 
 def _like(problem: Problem, view: LaunchView) -> list[str]:
     """The variables of the same file that nothing says are set."""
     path = problem.place.source.path
     names = {each.facts["variable"] for each in view.launch.problems if each.kind == problem.kind and each.place.source.path == path}
-    slips = (*USUAL, *OPTIONAL)
-    return sorted(
-        name for name in names if not _is_set(name, view) and one_slip(name, slips) is None and not _convention(name, problem, view)
-    )
+    return sorted(name for name in names if not _is_set(name, view) and slip_of(name) is None and not _elsewhere(name, problem, view))
