@@ -13,14 +13,15 @@ from launchlint.evaluate.configurations import configurations
 from launchlint.evaluate.launch import evaluate
 from launchlint.graph.connect import connect
 from launchlint.graph.connections import ConnectionGraph
-from launchlint.graph.doubts import doubts
+from launchlint.graph.details import details
 from launchlint.graph.topology import Topology, topology
 
 
 def topology_of(checker: EntryChecker, request: EntryRequest, *, every_configuration: bool) -> Topology:
     """What an entry file connects, as :func:`graphs_of`, with the verdict on it and who may be at empty ends."""
     graphs = graphs_of(checker, request, every_configuration=every_configuration)
-    return topology(graphs)._replace(verdict=checker.verdict(request), doubts=doubts(graphs))
+    beside = details(graphs)
+    return topology(graphs)._replace(verdict=checker.verdict(request), doubts=beside.doubts, partly=beside.partly)
 
 
 def graphs_of(checker: EntryChecker, request: EntryRequest, *, every_configuration: bool) -> list[ConnectionGraph]:

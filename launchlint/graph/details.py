@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.graph.connections import ConnectionGraph
-from launchlint.graph.doubts import End, MayBe, doubts
+from launchlint.graph.doubts import End, MayBe, Partly, doubts
 from launchlint.graph.topology import place_text, value_text
 
 Key = tuple[str, str]
@@ -26,7 +26,7 @@ class Details(NamedTuple):
     machines: Mapping[Key, tuple[str, str]]
     overridden: Mapping[Key, tuple[tuple[str, str], ...]]
     doubts: Mapping[End, tuple[MayBe, ...]]
-    partly: Mapping[Key, tuple[tuple[str, str], ...]]
+    partly: Partly
 
 
 NO_DETAILS = Details({}, {}, {}, {})

@@ -24,6 +24,10 @@ class MayBe(NamedTuple):
 
 NO_DOUBTS: Mapping[End, tuple[MayBe, ...]] = {}
 """Where nobody asked."""
+Partly = Mapping[tuple[str, str], tuple[tuple[str, str], ...]]
+"""Full name and place (``path:line:column``) of a node → its names that are known only in part: category, and what is known, with ``*``."""
+NOTHING_PARTLY: Partly = {}
+"""Where nobody asked."""
 
 
 def doubts(graphs: Iterable[ConnectionGraph]) -> Mapping[End, tuple[MayBe, ...]]:

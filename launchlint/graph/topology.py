@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.graph.connections import HUB_SIZE, HUBS, OFFERS, Channel, ConnectionGraph, Endpoint, Instance
-from launchlint.graph.doubts import NO_DOUBTS, End, MayBe
+from launchlint.graph.doubts import NO_DOUBTS, NOTHING_PARTLY, End, MayBe, Partly
 from launchlint.graph.names import kind as spelling_of
 from launchlint.library.terms import evidence_text
 from launchlint.model import Binary, Command, Condition, Node, Scope, Unknown
@@ -126,7 +126,7 @@ class TopologyParam(NamedTuple):
 class Topology(NamedTuple):
     """A connection graph. ``entry`` is the launch file, ``configurations`` the ways of starting it that were joined (args as text).
 
-    ``verdict`` is what roslaunch makes of the launch file, ``doubts`` who may be at empty ends (:mod:`.doubts`); None and
+    ``verdict`` is what roslaunch makes of the launch file, ``doubts`` and ``partly`` are those of :mod:`.doubts`; None and
     empty where that was not asked.
     """
 
@@ -140,6 +140,7 @@ class Topology(NamedTuple):
     containers: tuple[Container, ...]
     verdict: Verdict | None = None
     doubts: Mapping[End, tuple[MayBe, ...]] = NO_DOUBTS
+    partly: Partly = NOTHING_PARTLY
 
 
 EMPTY = Topology("", ("",), True, (), (), (), (), ())

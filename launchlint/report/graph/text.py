@@ -46,6 +46,7 @@ def render(topology: Topology, complete: Topology | None = None, *, dangling: bo
         here = [connection for connection in mine.get(node.name, ()) if meet(connection.only, node.only)]
         rows = [
             *_unknown(node),
+            *_partly(node, topology),
             *_rows(here, partners, node, topology, dangling=dangling),
             *_params(read.get(node.name, ()), node, topology),
         ]
@@ -108,6 +109,12 @@ def _unknown(node: TopologyNode) -> Iterator[str]:
     for reason, categories in reasons.items():
         every = f"{', '.join(categories[:-1])} and {categories[-1]}" if len(categories) > 1 else categories[0]
         yield f"    may have more {every}: {visible(reason)}"
+
+
+def _partly(node: TopologyNode, topology: Topology) -> Iterator[str]:
+    names = [f"{category} {visible(pattern)}" for category, pattern in topology.partly.get((node.name, node.place), ())]
+    if names:
+        yield from wrapped("    names known only in part: ", names)
 
 
 def _rows(

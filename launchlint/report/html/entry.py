@@ -172,7 +172,8 @@ class _EntryData:
         found = []
         for offers in (True, False):
             for node, unknown, reason in self._details.doubts.get((channel.kind, channel.name, offers), ()):
-                found.append([offers, self._plain.name(node), unknown, self._plain.text(reason)])
+                # The reason of a node of which nothing is known stands at the node: here it would stand as often as there are names.
+                found.append([offers, self._plain.name(node), unknown, "" if unknown else self._plain.text(reason)])
         return found
 
     def connections(self) -> list[dict[str, Any]]:

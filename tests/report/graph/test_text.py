@@ -300,3 +300,13 @@ def test_those_who_may_be_there_are_a_few() -> None:
     assert doubted([MayBe(f"/n{number}", True, "") for number in range(3)]) == "/n0 (not known), /n1 (not known) and /n2 (not known)"
     five = doubted([MayBe(f"/n{number}", True, "") for number in range(5)])
     assert five == "/n0 (not known), /n1 (not known), /n2 (not known) and others"
+
+
+def test_names_that_are_known_only_in_part_are_told() -> None:
+    topology = tiny.topology("/a > /out")
+    (node,) = topology.nodes
+    topology = topology._replace(partly={(node.name, node.place): (("publishers", "/nav/global_costmap/*"), ("subscribers", "*"))})
+    assert said(topology)[3:] == [
+        "    names known only in part: publishers /nav/global_costmap/*, subscribers *",
+        "    nobody subscribes: /out",
+    ]

@@ -256,5 +256,15 @@ def test_who_may_be_where_nobody_is_known(repository: Path) -> None:
     for name in ("sure", "doubtful"):
         (entry,) = data_of(page("--library", "library.json", f"demo/launch/{name}.launch"))["entries"]
         may[name] = {each["name"]: each["may"] for each in entry["channels"]}
-    assert may["doubtful"] == {"/chatter": [[False, "/u", True, "it is not known what /u does: it is a script, but not Python"]]}
+    assert may["doubtful"] == {"/chatter": [[False, "/u", True, ""]]}
     assert may["sure"] == {"/near/chatter": []}
+
+
+def test_names_that_are_known_only_in_part(repository: Path) -> None:
+    library = json.loads((repository / "library.json").read_text())
+    publishers = library["packages"]["demo"]["executables"]["talk.py"]["variants"]["default"]["publishers"]
+    publishers.append({"name": "~global_costmap/{any}", "type": "std_msgs/String"})
+    launch = '<launch><node name="nav" pkg="demo" type="talk.py"/></launch>'
+    write(repository, {"library.json": json.dumps(library), "demo/launch/part.launch": launch})
+    (entry,) = data_of(page("--library", "library.json", "demo/launch/part.launch"))["entries"]
+    assert [each["partly"] for each in entry["nodes"]] == [[["publishers", "/nav/global_costmap/*"]]]

@@ -3686,8 +3686,10 @@ ${end.mark}`;
     const doubts = mayBeAt(model, index, !offered, page.store.get().configuration);
     const words2 = missed(role, doubts);
     const others = "A node that another launch file starts, or a person at a terminal, may be at the other end.";
-    const reasons = [...new Map(doubts.map(([, node, , reason]) => [reason, node]))].map(([reason, node]) => {
+    const reasons = doubts.map(([, node, , why2]) => {
+      var _a;
       const [at] = model.nodesNamed.get(node) ?? [];
+      const reason = why2 || at !== void 0 && ((_a = model.entry.nodes[at]) == null ? void 0 : _a.reason) || "";
       return element2("div", {}, at !== void 0 && nodeReference(page, at), element2("div", { class: "note" }, reason));
     });
     return block(

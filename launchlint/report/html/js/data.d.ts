@@ -46,7 +46,7 @@ export interface Mend {
   advice: string;
 }
 
-/** Somebody who may be at an empty end: the end that offers, or the other; the name is empty for what is no node. */
+/** Somebody who may be at an empty end: the end that offers, or the other; the name is empty for what is no node, the reason where the node says it. */
 export type MayBe = [offers: boolean, node: string, unknown: boolean, reason: string];
 
 export type Mark = "added" | "removed" | "changed";

@@ -84,8 +84,9 @@ function aloneBlock(page, model, index, role, offered) {
   const doubts = mayBeAt(model, index, !offered, page.store.get().configuration);
   const words = missed(role, doubts);
   const others = "A node that another launch file starts, or a person at a terminal, may be at the other end.";
-  const reasons = [...new Map(doubts.map(([, node, , reason]) => [reason, node]))].map(([reason, node]) => {
+  const reasons = doubts.map(([, node, , why]) => {
     const [at] = model.nodesNamed.get(node) ?? [];
+    const reason = why || (at !== undefined && model.entry.nodes[at]?.reason) || "";
     return element("div", {}, at !== undefined && nodeReference(page, at), element("div", { class: "note" }, reason));
   });
   return block(
