@@ -3,7 +3,8 @@
 What it does: it looks for two nodes of one program in different namespaces that publish the same topic because its name begins with `/`:
 in the program itself, or in the `args` or a remap of a file that is included for both. Topics that are shared on purpose (`/tf`,
 `/diagnostics`, `/joint_states`, markers for rviz …) do not count. It is an info where the copies only subscribe to the topic, and where
-the launch file writes the global name and a node outside these namespaces gathers what they publish.
+the launch file writes the global name and a node outside these namespaces gathers what they publish. It is an info, too, where nobody
+described the program: its sources, which were read, or a run say that it may publish the topic, not that it does.
 
 ## Why it matters
 
@@ -51,7 +52,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint, Instance
-from launchlint.rules.connections.places import Owners, acting_origin, how, owners
+from launchlint.rules.connections.places import Owners, acting_origin, how, is_known_to_act, owners
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
@@ -75,7 +76,8 @@ def check(view: GraphView) -> Iterator[Finding]:
         known = known or owners(view.graph)
         copies = _copies(channel.offers, known)
         if copies:
-            yield _finding(channel, copies, known, Severity.INFO if _is_gathered(channel, copies, known) else None)
+            shared = _is_gathered(channel, copies, known) or not all(map(_surely_publishes, copies))
+            yield _finding(channel, copies, known, Severity.INFO if shared else None)
         elif not channel.offers and (copies := _copies(channel.uses, known)):
             yield _finding(channel, copies, known, Severity.INFO)
 
@@ -90,6 +92,10 @@ def _copies(endpoints: list[Endpoint], known: Owners) -> list[Endpoint]:
         if cause is not None:
             groups.setdefault((instance.program, cause), {}).setdefault(instance.node.namespace, endpoint)
     return max((list(group.values()) for group in groups.values() if len(group) > 1), key=len, default=[])
+
+
+def _surely_publishes(endpoint: Endpoint) -> bool:
+    return endpoint.declaration.when == "start" and is_known_to_act(endpoint)
 
 
 def _is_gathered(channel: Channel, copies: list[Endpoint], known: Owners) -> bool:
@@ -122,11 +128,13 @@ def _finding(channel: Channel, copies: list[Endpoint], known: Owners, severity: 
     last = copies[-1]
     instance = known[id(last)]
     names = ", ".join(sorted(copy.node for copy in copies)[:4]) + (" …" if len(copies) > 4 else "")
-    does = "publish" if copies[0].role == "publisher" else "subscribe to"
+    does = "all subscribe to"
+    if copies[0].role == "publisher":
+        does = "all publish" if all(map(_surely_publishes, copies)) else "may all publish"
     words = how(last, instance)
     return RULE.at(
         acting_origin(last, instance),
-        f"the copies {names} of {instance.program} all {does} {channel.name}: their namespaces do not keep it apart",
+        f"the copies {names} of {instance.program} {does} {channel.name}: their namespaces do not keep it apart",
         severity=severity,
         label="a global name" if last.applied else "says a global name",
         notes=(words,) if words else (),

@@ -6,7 +6,9 @@ publishers of that very topic count: behind a mux there is one. A node that only
 where something in the launch publishes its input, and then that is named, too; else it waits for a person or another launch file.
 Trajectories do not count, whatever the topic is called: nodes take turns in sending those. It is an info where all but one are silent
 until a person acts, who takes over from a planner so: by holding a button of the joystick (a dead-man switch), or by pressing a key, for
-programs of which the library says that they send nothing else. What the same two lines do for several robots is told once.
+programs of which the library says that they send nothing else. It is an info, too, where fewer than two are known to command on their own
+account: of a publisher that was only read from source, or seen in a run, nobody knows whether it waits for a click, a goal or for ever.
+What the same programs do, for several robots or in several files, is told once.
 
 ## Why it matters
 
@@ -51,7 +53,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, ConnectionGraph, Endpoint, Instance
 from launchlint.late import late
 from launchlint.rules.connections.conduits import forwarded
-from launchlint.rules.connections.places import Owners, acting_origin, how, node_origin, owners
+from launchlint.rules.connections.places import Owners, acting_origin, how, is_known_to_act, node_origin, owners
 from launchlint.rules.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
@@ -93,14 +95,14 @@ def check(view: GraphView) -> Iterator[Finding]:
 
 
 def together(findings: Sequence[Finding]) -> Finding:
-    """What two lines do for several robots: the topics of the others are named."""
-    first, *others = findings
-    topics = sorted({finding.topic for finding in others} - {first.topic})
+    """What the same programs do, in several files or for several robots: the topics of the others are named."""
+    places = {finding.location: finding for finding in reversed(findings)}
+    told = joined([finding for finding in findings if places[finding.location] is finding])
+    topics = sorted({finding.topic for finding in findings} - {told.topic})
     if not topics:
-        return joined(findings)
+        return told
     more = f" and {len(topics) - 4} more" if len(topics) > 4 else ""
-    note = f"the same lines do so on {', '.join(topics[:4])}{more}"
-    return first._replace(notes=(*first.notes, note), entries=max(finding.entries for finding in findings))
+    return told._replace(notes=(*told.notes, f"the same programs do so on {', '.join(topics[:4])}{more}"))
 
 
 def _sources(channel: Channel, known: Owners, graph: ConnectionGraph) -> list[Source]:
@@ -146,27 +148,46 @@ def _is_held(source: Instance, graph: ConnectionGraph) -> bool:
     return False
 
 
+def _hearer(channel: Channel, known: Owners) -> list[str]:
+    """Who hears the commands: one that a person described and that sends no such commands on obeys them; of others nobody knows."""
+    uses = [use for use in channel.uses if use.certain]
+    for use in uses:
+        sends = any(each.role == "publisher" and each.type == use.type for each in known[id(use)].endpoints)
+        if is_known_to_act(use) and not sends:
+            return [f"{use.node} obeys all of them"]
+    return [f"{uses[0].node} hears all of them"] if uses else []
+
+
 def _finding(channel: Channel, sources: list[Source], known: Owners, graph: ConnectionGraph) -> Finding:
+    guessed = sorted(source.endpoint.node for source in sources if not any(map(is_known_to_act, source.origins)))
+    if len(sources) - len(guessed) > 1:
+        sources = [source for source in sources if source.endpoint.node not in guessed]
+        guessed = []
     first, last = sources[0].endpoint, sources[-1].endpoint
     ways = {source.origins[0].node: way for source in sources if (way := _by_hand(source, known, graph))}
     taking_over = len(sources) - len(ways) <= 1
+    may = bool(guessed) and not taking_over
+    does = "may publish" if may else "publishes"
     names = ", ".join(sorted(source.name for source in sources)[:4]) + (" …" if len(sources) > 4 else "")
-    heard = next((use.node for use in channel.uses if use.certain), "")
-    notes = [f"{heard} obeys all of them"] if heard else []
+    notes = _hearer(channel, known)
     if taking_over:
         node, way = next(iter(ways.items()))
         notes.append(f"{node} commands only while somebody {way}")
+    if may:
+        more = " …" if len(guessed) > 4 else ""
+        notes.append(f"whether {', '.join(guessed[:4])}{more} publish{'es' if len(guessed) == 1 else ''} all the time is not known")
     notes += [words for words in (how(each, known[id(each)]) for each in (first, last)) if words]
     here, other = acting_origin(last, known[id(last)]), node_origin(known[id(first)]).place
-    severity = Severity.INFO if taking_over else RULE.severity
+    severity = Severity.INFO if taking_over or may else RULE.severity
+    programs = sorted({known[id(source.endpoint)].program for source in sources})
     return RULE.at(
         here,
-        f"{len(sources)} nodes publish the commands on {channel.name}: {names}",
+        f"{len(sources)} nodes {'may publish' if may else 'publish'} the commands on {channel.name}: {names}",
         severity=severity,
-        label="publishes it, too",
-        related=((other, f"{first.node} publishes it"),),
+        label=f"{does} it, too",
+        related=((other, f"{first.node} {does} it"),),
         notes=tuple(notes),
         help="give each of them a topic of its own and decide between them with a mux (twist_mux, topic_tools/mux)",
         topic=channel.name,
-        cause=" ".join((severity.word, *(f"{place.source.path}:{place.span.start}" for place in (here.place, other)))),
+        cause=" ".join((severity.word, channel.name.rpartition("/")[2], *programs)),
     )

@@ -30,6 +30,12 @@ def owners(graph: ConnectionGraph) -> Owners:
     return {id(endpoint): instance for instance in graph.instances for endpoint in instance.endpoints}
 
 
+def is_known_to_act(endpoint: Endpoint) -> bool:
+    """Whether a person said what ``endpoint`` does. Source that was read, and a run, tell of a name, not when somebody speaks on it."""
+    evidence = endpoint.declaration.evidence
+    return not evidence or any(each["by"] == "manual" for each in evidence)
+
+
 def node_origin(instance: Instance) -> Origin:
     """The place of a node's name."""
     node = instance.node

@@ -1,7 +1,8 @@
 """Two nodes serve one service or action name.
 
 What it does: it looks for services and actions with two servers in different processes. It is an error where some node of the launch
-calls the service, and for every action; a warning where a node may call it, or not, and an info where none is known to. Names that
+calls the service, and for every action; a warning where a node may call it, or not, and an info where none is known to. Servers that run
+one program with the same args and remaps answer alike: that the program is started several times is a warning at most. Names that
 belong to the machinery of nodes, and servers that may or may not be there, do not count.
 
 ## Why it matters
@@ -79,6 +80,14 @@ def _is_called(channel: Channel) -> bool:
     return channel.kind == "action" or any(use.certain for use in channel.uses)
 
 
+def _are_one_program(servers: list[Endpoint], known: Owners) -> bool:
+    """Whether the servers are one program that is started several times in the same way."""
+    nodes = [known[id(server)] for server in servers]
+    ways = {(each.node.package, each.node.executable, each.node.arguments) for each in nodes}
+    remaps = [{source: applied.target for source, applied in each.namer.remappings.items()} for each in nodes]
+    return len(ways) == 1 and all(each == remaps[0] for each in remaps)
+
+
 def _finding(shared: list[Clash], known: Owners) -> Finding:
     channel, servers = next((clash for clash in shared if _is_called(clash[0])), shared[0])
     first, *_, last = servers
@@ -94,10 +103,15 @@ def _finding(shared: list[Clash], known: Owners) -> Finding:
         more = f" and {len(others) - 6} more" if len(others) > 6 else ""
         also.append(f"they share {', '.join(others[:6])}{more}, too")
     notes = [words for words in (how(server, known[id(server)]) for server in (first, last)) if words]
+    severity = RULE.severity if _is_called(channel) else Severity.WARNING if channel.uses else Severity.INFO
+    message = f"the {channel.kind} {channel.name} has {len(servers)} servers: {names}"
+    if _are_one_program(servers, known):
+        severity = Severity.WARNING if severity is Severity.ERROR else severity
+        message = f"the same node {known[id(first)].program} is started {len(servers)} times, and each serves {channel.name}: {names}"
     return RULE.at(
         acting_origin(last, known[id(last)]),
-        f"the {channel.kind} {channel.name} has {len(servers)} servers: {names}",
-        severity=None if _is_called(channel) else Severity.WARNING if channel.uses else Severity.INFO,
+        message,
+        severity=severity,
         label="serves it, too",
         related=((node_origin(known[id(first)]).place, f"{first.node} serves it"),),
         notes=(effect, *also, *notes),
