@@ -45,7 +45,7 @@ from launchlint.syntax.ros1.dialect import ROS2_SUBSTITUTIONS
 RULE = Rule("LL207", "bad-substitution", Severity.ERROR, roslaunch="refuses", fixable="safe")
 COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
 MOST_WORDS = 3
-_ASKING = frozenset(("find", "rospack", "package", "pkg"))
+_ASKING = frozenset(("find", "package", "pkg"))
 _PART = late(r"[^a-z]+")
 _NAME = late(r"[A-Za-z][\w-]*")
 EVAL_ALONE = "$(eval …) must be the whole value: write the text around it as strings in the expression"
