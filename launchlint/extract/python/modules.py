@@ -1,19 +1,19 @@
 """Which file an ``import`` reads: modules beside a script, and those of the packages that were given.
 
-catkin puts the directories that ``setup.py`` names on the path (``package_dir={'': 'src'}`` nearly always), rosbuild ``src``.
+catkin makes importable what ``setup.py`` names, from where its ``package_dir`` says (``{'': 'src'}`` nearly always), rosbuild what is in
+``src``.
 """
 
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Mapping
 
 from launchlint.extract.python.foreign import declared_libraries
+from launchlint.extract.python.setup_paths import setup_paths
 from launchlint.extract.python.source import Source, SourceError, parse
 from launchlint.workspace import looking
 
-_PACKAGE_DIR = re.compile(r"""package_dir\s*=\s*\{\s*['"]{2}\s*:\s*['"]([\w./-]*)['"]""")
 _GENERATED = frozenset(("msg", "srv", "cfg"))
 MOST_KEPT = 1 << 20
 """Characters of source whose trees are kept for the next program: a tree takes about a hundred times as much memory."""
@@ -30,7 +30,7 @@ class ModuleFinder:
 
     def __init__(self, packages: Mapping[str, str]) -> None:
         self._packages = dict(packages)
-        self._roots: dict[str, tuple[tuple[str, ...], frozenset[str]]] = {}
+        self._roots: dict[str, tuple[tuple[tuple[str, str], ...], frozenset[str]]] = {}
         self._real: dict[str, str] = {}
         self._asked: dict[tuple[str, str, str], tuple[str | None, frozenset[str]]] = {}
         self._names: dict[str, tuple[frozenset[str] | None, frozenset[str]]] = {}
@@ -54,20 +54,27 @@ class ModuleFinder:
         parts = name.split(".")
         if not all(part.isidentifier() for part in parts) or len(parts) > 20:
             return None
-        relative = os.path.join(*parts)
         own = self._roots_of(package) if package else ()
-        for root in dict.fromkeys((beside, *own)):
-            found = self._look(root, relative)
+        for prefix, root in dict.fromkeys((("", beside), *own)):
+            found = self._below(prefix, root, name)
             if found is not None:
                 return found
         if len(parts) > 1 and parts[1] in _GENERATED:
             return None
         for directory in self._packages:
-            for root in self._roots_of(directory):
-                found = self._look(root, relative)
+            for prefix, root in self._roots_of(directory):
+                found = self._below(prefix, root, name)
                 if found is not None:
                     return found
         return None
+
+    def _below(self, prefix: str, root: str, name: str) -> str | None:
+        """The file of module ``name`` where the directory of the Python package ``prefix`` is ``root``."""
+        if not prefix:
+            return self._look(root, name.replace(".", os.sep))
+        if name != prefix and not name.startswith(f"{prefix}."):
+            return None
+        return self._look(root, name[len(prefix) + 1 :].replace(".", os.sep))
 
     def parse(self, path: str) -> Source:
         """A module, read once for the programs that import it one after the other.
@@ -117,8 +124,8 @@ class ModuleFinder:
                     return path
         return None
 
-    def _roots_of(self, directory: str) -> tuple[str, ...]:
-        """Directories of a package that are on Python's path, looked for once."""
+    def _roots_of(self, directory: str) -> tuple[tuple[str, str], ...]:
+        """Where the Python modules of a package are, looked for once: names of Python packages, empty for any, with their directories."""
         if directory not in self._roots:
             self._roots[directory] = looking.watched(lambda: _roots(directory))
         roots, looked = self._roots[directory]
@@ -132,7 +139,7 @@ class ModuleFinder:
         there, looked = self._names[root]
         looking.note(looked)
         first = relative.partition(os.sep)[0]
-        if there is not None and first not in there and f"{first}.py" not in there:
+        if relative and there is not None and first not in there and f"{first}.py" not in there:
             return None
         key = (root, relative)
         if key not in self._found:
@@ -158,10 +165,11 @@ def _stamp(path: str) -> object:
 
 
 def _module(root: str, relative: str) -> str | None:
-    path = os.path.join(root, relative)
-    for each in (os.path.join(path, "__init__.py"), path + ".py"):
-        if looking.is_file(each):
-            return each
+    path = os.path.join(root, relative) if relative else root
+    if looking.is_file(os.path.join(path, "__init__.py")):
+        return os.path.join(path, "__init__.py")
+    if relative and looking.is_file(path + ".py"):
+        return path + ".py"
     return path + os.sep if os.sep not in relative and looking.is_directory(path) and _has_python(path) else None
 
 
@@ -171,18 +179,13 @@ def _has_python(directory: str) -> bool:
     return any(name.endswith(".py") for name in names) and "package.xml" not in names
 
 
-def _roots(directory: str) -> tuple[str, ...]:
-    """Directories of a package that are on Python's path."""
-    roots = ["src"]
-    try:
-        match = _PACKAGE_DIR.search(looking.read_bytes(os.path.join(directory, "setup.py")).decode("utf-8", "replace"))
-    except OSError:
-        match = None
-    if match is not None:
-        roots.insert(0, match[1] or ".")
+def _roots(directory: str) -> tuple[tuple[str, str], ...]:
+    """Names of Python packages with their directories, the longest first; an empty name is a directory on Python's path."""
+    said = setup_paths(directory)
+    listed = [(name, said[name]) for name in sorted(said, key=lambda name: (-len(name), name))]
     found = []
-    for each in dict.fromkeys(roots):
+    for name, each in dict.fromkeys((*listed, ("", "src"))):
         path = os.path.normpath(os.path.join(directory, each))
-        if looking.is_directory(path) and (path + os.sep).startswith(directory.rstrip(os.sep) + os.sep):
-            found.append(path)
+        if looking.is_directory(path):
+            found.append((name, path))
     return tuple(found)
