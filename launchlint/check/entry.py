@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, internal_error, run_rule, tell
 from launchlint.check.options import EntryRequest, Options
-from launchlint.check.stops import put_right, stops_everybody
+from launchlint.check.stops import put_right, put_right_later, stops_everybody
 from launchlint.check.verdict import judged, plainly
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.configurations import configurations
@@ -238,7 +238,7 @@ class EntryChecker:
                 before = problem
         for rule in self.launch_rules:
             for found in run_rule(rule, view, launch.entry.path):
-                yield found if isinstance(found, Fine) else self._at_home(found, evaluation, assumed=False)
+                yield found if isinstance(found, Fine) else self._at_home(put_right_later(found, before), evaluation, assumed=False)
         if self.graph_rules and (launch.nodes or launch.tests or launch.parameter_settings):
             yield from self._graph_findings(evaluation, request)
 

@@ -9,6 +9,7 @@ from launchlint.model import Launch
 from launchlint.problem import Problem
 
 STOPS, WOULD = "roslaunch stops", "roslaunch would stop"
+LOADS = "roslaunch loads the file and fails"
 
 
 def stops_everybody(problem: Problem, view: object) -> bool:
@@ -30,6 +31,16 @@ def put_right(finding: Finding, problem: Problem, before: Problem | None, launch
         given = " ".join(f"{name}:={value}" for name, value in launch.given)
         return _with(finding, f"with {given} {STOPS}", ())
     return finding
+
+
+def put_right_later(finding: Finding, before: Problem | None) -> Finding:
+    """``finding`` about what roslaunch comes to once it has loaded the file, where ``before`` is a problem that stops everybody."""
+    if before is None or not any(note.startswith(LOADS) for note in finding.notes):
+        return finding
+    at = Location.of(before.place)
+    stop = f"roslaunch would fail{{}}; {at.path}:{at.line} stops it before that"
+    notes = (stop.format(note.removeprefix(LOADS)) if note.startswith(LOADS) else note for note in finding.notes)
+    return finding._replace(notes=tuple(notes))
 
 
 def _with(finding: Finding, words: str, more: tuple[str, ...]) -> Finding:

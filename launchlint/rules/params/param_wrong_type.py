@@ -3,7 +3,7 @@
 What it does: where the library says with which type a node reads a param, it compares that with the value. roscpp takes a whole number
 for a double and rounds a double to an int, and nothing else: text is no number, and 1 is no bool. rospy takes any value; there only a
 list or a mapping instead of a single value is told, and the reverse. Values in one YAML file that are wrong in the same way are told as
-one, and so is the same value of the same param in several files.
+one, and so is the same value of the same param in several files. An empty text is an info: it is a way to say that the param is not set.
 
 ## Why it matters
 
@@ -110,7 +110,7 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
     return RULE.at(
         setting.origin,
         f"{instance.program} reads {reading.declared} as {_WORDS[one]}, and {shown(value)} is {_WORDS[type_]}: {instead}",
-        severity=Severity.INFO if means_default else None,
+        severity=Severity.INFO if means_default or value == "" else None,
         label=f"{_WORDS[type_]}, not {_WORDS[one]}",
         notes=("roscpp turns an int into a double and the reverse, nothing else, and says nothing",) if instance.client != "rospy" else (),
         help=_help(setting, one, type_),

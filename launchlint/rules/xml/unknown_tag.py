@@ -10,7 +10,8 @@ and other tags that take no children there is not even a warning). The node or p
 missing on the robot.
 
 A known tag with a letter, a mark or a word like `off` put to it (`<xnode>`, `<_node>`, `<DISABLED_node>`) has been
-switched off by somebody: that is an info, without a fix.
+switched off by somebody: that is an info, without a fix. A tag that is like no other, holds none that roslaunch knows and stands in three
+launch files or more is a custom of the house, for a program that reads it: one info for all of them.
 
 ## Example
 
@@ -36,15 +37,21 @@ off takes `--unsafe-fixes`. What the element says takes effect then: the node is
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import Spot, fix, rename_tag, spot
+from launchlint.rules.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely, switched_off
+from launchlint.syntax.ros1.dialect import TAGS
+from launchlint.syntax.tree import Element
 
 RULE = Rule("LL103", "unknown-tag", Severity.WARNING, roslaunch="reports", fixable="safe")
+
+_CUSTOM = 3
+"""Launch files in which a tag of nobody's is no slip any more."""
 
 
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
@@ -62,6 +69,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         )
         return
     near = closest(tag, known)
+    at = spot(view, problem.place)
     if near is not None:
         advice = f"did you mean <{near}>?"
     elif known:
@@ -75,8 +83,32 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         label="skipped",
         notes=(said,),
         help=advice,
-        fix=None if near is None else _fix(near, sure=surely(tag, known) == near, at=spot(view, problem.place)),
+        fix=None if near is None else _fix(near, sure=surely(tag, known) == near, at=at),
+        cause=f"tag {tag}" if near is None and at is not None and not _holds_known(at.element) else "",
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """What one tag without a meaning comes to in several places."""
+    told = joined(findings)
+    files = {finding.location.path for finding in findings}
+    if len(files) < _CUSTOM:
+        return told
+    note = f"it stands in {len(files)} launch files: a custom of the house, for a program that reads it"
+    return told._replace(
+        severity=Severity.INFO, notes=(*told.notes, note), help="put such words into a comment, which roslaunch skips silently"
+    )
+
+
+def _holds_known(element: Element) -> bool:
+    """Whether anything in it would have had an effect."""
+    waiting = list(element.children)
+    while waiting:
+        each = waiting.pop()
+        if each.tag in TAGS:
+            return True
+        waiting += each.children
+    return False
 
 
 def _fix(near: str, *, sure: bool, at: Spot | None) -> Fix | None:
