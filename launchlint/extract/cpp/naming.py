@@ -228,6 +228,11 @@ class Names:
 _MARKS = dict.fromkeys(map(ord, NODE_NAME + NODE_NAMESPACE + UNKNOWN_SPACE + PLUGIN + LOOSE))
 
 
+def is_whole(text: Text) -> bool:
+    """Whether a text is known to its last letter: nothing in it stands for what only the launch file or a param says."""
+    return not any(each in "{}" or ord(each) in _MARKS for each in text.template)
+
+
 def braced(text: str) -> str:
     """Plain text as a template."""
     return text.replace("{", "{{").replace("}", "}}").translate(_MARKS)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from launchlint.extract.cpp.naming import braced, template, together
+from launchlint.extract.cpp.naming import braced, is_whole, template, together
 from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import UNKNOWN, Callable, Cell, Null, Number, Text, Thing, Value, choices, plain
 
@@ -87,6 +87,8 @@ def filled(text: str, value: str) -> str:
 
 
 def _equal(left: Value, right: Value, wanted: bool) -> Value:
+    if any(isinstance(each, Text) and not is_whole(each) for each in (left, right)):
+        return UNKNOWN  # the name of a node, and of its namespace, is known where it is launched
     first, second = plain(left), plain(right)
     if isinstance(left, Null) or isinstance(right, Null):
         other = right if isinstance(left, Null) else left

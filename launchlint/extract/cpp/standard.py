@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from launchlint.extract.cpp import classes
-from launchlint.extract.cpp.naming import template, together
+from launchlint.extract.cpp.naming import is_whole, template, together
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.values import (
     UNKNOWN,
@@ -143,7 +143,7 @@ def method(value: Value, asked: Call, cell: Cell | None) -> Value:
     if isinstance(value, Text):
         if name in ("c_str", "data", "str", "toStdString", "begin"):
             return value
-        if name in ("empty", "isEmpty", "size", "length") and "{" not in value.template and "\x01" not in value.template:
+        if name in ("empty", "isEmpty", "size", "length") and is_whole(value):
             return Number(not value.template) if "mpty" in name else Number(len(value.template))
         if name in ("append", "push_back", "operator+=") and cell is not None:
             changed = together(value, asked.value(0))
@@ -200,7 +200,7 @@ def _length(value: Value) -> int | None:
 
 def _part(value: Text, asked: Call) -> Value:
     bounds = [each.value.value for each in asked.arguments if isinstance(each.value, Number) and isinstance(each.value.value, int)]
-    if asked.name != "substr" or "{" in value.template or "\x01" in value.template or len(bounds) != len(asked.arguments) or not bounds:
+    if asked.name != "substr" or not is_whole(value) or len(bounds) != len(asked.arguments) or not bounds:
         return UNKNOWN
     start = bounds[0]
     if start < 0 or start > len(value.template):

@@ -42,6 +42,48 @@ CASES = {
         publishers ~a std_msgs/String 4 queue=5 if argc > 3
         """,
     ),
+    "by the size of the namespace": (
+        'ros::NodeHandle nh;\nif (nh.getNamespace().size() <= 1) nh = ros::NodeHandle("~");\nnh.advertise<std_msgs::String>("a", 5);',
+        """
+        publishers a std_msgs/String 4 queue=5 if !(nh.getNamespace().size() <= 1)
+        publishers ~a std_msgs/String 4 queue=5 if nh.getNamespace().size() <= 1
+        """,
+    ),
+    "by the namespace of the node": (
+        """
+        ros::NodeHandle nh;
+        if (ros::this_node::getNamespace() == "/") nh.advertise<std_msgs::String>("a", 5);
+        if (ros::this_node::getNamespace() != "/") nh.advertise<std_msgs::String>("b", 5);
+        std::string space = ros::this_node::getNamespace().substr(1);
+        nh.advertise<std_msgs::String>("/of" + space, 5);
+        """,
+        """
+        publishers /of{any} std_msgs/String 6 queue=5
+        publishers a std_msgs/String 3 queue=5 if ros::this_node::getNamespace() == "/"
+        publishers b std_msgs/String 4 queue=5 if ros::this_node::getNamespace() != "/"
+        """,
+    ),
+    "by the name of the node": (
+        """
+        ros::NodeHandle nh, left("~left"), here("~");
+        if (ros::this_node::getName() == "/one") nh.advertise<std_msgs::String>("a", 5);
+        if (here.getNamespace() == "/one") nh.advertise<std_msgs::String>("b", 5);
+        if (left.getNamespace().length() > 9) nh.advertise<std_msgs::String>("c", 5);
+        """,
+        """
+        publishers a std_msgs/String 3 queue=5 if ros::this_node::getName() == "/one"
+        publishers b std_msgs/String 4 queue=5 if here.getNamespace() == "/one"
+        publishers c std_msgs/String 5 queue=5 if left.getNamespace().length() > 9
+        """,
+    ),
+    "by a namespace that is known": (
+        """
+        ros::NodeHandle nh("/arm");
+        if (nh.getNamespace() == "/arm") nh.advertise<std_msgs::String>("a", 5);
+        if (nh.getNamespace().size() <= 1) nh.advertise<std_msgs::String>("b", 5);
+        """,
+        "publishers /arm/a std_msgs/String 3 queue=5",
+    ),
     "by getName": (
         """
         ros::NodeHandle nh;
