@@ -15,6 +15,7 @@ def install(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None
     """``install(…)``: note what it installs, and why there may be more."""
     kind = arguments[0] if arguments else None
     facts.installs_by_name = True
+    facts.installs_targets = facts.installs_targets or kind in ("TARGETS", "EXPORT", None)
     if kind == "PROGRAMS":
         install_programs(facts, scope, "install", arguments)
     elif kind in ("FILES", "DIRECTORY"):

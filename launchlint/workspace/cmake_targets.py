@@ -62,13 +62,14 @@ class CMakeFacts:
     to what it is made of. ``programs`` are the files that are installed to be run, absolute; ``include_directories`` where headers are;
     ``made`` is what files the build makes.
 
-    ``installs_by_name`` says that there is an ``install()`` as such: ``catkin_install_python`` makes scripts run in a devel space, too.
+    ``installs_by_name`` says that there is an ``install()`` as such: ``catkin_install_python`` makes scripts run in a devel space, too;
+    ``installs_targets``, that it takes something that is built.
     ``executables_reasons`` and ``installs_reasons`` say why the respective list may be incomplete; empty lists mean: it is complete.
     """
 
     __slots__ = (
-        "executables", "executables_reasons", "include_directories", "installs", "installs_by_name", "installs_reasons", "made", "programs",
-        "project", "targets",
+        "executables", "executables_reasons", "include_directories", "installs", "installs_by_name", "installs_reasons", "installs_targets",
+        "made", "programs", "project", "targets",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -80,5 +81,6 @@ class CMakeFacts:
         self.executables_reasons: list[str] = []
         self.installs: list[Install] = []
         self.installs_by_name = False
+        self.installs_targets = False
         self.installs_reasons: list[str] = []
         self.made = Made()

@@ -116,11 +116,13 @@ class InstalledFiles(NamedTuple):
     """Which of its files a package installs; ``reasons`` say why there may be more (empty: exhaustive).
 
     ``by_name``: there is an ``install()`` as such, and not only a ``catkin_install_python``, which serves devel spaces, too.
+    ``leaves_programs``: the package builds programs and installs nothing that is built.
     """
 
     installs: tuple[Install, ...]
     reasons: tuple[str, ...]
     by_name: bool = True
+    leaves_programs: bool = False
 
     @property
     def exhaustive(self) -> bool:
@@ -179,7 +181,8 @@ def executables(package: Package, prefixes: Iterable[Prefix] = ()) -> Executable
 def launch_install_directories(package: Package) -> InstalledFiles:
     """Which files the package's ``install(DIRECTORY …)``, ``install(FILES …)`` and ``install(PROGRAMS …)`` take. Never raises."""
     facts = read_cmake(package.directory, lambda: list(files_of(package.directory)[0]))
-    return InstalledFiles(tuple(facts.installs), tuple(dict.fromkeys(facts.installs_reasons)), facts.installs_by_name)
+    leaves_programs = not facts.installs_targets and any(not target.is_library for target in facts.targets.values())
+    return InstalledFiles(tuple(facts.installs), tuple(dict.fromkeys(facts.installs_reasons)), facts.installs_by_name, leaves_programs)
 
 
 def made_files(package: Package) -> Made:

@@ -4,8 +4,9 @@ What it does: where `CMakeLists.txt` can be read to the end and installs somethi
 `install(FILES …)` takes the launch file. Tests and examples are passed over, packages that install nothing at all, or nothing that exists,
 and what an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on purpose; and packages below a `CATKIN_IGNORE`. It is an info
 where the package installs nothing but headers, and where all it has is `catkin_install_python`, which makes scripts run in a devel space,
-too, unless a script, a workflow, an image or a README installs what is built. All files of one directory that are missing for one reason
-are told of at once.
+too, or it installs none of the programs that it builds (a rest of a template), unless a script, a workflow, an image or a README installs
+what is built. All files of one directory that are missing for one reason are told of at once.
+
 ## Why it matters
 
 From a source workspace the file is found. From an installed or released package it is missing.
@@ -89,6 +90,7 @@ from launchlint.workspace.packages import Package, Packages
 
 RULE = Rule("LL702", "launch-not-installed", Severity.WARNING)
 DEVEL = "it has catkin_install_python only, which a devel space needs, too; nothing here installs the package"
+LEFT = "it installs none of the programs that it builds, and nothing here installs the package"
 
 _NOT_MEANT = late(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
 
@@ -126,7 +128,8 @@ def check(view: FileView) -> Iterator[Finding]:
     directory = inside.partition("/")[0] if "/" in inside else ""
     share = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
     headers = all((each.destination or "").partition("/")[0] == "include" for each in present)
-    devel = not installed.by_name and not _is_installed(package, packages)
+    unused = LEFT if installed.leaves_programs else "" if installed.by_name else DEVEL
+    devel = bool(unused) and not _is_installed(package, packages)
     severity = Severity.INFO if headers or devel else RULE.severity
     meant = f"it installs {'headers' if headers else 'other files'}, so that the package is meant to be installed"
     yield RULE.at(
@@ -134,7 +137,7 @@ def check(view: FileView) -> Iterator[Finding]:
         f"{name} does not install this file",
         severity=severity,
         label="missing from an installed package",
-        notes=(DEVEL if devel else meant,),
+        notes=(unused if devel else meant,),
         help=f"add install(DIRECTORY {directory} {share})" if directory else f"add install(FILES {inside} {share})",
         cause=f"{severity.word} {name} {directory}",
     )
