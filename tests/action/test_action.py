@@ -72,7 +72,7 @@ def test_an_error_is_annotated_and_fails_at_the_end(repository: Repository, inst
             "::error file=launch/bad.launch,line=3,col=15,endLine=3,endColumn=21,title=LL301 duplicate-node-name::"
             "two nodes are named /talker%0Athe first one: launch/bad.launch:2:15"
             "%0Aroslaunch stops with: roslaunch file contains multiple nodes named [/talker]%0Ashow it: roslaunch launch/bad.launch"
-            "%0Ahelp: rename one, or put them into different namespaces"
+            "%0Ahelp: remove the second one, which starts the same once more"
         ),
         "::warning file=launch/unused.launch,line=2,col=14,endLine=2,endColumn=19,title=LL206 unused-arg::the arg speed is never read"
         + next(line for line in ran.log.splitlines() if line.startswith("::warning")).partition("is never read")[2],
@@ -84,7 +84,7 @@ def test_an_error_is_annotated_and_fails_at_the_end(repository: Repository, inst
         "|---|---|---|---|",
         (
             "| 🛑 error | LL301 duplicate-node-name | launch/bad.launch&#58;3 | two nodes are named /talker"
-            "<br>rename one, or put them into different namespaces |"
+            "<br>remove the second one, which starts the same once more |"
         ),
     ]
     assert (ran.outputs["findings"], ran.outputs["exit-code"]) == ("2", "1")

@@ -33,8 +33,8 @@ def test_full_text(repository: Path) -> None:
         "      | the first one ^^^^^^\n"
         "   = roslaunch stops with: roslaunch file contains multiple nodes named [/talker]\n"
         "   = show it: roslaunch demo/launch/double.launch\n"
-        "   = fix: call the second talker_2 (--unsafe-fixes)\n"
-        "   = help: rename one, or put them into different namespaces      [explain LL301]\n"
+        "   = fix: remove the second one (--unsafe-fixes)\n"
+        "   = help: remove the second one, which starts the same once more      [explain LL301]\n"
         "\n"
         "demo/launch/unused.launch:2:14: warning LL206 unused-arg: the arg speed is never read\n"
         '    2 |   <arg name="speed" default="1"/>\n'
