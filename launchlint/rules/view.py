@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from types import MappingProxyType
@@ -11,7 +12,7 @@ from launchlint.finding import Finding, Location
 from launchlint.fix.format.style import Style
 from launchlint.model import Launch
 from launchlint.problem import Problem
-from launchlint.source import Place
+from launchlint.source import Place, Source
 from launchlint.syntax.tree import Document
 from launchlint.workspace.packages import Packages
 
@@ -66,6 +67,15 @@ class LaunchView:
         for problem in self.launch.problems:
             found.setdefault((problem.kind, problem.place), []).append(problem)
         return found
+
+    @cached_property
+    def included_by(self) -> Mapping[Source, frozenset[str]]:
+        """The files (absolute) that the includes of each file enter; nothing of a file without any."""
+        found: dict[Source, set[str]] = {}
+        for each in self.launch.includes:
+            if each.source is not None:
+                found.setdefault(each.origin.place.source, set()).add(posixpath.abspath(each.source.file))
+        return {source: frozenset(files) for source, files in found.items()}
 
     def beside(self, problem: Problem) -> list[Problem]:
         """The problems of the same kind and origin, in order; ``problem`` is one of them."""

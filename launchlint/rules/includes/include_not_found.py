@@ -193,8 +193,7 @@ def _suggestion(file: str, source: Source, written: str, view: LaunchView, root:
     """
     absolute = posixpath.abspath(file) if posixpath.isabs(file) else posixpath.join(posixpath.dirname(posixpath.abspath(source.file)), file)
     directory, base = posixpath.split(absolute)
-    inside = (each.source for each in view.launch.includes if each.origin.place.source is source)
-    taken = {posixpath.abspath(each.file) for each in (source, *inside) if each is not None}
+    taken = {posixpath.abspath(source.file), *view.included_by.get(source, ())}
     near = _close(base, [name for name in _launch_files(directory) if posixpath.join(directory, name) not in taken])
     package = view.packages.package_of(directory)
     below = [] if package is None else _below(package.directory)
