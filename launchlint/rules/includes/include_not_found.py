@@ -48,7 +48,7 @@ roslaunch reads every include before it starts the first node, and stops at one 
 `--unsafe-fixes` writes the name that the help proposes: a similar one beside it or in its package, or the file of that very name in another
 package, where there is only one. Where the name is made from an arg it writes the right default of that. A file that is included
 there anyhow is never proposed, nor one in a directory such as `old` or
-`graveyard`.
+`graveyard`, nor a test in place of a launch file, nor one that does not declare the args that are passed.
 """
 
 from __future__ import annotations
@@ -60,6 +60,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.problem import Problem
 from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.includes.default_to_correct import correction, has_arg
+from launchlint.rules.includes.takes_args import is_alike, passed_at, takes
 from launchlint.rules.installed import installed_from
 from launchlint.rules.joined import led_by
 from launchlint.rules.left_over import left_over_in
@@ -70,7 +71,6 @@ from launchlint.rules.robot_file import is_robots
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import has_placeholder
 from launchlint.rules.view import LaunchView
-from launchlint.source import Source
 from launchlint.spelling import closest
 from launchlint.workspace.looking import is_file, names, walk
 from launchlint.workspace.put_aside import is_out_of_use
@@ -122,7 +122,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     if installed is not None:
         notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")
     severity = Severity.WARNING if beside or outside or installed is not None else None
-    advice = f'write file="$(dirname)/{file}"' if beside else _suggestion(file, source, written, view, root)
+    advice = f'write file="$(dirname)/{file}"' if beside else _suggestion(file, problem, written, view, root)
     repair = None if environment else _fix(problem, view, written, f"$(dirname)/{file}" if beside else _meant(advice), sure=beside)
     if not beside and has_arg(written) and (meant := _meant(advice)) and not _keeps_args(written, meant):
         advice, repair = _correct_arg(problem, written, meant, view)
@@ -186,26 +186,33 @@ def _fix(problem: Problem, view: LaunchView, written: str, name: str, *, sure: b
     return fix(f'write file="{name}"', set_value(spot(view, problem.place), name), safe=sure, changes=changes)
 
 
-def _suggestion(file: str, source: Source, written: str, view: LaunchView, root: str) -> str:
+def _suggestion(file: str, problem: Problem, written: str, view: LaunchView, root: str) -> str:
     """A launch file of that or a similar name: in the same directory, else in the same package; else one of that name elsewhere.
 
-    Not one that the same file includes anyhow, nor one that was put aside.
+    Not one that the same file includes anyhow, nor one that was put aside, nor one that refuses the args that are passed.
     """
+    source = problem.place.source
+    passed = passed_at(problem, view)
     absolute = posixpath.abspath(file) if posixpath.isabs(file) else posixpath.join(posixpath.dirname(posixpath.abspath(source.file)), file)
     directory, base = posixpath.split(absolute)
     taken = {posixpath.abspath(source.file), *view.included_by.get(source, ())}
-    near = _close(base, [name for name in _launch_files(directory) if posixpath.join(directory, name) not in taken])
+    beside = [name for name in _launch_files(directory) if posixpath.join(directory, name) not in taken and is_alike(base, name)]
+    near = _close(base, beside) or _longer(base, beside)
+    if near is not None and not takes(posixpath.join(directory, near), passed):
+        near = None
     package = view.packages.package_of(directory)
     below = [] if package is None else _below(package.directory)
-    found = [each for each in below if each not in taken and not is_out_of_use(each, absolute)]
-    same = [each for each in found if posixpath.basename(each) == base]
+    found = [each for each in below if each not in taken and not is_out_of_use(each, absolute) and is_alike(base, each)]
+    alike = [each for each in found if posixpath.basename(each) == base]
+    same = [each for each in alike if takes(each, passed)]
     if near is not None and not same and written.endswith(base):
         return f"did you mean {written[: -len(base)]}{near}?"
-    if not same:
+    if not alike:
         nearest = _close(base, sorted({posixpath.basename(each) for each in found}))
-        same = [each for each in found if posixpath.basename(each) == nearest]
+        same = [each for each in found if posixpath.basename(each) == nearest and takes(each, passed)]
     if not same:
-        same = [each for each in view.packages.launch_files(base) if each not in taken and not is_out_of_use(each, absolute)]
+        others = view.packages.launch_files(base)
+        same = [each for each in others if each not in taken and not is_out_of_use(each, absolute) and takes(each, passed)]
         package = view.packages.package_of(same[0]) if len(same) == 1 else None
     if len(same) > 1:
         listed = ", ".join(shown(each, root) for each in same[:_MOST_NAMED]) + (" …" if len(same) > _MOST_NAMED else "")
@@ -225,6 +232,13 @@ def _close(base: str, names: list[str]) -> str | None:
             stems.setdefault(_stem(name), name)
     wanted = _stem(base)
     return stems.get(wanted) or stems.get(closest(wanted, stems) or "")
+
+
+def _longer(base: str, names: list[str]) -> str | None:
+    """The only one of ``names`` that begins with the wanted one, and ends as it does."""
+    stem, end = posixpath.splitext(base)
+    found = [name for name in names if name.startswith((f"{stem}_", f"{stem}-")) and name.endswith(end) and _digits(name) == _digits(base)]
+    return found[0] if len(found) == 1 else None
 
 
 def _stem(name: str) -> str:
