@@ -121,6 +121,8 @@ class Declarations:
         self.calls: dict[str, tuple[tuple[str, ...], str]] = {}
         self.constants: dict[str, tuple[Node | None, int]] = {}
         self.messages: dict[str, None] = {}
+        self.opened: dict[str, list[str]] = {}
+        """Namespaces that are declared, with those that using directives in them name."""
         self.invocations: list[tuple[Node, str]] = []
         """Macros that are called outside of functions, with the files that they stand in."""
         self.of_ros: set[str] = set()
@@ -159,6 +161,7 @@ class Declarations:
             body = node.field("body")
             inner = joined(scope, _spelled(name).replace(" ", "")) if name else scope
             if body:
+                self.opened.setdefault(inner, [])
                 self._unnamed += name is None
                 self._scope(body.children, inner, path, (), depth + 1)
                 self._unnamed -= name is None
@@ -179,7 +182,7 @@ class Declarations:
             if name and named:
                 self.aliases.setdefault(joined(scope, name.text), (parse_type(named.text), scope))
         elif kind == "using_declaration":
-            self.using(node, scope)
+            self.using(node, scope, self.opened.get(scope))
         elif kind == "namespace_alias_definition":
             name = node.field("name")
             others = [each for each in node.children if each is not name]
@@ -257,8 +260,8 @@ class Declarations:
                 self.constants.setdefault(joined(joined(scope, name.text), named.text), (last, behind))
             behind += 1
 
-    def using(self, node: Node, scope: str) -> None:
-        """A using declaration or directive."""
+    def using(self, node: Node, scope: str, opened: list[str] | None = None) -> None:
+        """A using declaration or directive; ``opened`` are those of the namespace that it stands in."""
         named = node.children[-1] if node.children else None
         if named is None:
             return
@@ -267,6 +270,8 @@ class Declarations:
             return  # the constructors of a base class are inherited
         if "namespace" in node.text.split(named.text)[0].split():
             self.used[text] = None
+            if opened is not None:
+                opened.append(text)
         else:
             self.aliases.setdefault(joined(scope, text.rpartition("::")[2]), (Type(text), ""))
 

@@ -83,12 +83,23 @@ class Foreign:
                     return header
         return found
 
+    def may_declare(self, space: str) -> bool:
+        """Whether a namespace may be one of these headers: they are of other packages, and it is that of no package that is known."""
+        if not self._words or is_of_messages(space) or space in PACKAGES:
+            return False
+        return space not in self._packages and space not in public_names()
+
     def _in(self, word: str) -> str | None:
         if word in self._words:
             return self._words[word]
         if len(word) < _SHORTEST_PREFIX:
             return None
         return next((header for each, header in self._words.items() if each.startswith(word)), None)
+
+
+def is_of_messages(package: str) -> bool:
+    """Whether a package is called as those of messages are."""
+    return _MESSAGES.search(package) is not None
 
 
 def is_silent(name: str) -> bool:

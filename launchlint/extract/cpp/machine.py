@@ -81,7 +81,7 @@ class Machine:
         self.plugins = plugins
         self.instance: Instance | None = None
         self.root = root
-        self.names = Names(declarations)
+        self.names = Names(declarations, self.foreign)
         self.facts: dict[str, Fact] = {}
         self.doubts: dict[Doubt, None] = {}
         self.conditions: list[str] = []

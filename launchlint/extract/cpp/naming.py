@@ -6,6 +6,7 @@ import re
 from typing import NamedTuple
 
 from launchlint.extract.cpp.declarations import Class, Declarations, joined
+from launchlint.extract.cpp.foreign import Foreign, is_of_messages
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.spelled_type import POINTERS, Type
 from launchlint.extract.cpp.values import Either, Number, Text, Value, choices, plain
@@ -38,8 +39,9 @@ _ANCHORED = re.compile(r"[~/]?[A-Za-z_][^{}]*\{any\}")
 class Names:
     """Looks names of types up in what a program declares."""
 
-    def __init__(self, declarations: Declarations) -> None:
+    def __init__(self, declarations: Declarations, foreign: Foreign | None = None) -> None:
         self.declarations = declarations
+        self._foreign = foreign or Foreign()
         self._bases: dict[str, list[Class]] = {}
         self._derived: dict[str, list[Class]] = {}
         self._scopes: dict[str, tuple[str, ...]] = {}
@@ -200,9 +202,9 @@ class Names:
             return _OTHER_MESSAGES["::".join(parts)]
         if parts[0].startswith(_CLOUDS):
             return "sensor_msgs/PointCloud2"
-        return self._message(parts, service)
+        return self._message(parts, service, frame.scope)
 
-    def _message(self, parts: list[str], service: bool) -> str:
+    def _message(self, parts: list[str], service: bool, scope: str) -> str:
         last = parts[-1].removesuffix("_")
         known = self.declarations.messages
         if not all(_NAME.fullmatch(part) for part in parts) or joined("::".join(parts[:-1]), parts[-1]) in self.declarations.classes:
@@ -215,6 +217,12 @@ class Names:
         for spelling in reversed(spellings):
             if len(parts) == 2 and f"{parts[0]}/{spelling}" in known:
                 return f"{parts[0]}/{spelling}"
+        opened = self._opened("::".join(parts[:-1]), scope) if len(parts) > 1 else None
+        if opened is not None:
+            included = [f"{used}/{each}" for used in opened for each in reversed(spellings) if f"{used}/{each}" in known]
+            return included[0] if len(included) == 1 else ""
+        if len(parts) == 2 and self._foreign.may_declare(parts[0]) and not any(each.startswith(f"{parts[0]}/") for each in known):
+            return ""
         if len(parts) == 2 and parts[0] not in ("std", "boost", "ros", "Eigen", "cv", "pcl", "tf", "tf2"):
             return f"{parts[0]}/{spellings[-1]}"
         if len(parts) == 1:
@@ -223,6 +231,14 @@ class Names:
                     if f"{used}/{spelling}" in known:
                         return f"{used}/{spelling}"
         return f"{parts[0]}/{last}" if len(parts) == 2 and f"{parts[0]}/{last}" in ("tf/tfMessage", "tf/FrameGraph") else ""
+
+    def _opened(self, name: str, scope: str) -> list[str] | None:
+        """The namespaces that are used in namespace ``name`` of these sources; None where it may be that of a message package."""
+        for around in self.scopes(scope):
+            opened = self.declarations.opened.get(joined(around, name))
+            if opened is not None and (around or "::" in name or any(is_of_messages(each) for each in opened)):
+                return opened
+        return None
 
 
 _MARKS = dict.fromkeys(map(ord, NODE_NAME + NODE_NAMESPACE + UNKNOWN_SPACE + PLUGIN + LOOSE))

@@ -1,0 +1,49 @@
+"""The type of a message whose namespace is no package, or only perhaps one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from launchlint.extract.cpp import cpp_program
+
+INCLUDES = "#include <ros/ros.h>\n#include <arm_msgs/Grip.h>\n#include <leg_msgs/Step.h>\n"
+INNER = "namespace arm { namespace msgs { using namespace arm_msgs; using namespace leg_msgs; } }\n"
+OUTER = "namespace msgs { using namespace arm_msgs; }\n"
+
+SAID = {
+    "included": ("", "arm_msgs::Grip", "arm_msgs/Grip"),
+    "not included": ("", "arm_msgs::Other", "arm_msgs/Other"),
+    "one of several namespaces": (INNER, "msgs::Grip", "arm_msgs/Grip"),
+    "the other": (INNER, "msgs::StepConstPtr", "leg_msgs/Step"),
+    "by its full name": (INNER, "arm::msgs::Step::ConstPtr", "leg_msgs/Step"),
+    "included elsewhere": (INNER, "msgs::Unseen", ""),
+    "not inside": (OUTER, "msgs::Grip", "arm_msgs/Grip"),
+    "not inside, included elsewhere": (OUTER, "msgs::Unseen", ""),
+    "a package's own namespace": ("namespace our { using namespace std; }\n", "our::Thing", "our/Thing"),
+    "a header that is not here": ("#include <moveit/some_terrain/terrain.h>\n", "terrain_modelling::TerrainMsg", ""),
+    "a message package beside it": ("#include <moveit/some_terrain/terrain.h>\n", "tall_msgs::Thing", "tall_msgs/Thing"),
+    "a known package beside it": (
+        "#include <moveit/some_terrain/terrain.h>\n",
+        "dynamic_reconfigure::Config",
+        "dynamic_reconfigure/Config",
+    ),
+    "a package of included messages": (
+        "#include <moveit/some_terrain/terrain.h>\n#include <own/One.h>\n",
+        "own::Two",
+        "own/Two",
+    ),
+}
+
+
+@pytest.mark.parametrize(("before", "spelled", "expected"), SAID.values(), ids=SAID)
+def test_type(before: str, spelled: str, expected: str, tmp_path: Path) -> None:
+    source = (
+        f"{INCLUDES}{before}namespace arm {{\nvoid heard(const {spelled}& message) {{}}\n"
+        'void start(ros::NodeHandle& nh) { nh.subscribe("a", 1, heard); }\n}\n'
+        "int main(int argc, char** argv) { ros::NodeHandle nh; arm::start(nh); }\n"
+    )
+    (tmp_path / "main.cpp").write_text(source, encoding="utf-8")
+    facts, _ = cpp_program([str(tmp_path / "main.cpp")], [], str(tmp_path), None)
+    assert [(fact.name, fact.type) for fact in facts if fact.category == "subscribers"] == [("a", expected)]
