@@ -51,8 +51,8 @@ def test_fix_writes_and_tells_of_the_rest(typo: Path) -> None:
 def test_unsafe_fixes_are_made_with_the_safe_ones(typo: Path) -> None:
     assert concise(typo, "--unsafe-fixes") == (0, "", "launchlint: fixed 2 findings in 2 files\n")
     assert (typo / TYPO).read_text(encoding="utf-8") == REPAIRED
-    second = '  <node name="talker_2" pkg="demo" type="talk.py"/>\n</launch>\n'
-    assert (typo / "demo/launch/double.launch").read_text(encoding="utf-8").endswith(second)
+    once = '<launch>\n  <node name="talker" pkg="demo" type="talk.py"/>\n</launch>\n'
+    assert (typo / "demo/launch/double.launch").read_text(encoding="utf-8") == once
 
 
 def test_diff_changes_nothing(typo: Path) -> None:

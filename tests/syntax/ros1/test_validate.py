@@ -46,15 +46,15 @@ CASES: list[tuple[str, list[tuple[Any, ...]]]] = [
     (
         '<node name="n" pkg="p" type="t"><NODE/><x/></node>',
         [
-            ("misplaced-tag", "NODE", "accepted", {"tag": "NODE", "parent": "node", "reported": True}),
+            ("misplaced-tag", "NODE", "accepted", {"tag": "NODE", "name": "", "parent": "node", "within": 8, "reported": True}),
             ("unknown-tag", "x", "accepted", {"tag": "x", "parent": "node", "ignored": False}),
         ],
     ),
     (
         '<include file="f"><param/></include><arg name="a"><arg/></arg>',
         [
-            ("misplaced-tag", "param", "accepted", {"tag": "param", "parent": "include", "reported": True}),
-            ("misplaced-tag", "arg", "accepted", {"tag": "arg", "parent": "arg", "reported": False}),
+            ("misplaced-tag", "param", "accepted", {"tag": "param", "name": "", "parent": "include", "within": 8, "reported": True}),
+            ("misplaced-tag", "arg", "accepted", {"tag": "arg", "name": "", "parent": "arg", "within": 44, "reported": False}),
         ],
     ),
     (
