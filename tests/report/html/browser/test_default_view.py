@@ -58,7 +58,10 @@ def test_panel_answers_what_is_wrong_and_what_is_not_connected(open_report):
         "Nothing is drawn from or to these, because nothing says what they do:",
         "/mystery",
         "mystery/box: no library knows it",
-        "mystery is not in the workspace: put the sources there, or name their directory with --workspace, and launchlint reads it by itself.",
+        (
+            "mystery is not in the workspace: put the sources there, or name their directory with --workspace, "
+            "and launchlint reads it by itself."
+        ),
     ]
 
 
