@@ -30,7 +30,7 @@ FLOORS = (
     ("evaluate",),
     ("syntax",),
     ("workspace",),
-    ("atomic", "fingerprint", "late", "order", "spelling", "words"),
+    ("atomic", "fingerprint", "late", "order", "pool", "spelling", "words"),
     ("model",),
     ("finding", "problem", "source", "errors", "sight", "verdict"),
     ("launchlint",),  # launchlint/__init__.py: the version, nothing else

@@ -38,7 +38,9 @@ def read_ahead(requests: Iterable[EntryRequest], checker: EntryChecker, jobs: in
     workers = min(jobs or os.cpu_count() or 1, len(missing))
     done = 0
     if workers > 1 and len(missing) >= PARALLEL_FROM:
-        for read in _in_pool(missing, checker.options, workers):
+        from launchlint.pool import in_pool
+
+        for read in in_pool(_read, _batches(missing), workers, _begin, (checker.options,)):
             for key, known in read:
                 own.take(key, known)
             done += len(read)
@@ -74,38 +76,11 @@ def _batches(keys: Sequence[Key]) -> Iterator[list[Key]]:
         yield batch
 
 
-def _in_pool(keys: Sequence[Key], options: Options, workers: int) -> Iterator[list[tuple[Key, Known]]]:
-    """What several processes read, in order; only the first ones where processes cannot be had, or one of them was killed."""
-    from concurrent.futures import ProcessPoolExecutor
-    from concurrent.futures.process import BrokenProcessPool
-
-    try:
-        with ProcessPoolExecutor(workers, initializer=_begin, initargs=(options,)) as pool:
-            try:
-                for future in [pool.submit(_read, batch) for batch in _batches(keys)]:
-                    yield future.result()
-            except (KeyboardInterrupt, GeneratorExit):
-                _end_workers()
-                raise
-    except (BrokenProcessPool, OSError):
-        return
-
-
-def _end_workers() -> None:
-    import multiprocessing
-
-    for process in multiprocessing.active_children():
-        process.terminate()
-
-
 _worker: list[OwnSources] = []
 
 
 def _begin(options: Options) -> None:
-    """In a new worker: what it needs for all its programs. Ctrl-C is for the parent, which ends the workers."""
-    import signal
-
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """In a new worker: what it needs for all its programs."""
     own = EntryChecker(options).own
     assert own is not None
     _worker[:] = [own]

@@ -5,7 +5,8 @@ from __future__ import annotations
 import gc
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
+from functools import partial
 from typing import Any, TypeVar
 
 from launchlint.check.entry import EntryChecker, EntryResult
@@ -104,27 +105,18 @@ def _in_pool(
     progress: Progress | None,
 ) -> list[Result]:
     """The results of several processes, in order; only the first ones where processes cannot be had, or one of them was killed."""
-    from concurrent.futures import ProcessPoolExecutor
-    from concurrent.futures.process import BrokenProcessPool
+    from launchlint.pool import in_pool
 
     results: list[Result] = []
     try:
-        with (
-            _shared_sources(checker) as options,
-            ProcessPoolExecutor(
-                workers, initializer=_start, initargs=(type(checker), options, checker.session.overlay, checker.remember)
-            ) as pool,
-        ):
-            try:
-                # Not pool.map: interrupted, it cancels its futures, and the pool's own thread then falls over them with a traceback.
-                for future in [pool.submit(_work, work, batch) for batch in _batches(requests)]:
-                    results.extend(future.result())
+        with _shared_sources(checker) as options:
+            given = (type(checker), options, checker.session.overlay, checker.remember)
+            with closing(in_pool(partial(_work, work), _batches(requests), workers, _start, given)) as batches:
+                for batch in batches:
+                    results.extend(batch)
                     if progress is not None:
                         progress(len(results))
-            except KeyboardInterrupt:
-                _end_workers()
-                raise
-    except (BrokenProcessPool, OSError):
+    except OSError:
         return results
     return results
 
@@ -143,13 +135,6 @@ def _shared_sources(checker: EntryChecker) -> Iterator[Options]:
         yield options._replace(sources_cache=directory)
 
 
-def _end_workers() -> None:
-    import multiprocessing
-
-    for process in multiprocessing.active_children():
-        process.terminate()
-
-
 def _batches(requests: Sequence[EntryRequest]) -> Iterator[list[EntryRequest]]:
     for start in range(0, len(requests), BATCH):
         yield list(requests[start : start + BATCH])
@@ -159,10 +144,7 @@ _worker: list[EntryChecker] = []
 
 
 def _start(make: type[EntryChecker], options: Options, overlay: Mapping[str, bytes], remember: bool) -> None:
-    """In a new worker: what it needs for all its batches. Ctrl-C is for the parent, which ends the workers."""
-    import signal
-
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """In a new worker: what it needs for all its batches."""
     _worker[:] = [make(options, overlay, remember=remember)]
 
 

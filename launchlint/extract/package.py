@@ -50,7 +50,9 @@ def extract(
 def _read_all(planned: Plan, jobs: int) -> Iterator[Reading]:
     done = 0
     if jobs > 1 and len(planned.tasks) >= PARALLEL_FROM:
-        for reading in _in_pool(planned, jobs):
+        from launchlint.pool import in_pool
+
+        for reading in in_pool(_read_one, planned.tasks, min(jobs, len(planned.tasks)), _begin, (planned.modules,)):
             done += 1
             yield reading
     finder = ModuleFinder(planned.modules)
@@ -58,38 +60,11 @@ def _read_all(planned: Plan, jobs: int) -> Iterator[Reading]:
         yield read(task, finder)
 
 
-def _in_pool(planned: Plan, jobs: int) -> Iterator[Reading]:
-    """What several processes read, in order; only the first ones where processes cannot be had, or one of them was killed."""
-    from concurrent.futures import ProcessPoolExecutor
-    from concurrent.futures.process import BrokenProcessPool
-
-    try:
-        with ProcessPoolExecutor(min(jobs, len(planned.tasks)), initializer=_begin, initargs=(planned.modules,)) as pool:
-            try:
-                for future in [pool.submit(_read_one, task) for task in planned.tasks]:
-                    yield future.result()
-            except (KeyboardInterrupt, GeneratorExit):
-                _end_workers()
-                raise
-    except (BrokenProcessPool, OSError):
-        return
-
-
-def _end_workers() -> None:
-    import multiprocessing
-
-    for process in multiprocessing.active_children():
-        process.terminate()
-
-
 _finder: list[ModuleFinder] = []
 
 
 def _begin(modules: dict[str, str]) -> None:
-    """In a new worker: what it needs for all its programs. Ctrl-C is for the parent, which ends the workers."""
-    import signal
-
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """In a new worker: what it needs for all its programs."""
     _finder[:] = [ModuleFinder(modules)]
 
 

@@ -1,0 +1,47 @@
+"""Work shared by several processes, in order; it ends early where processes cannot be had, and on Ctrl-C without a trace."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Iterable
+from typing import Any, TypeVar
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+
+def in_pool(
+    work: Callable[[Item], Result], items: Iterable[Item], workers: int, begin: Callable[..., None], given: tuple[Any, ...]
+) -> Generator[Result, None, None]:
+    """What ``work`` makes of each item, in order; only the first ones where processes cannot be had, or one of them was killed.
+
+    Each process calls ``begin(*given)`` first. Close the iterator where it is not read to its end: that ends the processes.
+    """
+    from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
+
+    try:
+        with ProcessPoolExecutor(workers, initializer=_begin, initargs=(begin, given)) as pool:
+            try:
+                # Not pool.map: interrupted, it cancels its futures, and the pool's own thread then falls over them with a traceback.
+                for future in [pool.submit(work, item) for item in items]:
+                    yield future.result()
+            except (KeyboardInterrupt, GeneratorExit):
+                _end_workers()
+                raise
+    except (BrokenProcessPool, OSError):
+        return
+
+
+def _begin(begin: Callable[..., None], given: tuple[Any, ...]) -> None:
+    """In a new process: Ctrl-C is for the parent, which ends it."""
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    begin(*given)
+
+
+def _end_workers() -> None:
+    import multiprocessing
+
+    for process in multiprocessing.active_children():
+        process.terminate()
