@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source
@@ -17,6 +17,9 @@ from launchlint.source import Origin, Place, Source
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+Role = Literal["package", "executable", "name", "test_name", "namespace", "arguments", "prefix", "machine", "output", "cwd", "remaps"]
+"""What a part of a node is for, whatever a dialect calls what it is written in (``pkg``, ``ns``, ``args`` …)."""
 
 
 class Unknown:
@@ -115,9 +118,9 @@ class Node(NamedTuple):
     """A node (or, with ``test_name``, a test) that would be started.
 
     ``namespace`` begins and ends with ``/``; ``executable`` is the ``type`` attribute; ``remaps`` stand in the order roslaunch passes
-    them; ``respawn_delay`` and ``time_limit`` are seconds. ``attributes`` are the places of the attribute values as written. ``unknown``
-    names the attributes whose value is not known; their fields hold the text as written, ``patterns`` what is known of the values
-    (see :class:`Unknown`). With ``remap`` among them, more remaps act on the node: ``open_remaps``, of names that are not known.
+    them; ``respawn_delay`` and ``time_limit`` are seconds. ``places`` says by role where the values are written. ``unknown``
+    names the roles whose value is not known; their fields hold the text as written, ``patterns`` what is known of the values
+    (see :class:`Unknown`). With ``remaps`` among them, more remaps act on the node: ``open_remaps``, of names that are not known.
     """
 
     name: str
@@ -136,20 +139,24 @@ class Node(NamedTuple):
     launch_prefix: str | None
     file: str
     origin: Origin
-    attributes: Mapping[str, Place]
+    places: Mapping[Role, Place]
     scope: Scope | None = None
     conditions: tuple[Condition, ...] = ()
-    unknown: frozenset[str] = frozenset()
+    unknown: frozenset[Role] = frozenset()
     test_name: str | None = None
     time_limit: float = 60.0
     retry: int = 0
-    patterns: Mapping[str, str] = MappingProxyType({})
+    patterns: Mapping[Role, str] = MappingProxyType({})
     open_remaps: tuple[Remap, ...] = ()
 
     @property
     def full_name(self) -> str:
         """The name on the graph: namespace and name joined."""
         return self.namespace + self.name
+
+    def knows(self, *roles: Role) -> bool:
+        """Whether the values of all these ``roles`` are known."""
+        return self.unknown.isdisjoint(roles)
 
     @property
     def is_test(self) -> bool:

@@ -81,7 +81,7 @@ def _extents(graph: ConnectionGraph, documents: Mapping[str, Document]) -> dict[
     for instance in graph.instances:
         node = instance.node
         place = node.origin.place
-        extents[place_text(node.attributes.get("name", place))] = _whole(place, documents)
+        extents[place_text(node.places.get("name", place))] = _whole(place, documents)
         scope = node.scope
         while scope is not None and (around := place_text(scope.origin.place)) not in extents:
             extents[around] = _whole(scope.origin.place, documents)

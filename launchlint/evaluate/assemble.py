@@ -22,6 +22,7 @@ from launchlint.model import (
     Node,
     ParameterSetting,
     Remap,
+    Role,
     Scope,
     ScopedSetting,
 )
@@ -33,6 +34,8 @@ LARGEST_LAUNCH = 400_000
 """Effects of one configuration; includes that include each other twice at every level would go beyond it."""
 INHERITED_PER_EFFECT = 8
 """How many remaps and environment settings, handed down to a node from including files, count as one more effect."""
+
+_OPEN_REMAPS: frozenset[Role] = frozenset(("remaps",))
 
 
 class Evaluation(NamedTuple):
@@ -137,7 +140,7 @@ class _Assembly:
         remaps = tuple(remap for remap in inherited.remaps if remap.key not in respelled) + tuple(
             remap._replace(origin=place.origin(remap.origin)) for remap in node.remaps
         )
-        unknown = node.unknown if all(remap.source for remap in remaps) else node.unknown | {"remap"}
+        unknown = node.unknown if all(remap.source for remap in remaps) else node.unknown | _OPEN_REMAPS
         node = node._replace(
             origin=place.origin(node.origin),
             scope=place.scope(node.scope),
@@ -149,7 +152,7 @@ class _Assembly:
             + tuple(setting._replace(origin=place.origin(setting.origin)) for setting in node.environment),
         )
         scoped = _merge(inherited.private, tuple(place.private(parameter) for parameter in effect.scoped_private))
-        if not node.unknown & {"name", "ns"}:
+        if node.knows("name", "namespace"):
             for parameter in (*scoped, *(place.private(own) for own in effect.own_private)):
                 key = parameter.key.removeprefix("~")
                 name = canonical(effect.parameter_namespace + key)
@@ -158,7 +161,7 @@ class _Assembly:
             self.tests.append(node)
             return
         self.nodes.append(node)
-        if node.name and not node.unknown & {"name", "ns"}:
+        if node.name and node.knows("name", "namespace"):
             self._check_name(node, guessed=inherited.guessed)
 
     def _check_name(self, node: Node, *, guessed: bool) -> None:
@@ -170,9 +173,9 @@ class _Assembly:
         if guessed or first_guessed:
             return
         assumed = any(condition.assumed for condition in (*node.conditions, *first.conditions))
-        place = node.attributes.get("name", node.origin.place)
+        place = node.places.get("name", node.origin.place)
         if first is not node:
-            related = ((first.attributes.get("name", first.origin.place), "the first one"),)
+            related = ((first.places.get("name", first.origin.place), "the first one"),)
             facts = {"name": node.full_name, "first": first, "second": node, "core": False}
             if not assumed:
                 self.problems.append(Problem("duplicate-node", Origin(place, node.origin.step), facts, True, related))
@@ -230,8 +233,8 @@ class _Assembly:
             return
         known = self.unknown_machines.union(self.machines)
         for node in (*self.nodes, *self.tests):
-            if node.machine and node.machine not in known and "machine" not in node.unknown:
-                place = node.attributes.get("machine", node.origin.place)
+            if node.machine and node.machine not in known and node.knows("machine"):
+                place = node.places.get("machine", node.origin.place)
                 assumed = any(condition.assumed for condition in node.conditions)
                 facts = {"name": node.machine, "known": tuple(sorted(self.machines))}
                 self.problems.append(Problem("unknown-machine", Origin(place, node.origin.step), facts, not assumed, (), assumed))

@@ -46,7 +46,7 @@ class Hidden:
         for node in (*evaluation.launch.nodes, *evaluation.launch.tests):
             place = node.origin.place
             if place.source.path == source.path:
-                (self._nameless if node.unknown & {"name", "ns"} else self._named).add(place.span.start)
+                (self._named if node.knows("name", "namespace") else self._nameless).add(place.span.start)
 
     def difference(self, other: Hidden) -> str:
         """Why what was never seen is not the same in ``other``, in one sentence; empty where it is, or there is nothing of it."""

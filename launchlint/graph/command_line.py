@@ -38,11 +38,11 @@ def command_line(node: Node) -> CommandLine:
 
     Of ``args`` that are not known in every part, a word that is not known at all may be several words, or none: what follows has no place.
     """
-    unknown = "args" in node.unknown
+    unknown = not node.knows("arguments")
     known = True
     unknown_remaps = [remap.patterns for remap in node.open_remaps if remap.patterns is not None]
     try:
-        given = split_words(node.patterns.get("args", "*") if unknown else node.arguments)
+        given = split_words(node.patterns.get("arguments", "*") if unknown else node.arguments)
     except ValueError:
         return CommandLine((), _from_launch(node), {}, False, open=tuple(unknown_remaps))
     words: list[str | Undetermined] = []

@@ -21,7 +21,7 @@ from launchlint.graph.situation import Start
 from launchlint.library.lookup import Library
 from launchlint.library.program import Program
 from launchlint.library.template import UNKNOWN
-from launchlint.model import Launch, Node
+from launchlint.model import Launch, Node, Role
 
 NODELET = ("nodelet", "nodelet")
 """The executable that runs, loads and manages nodelets."""
@@ -65,7 +65,7 @@ def connect(launch: Launch, library: Library) -> ConnectionGraph:
 
 def _process(node: Node, library: Library) -> _Process:
     line = command_line(node)
-    program = None if node.unknown & {"pkg", "type"} else library.executable(node.package, node.executable)
+    program = library.executable(node.package, node.executable) if node.knows("package", "executable") else None
     client = program.client if program is not None else "rospy" if node.executable.endswith(".py") else ""
     namer = Namer(_namespace(node, line), node.full_name, line.rules, client, line.open)
     first = line.words[0] if (node.package, node.executable) == NODELET and line.words else ""
@@ -109,7 +109,7 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
                 shown.extend(frames(known, start, namer, certain=certain))
         elif process.mode != "unload":
             reason = "its args do not say what it loads"
-    if "name" in node.unknown:
+    if not node.knows("name"):
         parts = [_without_private(part, namer.graph_name, node.patterns.get("name", "*")) for part in parts]
     if UNKNOWN_NAMESPACE in namer.namespace:
         parts = [_anywhere(part) for part in parts]
@@ -143,17 +143,17 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
 
 def _unknown_start(node: Node) -> str:
     """Why it cannot be known what is started, for people."""
-    for attribute, what in (("pkg", "package"), ("type", "executable")):
-        if attribute in node.unknown:
-            return f"its {what} depends on something that is not here"
+    roles: tuple[Role, ...] = ("package", "executable")
+    for role in roles:
+        if not node.knows(role):
+            return f"its {role} depends on something that is not here"
     if not node.name:
         return "it has no name"
     return ""
 
 
 def _start(process: _Process, namer: Namer, parameters: Parameters, program: Program, skip: int = 0) -> Start:
-    unknown = process.node.unknown
-    named, placed = not unknown & {"name", "ns"}, "ns" not in unknown
+    named, placed = process.node.knows("name", "namespace"), process.node.knows("namespace")
     return Start(namer, process.line, parameters, program.options, skip, named=named, placed=placed)
 
 

@@ -43,7 +43,7 @@ def details(graphs: Sequence[ConnectionGraph]) -> Details:
             node = instance.node
             if not (node.machine or instance.doubts):
                 continue
-            at = place_text(node.attributes.get("name", node.origin.place))
+            at = place_text(node.places.get("name", node.origin.place))
             if instance.doubts:
                 partly[instance.name, at] = tuple(dict.fromkeys((doubt.category, doubt.pattern) for doubt in instance.doubts))
             if node.machine:

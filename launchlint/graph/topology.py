@@ -192,7 +192,7 @@ def _node(instance: Instance, containers: _Containers) -> TopologyNode:
         instance.host,
         node.namespace.rstrip("/") or "/",
         node.is_test,
-        place_text(node.attributes.get("name", node.origin.place)),
+        place_text(node.places.get("name", node.origin.place)),
         containers.of(node),
         tuple(sorted(instance.open.items())),
         tuple(_condition(condition) for condition in node.conditions),

@@ -301,7 +301,7 @@ def test_what_stands_under_an_unknown_condition_refuses_nothing(tmp_path: Path) 
 
 def test_what_is_known_of_a_refused_file(tmp_path: Path) -> None:
     launch = evaluated(case('[[a]]<param name="x" value="$(arg no)"/>[[b args="$(arg no)"]]<param name="y" value="2"/>'), tmp_path)
-    assert [(node.full_name, sorted(node.unknown)) for node in launch.nodes] == [("/a", []), ("/b", ["args"])]
+    assert [(node.full_name, sorted(node.unknown)) for node in launch.nodes] == [("/a", []), ("/b", ["arguments"])]
     assert repr(launch.parameters["/x"].value) == "Unknown('$(arg no)', 'the arg no has no value')"
     assert launch.parameters["/y"].value == 2
 

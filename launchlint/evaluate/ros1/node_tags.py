@@ -11,8 +11,9 @@ from launchlint.evaluate.ros1.file import FileEvaluation
 from launchlint.evaluate.ros1.parameter_tags import private_param, rosparam
 from launchlint.evaluate.ros1.scope import Context, overlay
 from launchlint.evaluate.ros1.scope_tags import check_quotes, env, remap, scope_namespace
-from launchlint.model import Condition, EnvironmentSetting, Node, Remap, Unknown
+from launchlint.model import Condition, EnvironmentSetting, Node, Remap, Role, Unknown
 from launchlint.source import Origin, Span
+from launchlint.syntax.ros1.dialect import ROLES
 from launchlint.syntax.ros1.problems import conflicting_attributes
 from launchlint.syntax.tree import Element
 
@@ -23,18 +24,18 @@ CHOICES = {"output": ("log", "screen"), "cwd": ("ROS_HOME", "ros_home", "node")}
 
 def node(file: FileEvaluation, element: Element, context: Context, default_machine: str | None, *, is_test: bool) -> None:
     """Evaluate a ``<node>`` or ``<test>`` and its children."""
-    unknown: dict[str, str] = {}
+    unknown: dict[Role, str] = {}
     name_value = file.optional(element, "name", context) if is_test else file.required(element, "name", context)
     test_value, time_limit, retry = _test_attributes(file, element, context) if is_test else (None, 60.0, 0)
-    test_name = None if test_value is None else _known(test_value, "test-name", unknown)
+    test_name = None if test_value is None else _known(test_value, "test_name", unknown)
     name = _known(name_value, "name", unknown) if name_value is not None else ""
     if is_test and not name and test_name:
         name = test_name
-        if "test-name" in unknown:
-            unknown["name"] = unknown["test-name"]
+        if "test_name" in unknown:
+            unknown["name"] = unknown["test_name"]
     namespace, given = scope_namespace(file, element, context)
     if given is None:
-        unknown["ns"] = "*"
+        unknown["namespace"] = "*"
     private_namespace = _private_namespace(file, element, namespace, name)
     # roslaunch copies what substitutions know before it looks at the other attributes, so a new $(anon) in a param stays in the node's
     # params.
@@ -45,12 +46,12 @@ def node(file: FileEvaluation, element: Element, context: Context, default_machi
     texts: dict[str, str] = {}
     for attribute in TEXT_ATTRIBUTES:
         value = file.required(element, attribute, context) if attribute in ("pkg", "type") else file.optional(element, attribute, context)
-        texts[attribute] = "" if value is None else _known(value, attribute, unknown)
+        texts[attribute] = "" if value is None else _known(value, ROLES[attribute], unknown)
     for attribute in ("pkg", "type"):
-        if attribute not in unknown and not texts[attribute].strip():
+        if ROLES[attribute] not in unknown and not texts[attribute].strip():
             file.invalid(element, attribute, texts[attribute], "a name")
     for attribute in ("args", "launch-prefix"):
-        if attribute not in unknown:
+        if ROLES[attribute] not in unknown:
             check_quotes(file, element, attribute, texts[attribute])
     respawn = False if is_test else file.flag(element, "respawn", context)
     required = file.flag(element, "required", context)
@@ -78,7 +79,7 @@ def node(file: FileEvaluation, element: Element, context: Context, default_machi
         launch_prefix=texts["launch-prefix"] or None,
         file=file.file,
         origin=Origin(file.place(element.start_span)),
-        attributes={key: file.place(written.value_span) for key, written in element.attributes.items()},
+        places={ROLES[key]: file.place(written.value_span) for key, written in element.attributes.items() if key in ROLES},
         scope=context.scope,
         conditions=file.conditions,
         unknown=frozenset(unknown),
@@ -93,9 +94,9 @@ def node(file: FileEvaluation, element: Element, context: Context, default_machi
     context.nodes_above.append(item.origin.place)
 
 
-def _known(value: Value, attribute: str, unknown: dict[str, str]) -> str:
+def _known(value: Value, role: Role, unknown: dict[Role, str]) -> str:
     if isinstance(value, Unknown):
-        unknown[attribute] = value.pattern
+        unknown[role] = value.pattern
         return value.text
     return value
 
@@ -190,7 +191,7 @@ def _children(
 
 
 def _check_name(
-    file: FileEvaluation, element: Element, name: str, unknown: Mapping[str, str], *, is_test: bool, given: Value | None
+    file: FileEvaluation, element: Element, name: str, unknown: Mapping[Role, str], *, is_test: bool, given: Value | None
 ) -> None:
     if "name" in unknown or name.startswith("~"):
         return

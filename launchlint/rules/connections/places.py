@@ -39,7 +39,7 @@ def is_known_to_act(endpoint: Endpoint) -> bool:
 def node_origin(instance: Instance) -> Origin:
     """The place of a node's name."""
     node = instance.node
-    return Origin(node.attributes.get("name", node.origin.place), node.origin.step)
+    return Origin(node.places.get("name", node.origin.place), node.origin.step)
 
 
 def remap_origin(endpoint: Endpoint) -> Origin | None:
@@ -74,8 +74,9 @@ def acting_origin(endpoint: Endpoint, instance: Instance) -> Origin:
     asked = asked_for(endpoint, instance)
     if asked is not None and asked.rule.remap is not None:
         return asked.rule.remap.origin
-    if (endpoint.applied or asked is not None) and "args" in instance.node.attributes:
-        return Origin(instance.node.attributes["args"], instance.node.origin.step)
+    written = instance.node.places.get("arguments")
+    if (endpoint.applied or asked is not None) and written is not None:
+        return Origin(written, instance.node.origin.step)
     return node_origin(instance)
 
 

@@ -70,7 +70,7 @@ def _without_clock(setting: ParameterSetting, clocks: list[Endpoint], graph: Con
     players = [instance for instance in graph.instances if instance.program == _PLAYER and instance.certain]
     others = [instance for instance in graph.instances if instance.program != _PLAYER]
     unsure = not graph.launch.complete or any(instance.may_have_more("publishers") for instance in others)
-    if unsure or not others or any("args" in player.node.unknown for player in players):
+    if unsure or not others or not all(player.node.knows("arguments") for player in players):
         yield RULE.fine(setting.origin)
     elif players:
         player = players[0]
@@ -95,7 +95,7 @@ def _without_clock(setting: ParameterSetting, clocks: list[Endpoint], graph: Con
 
 def _args(player: Instance) -> Origin:
     """Where it is said how a bag is played."""
-    return Origin(player.node.attributes.get("args", player.node.origin.place), player.node.origin.step)
+    return Origin(player.node.places.get("arguments", player.node.origin.place), player.node.origin.step)
 
 
 def _unused_clock(setting: ParameterSetting | None, clocks: list[Endpoint], graph: ConnectionGraph) -> Iterator[Finding]:

@@ -53,7 +53,7 @@ def check(view: GraphView) -> Iterator[Finding]:
         return
     known: dict[tuple[str, str], list[Published]] = {}
     for each in published(graph):
-        if each.certain and not each.instance.node.is_test and not each.instance.node.unknown & {"args", "ns", "name"}:
+        if each.certain and not each.instance.node.is_test and each.instance.node.knows("arguments", "namespace", "name"):
             known.setdefault((each.topic, each.child), []).append(each)
     pairs: dict[tuple[int, int, Severity], list[tuple[Published, Published]]] = {}
     for group in known.values():
@@ -119,5 +119,5 @@ def _finding(severity: Severity, both: Sequence[tuple[Published, Published]], gr
 
 def _place(instance: Instance) -> Origin:
     node = instance.node
-    place = node.attributes.get("args" if instance.program in STATIC else "name", node.origin.place)
+    place = node.places.get("arguments" if instance.program in STATIC else "name", node.origin.place)
     return Origin(place, node.origin.step)

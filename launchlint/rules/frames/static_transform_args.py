@@ -66,7 +66,7 @@ _SUBSTITUTION = late(r"\$\((?:[^()]|\([^()]*\))*\)")
 def check(view: LaunchView) -> Iterator[Finding]:
     """Read the arguments as the programs do (main in static_transform_publisher.cpp, static_transform_broadcaster_program.cpp)."""
     for node in (*view.launch.nodes, *view.launch.tests):
-        if node.executable != PROGRAM or node.package not in FORMS or node.unknown & {"pkg", "type", "args"}:
+        if node.executable != PROGRAM or node.package not in FORMS or not node.knows("package", "executable", "arguments"):
             continue
         line = command_line(node)
         if line.known and not _lacks_a_value(node, view.launch):
@@ -75,7 +75,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
 
 def _lacks_a_value(node: Node, launch: Launch) -> bool:
     """Whether a word is missing because an arg is empty: whoever starts the file gives it."""
-    place = node.attributes.get("args")
+    place = node.places.get("arguments")
     if place is None or "$(" not in place.text:
         return False
     empty = {argument.name for argument in launch.declared if (argument.default if argument.value is None else argument.value) == ""}
@@ -157,7 +157,7 @@ def _quaternion(node: Node, parts: list[float]) -> Iterator[Finding]:
 
 def _told(node: Node, message: str, label: str, notes: tuple[str, ...] = (), help: str = "", severity: Severity | None = None) -> Finding:
     return RULE.at(
-        Origin(node.attributes.get("args", node.origin.place), node.origin.step),
+        Origin(node.places.get("arguments", node.origin.place), node.origin.step),
         message,
         severity=severity,
         label=label,

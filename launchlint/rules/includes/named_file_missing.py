@@ -120,8 +120,8 @@ def check(view: LaunchView) -> Iterator[Finding]:
 
 def _uses(view: LaunchView) -> Iterator[_Use]:
     for node in (*view.launch.nodes, *view.launch.tests):
-        if "args" not in node.unknown and "/" in node.arguments:
-            yield _Use(Origin(node.attributes.get("args", node.origin.place), node.origin.step), node.executable, node.arguments, False)
+        if node.knows("arguments") and "/" in node.arguments:
+            yield _Use(Origin(node.places.get("arguments", node.origin.place), node.origin.step), node.executable, node.arguments, False)
     for setting in view.launch.parameter_settings:
         if isinstance(setting.value, Command) and "/" in setting.value.line:
             yield _Use(setting.origin, setting.value.line.split()[0], setting.value.line, True)

@@ -135,7 +135,7 @@ def _acting_on(node: Node) -> tuple[object, ...]:
 
 
 def _element(node: Node, view: LaunchView) -> Element | None:
-    place = node.attributes.get("name")
+    place = node.places.get("name")
     at = None if place is None else spot(view, place)
     return None if at is None else at.element
 
@@ -149,13 +149,13 @@ def _written(element: Element) -> list[object]:
 
 
 def _removal(second: Node, view: LaunchView) -> Fix | None:
-    at = spot(view, second.attributes["name"])
+    at = spot(view, second.places["name"])
     return fix("remove the second one", remove_element(at), safe=False, changes=f"{LOADS}, and the node is started once")
 
 
 def _fix(second: Node, view: LaunchView) -> Fix | None:
     """The second node gets a number behind its name, the first one that no node here has."""
-    place = second.attributes.get("name")
+    place = second.places.get("name")
     if place is None or not is_literal(place, second.name):
         return None
     taken = view.node_names
@@ -170,7 +170,7 @@ def _way_to(first: Node, second: Node) -> tuple[tuple[Place, str], ...]:
 
 
 def _advice(first: Node, second: Node, twice: bool) -> str:
-    written = {node.attributes["name"].text for node in (first, second) if "name" in node.attributes}
+    written = {place.text for node in (first, second) if (place := node.places.get("name")) is not None}
     if len(written) == 1 and "$(anon " in next(iter(written)) and not twice:
         return "give each $(anon …) an id of its own: one id stands for one name in its scope"
     if twice:

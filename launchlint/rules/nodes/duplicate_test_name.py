@@ -51,7 +51,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
     known: dict[str, list[Node]] = {}
     for test in view.launch.tests:
         name = test.test_name
-        if name and "test-name" not in test.unknown and not any(condition.assumed for condition in test.conditions):
+        if name and test.knows("test_name") and not any(condition.assumed for condition in test.conditions):
             known.setdefault(name, []).append(test)
     for name, tests in known.items():
         if len(tests) > 1:
@@ -75,7 +75,7 @@ def _finding(name: str, tests: Sequence[Node], view: LaunchView) -> Finding:
 
 
 def _place(test: Node) -> Place:
-    return test.attributes.get("test-name", test.origin.place)
+    return test.places.get("test_name", test.origin.place)
 
 
 def _fix(name: str, tests: Sequence[Node], view: LaunchView) -> Fix | None:

@@ -49,18 +49,18 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
     loading = [(node, words) for node in launch.nodes if (words := _load(node)) is not None]
     if not loading:
         return
-    known = not any(node.unknown & {"name", "ns"} for node in launch.nodes)
+    known = all(node.knows("name", "namespace") for node in launch.nodes)
     names = {node.full_name for node in launch.nodes if node.name}
     managers = {node.full_name for node in launch.nodes if _is_manager(node)}
     here = (f"the managers here are {', '.join(sorted(managers)[:6])}",) if managers else ()
     wanted = [_full(node, manager) for node, manager in loading]
     for node, manager in loading:
-        place = node.attributes.get("args", node.origin.place)
+        place = node.places.get("arguments", node.origin.place)
         full = _full(node, manager)
         if full in names:
             yield RULE.fine(place)
             continue
-        unsure = not launch.complete or not known or "ns" in node.unknown or any(condition.assumed for condition in node.conditions)
+        unsure = not launch.complete or not known or not node.knows("namespace") or any(condition.assumed for condition in node.conditions)
         if unsure or manager.startswith("~") or _is_remapped(node, full):
             continue
         slip = _slip(full, names - {node.full_name})
@@ -78,7 +78,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
 
 def _load(node: Node) -> str | None:
     """The manager's name as given, where the node loads a nodelet into one."""
-    if node.package != "nodelet" or node.executable != "nodelet" or node.unknown & {"args", "pkg", "type"}:
+    if node.package != "nodelet" or node.executable != "nodelet" or not node.knows("arguments", "package", "executable"):
         return None
     try:
         words = [word for word in split_words(node.arguments) if ":=" not in word]

@@ -87,7 +87,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
     launch = view.launch
     root = root_of(launch.entry)
     for node in (*launch.nodes, *launch.tests):
-        if node.unknown & {"pkg", "type"} or not node.executable.strip() or "/" in node.executable:
+        if not node.knows("package", "executable") or not node.executable.strip() or "/" in node.executable:
             continue
         package = view.packages.get(node.package, launch.entry.file)
         if package is None:
@@ -117,7 +117,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
             notes.append(f"no script of the package {node.package} has the executable bit")
         doubtful = installed or any(condition.assumed for condition in node.conditions)
         yield RULE.at(
-            Origin(node.attributes.get("type", node.origin.place), node.origin.step),
+            Origin(node.places.get("executable", node.origin.place), node.origin.step),
             f"{node.executable} cannot be run: {wrong}",
             severity=Severity.INFO if wrapped or made is not None else Severity.WARNING if doubtful else None,
             label=f"{node.executable} cannot be run",

@@ -52,12 +52,12 @@ def check(view: LaunchView) -> Iterator[Finding]:
         if not _is_known(test):
             continue
         name = test.full_name
-        place = test.attributes.get("name") or test.attributes.get("test-name", test.origin.place)
+        place = test.places.get("name") or test.places.get("test_name", test.origin.place)
         other = nodes.get(name)
         if other is not None:
             yield RULE.at(
                 Origin(place, test.origin.step), f"the test {name} has the name of a node it runs beside", label="this test",
-                related=((other.attributes.get("name", other.origin.place), "this node is shut down when the test starts"),),
+                related=((other.places.get("name", other.origin.place), "this node is shut down when the test starts"),),
                 help="give the test another name",
             )  # fmt: skip
             continue
@@ -66,11 +66,11 @@ def check(view: LaunchView) -> Iterator[Finding]:
             shared = any(setting.node == name for setting in launch.parameter_settings)
             yield RULE.at(
                 Origin(place, test.origin.step), f"two tests are named {name}", label="the second one",
-                related=((first.attributes.get("name") or first.attributes.get("test-name", first.origin.place), "the first one"),),
+                related=((first.places.get("name") or first.places.get("test_name", first.origin.place), "the first one"),),
                 notes=("both get the private parameters of both",) if shared else ("nothing tells them apart in logs and parameters",),
                 help="give each test a name of its own",
             )  # fmt: skip
 
 
 def _is_known(node: Node) -> bool:
-    return bool(node.name) and not node.unknown & {"name", "ns"} and not any(condition.assumed for condition in node.conditions)
+    return bool(node.name) and node.knows("name", "namespace") and not any(condition.assumed for condition in node.conditions)

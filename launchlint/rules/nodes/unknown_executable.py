@@ -99,7 +99,7 @@ def check(view: GraphView) -> Iterator[Finding]:
     launch = view.launch
     for node in (*launch.nodes, *launch.tests):
         name = node.executable
-        if node.unknown & {"pkg", "type"} or not name.strip() or "/" in name:
+        if not node.knows("package", "executable") or not name.strip() or "/" in name:
             continue
         package = view.packages.get(node.package, launch.entry.file)
         if package is None:
@@ -128,7 +128,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             notes.append(f"the command that would build it is commented out in {cmake}, line {line}")
         severity = Severity.ERROR if certain else Severity.WARNING
         yield RULE.at(
-            Origin(node.attributes.get("type", node.origin.place), node.origin.step),
+            Origin(node.places.get("executable", node.origin.place), node.origin.step),
             f"the package {node.package} has no executable {name}",
             severity=severity,
             label="not found",
@@ -167,7 +167,7 @@ def _by_library(node: Node, view: GraphView, *, here: bool) -> Iterator[Finding]
     assumed = any(condition.assumed for condition in node.conditions)
     severity = Severity.ERROR if complete and not assumed else Severity.WARNING
     yield RULE.at(
-        Origin(node.attributes.get("type", node.origin.place), node.origin.step),
+        Origin(node.places.get("executable", node.origin.place), node.origin.step),
         f"the package {node.package} has no executable {name}"
         if complete
         else f"the package {node.package} has {near}, and {name} is not known",
@@ -181,7 +181,7 @@ def _by_library(node: Node, view: GraphView, *, here: bool) -> Iterator[Finding]
 
 
 def _fix(node: Node, view: GraphView, slip: str) -> Fix | None:
-    place = node.attributes.get("type")
+    place = node.places.get("executable")
     if place is None or not is_literal(place, node.executable):
         return None
     return fix(f"write {slip}", set_value(spot(view, place), slip), safe=False, changes=f"{slip} is started")

@@ -56,7 +56,7 @@ def check(view: LaunchView) -> Iterator[Fine]:
     if not _may_be_elsewhere(launch):
         told.update(problem.place for problem in launch.problems if problem.kind == "unknown-machine")
     for node in (*launch.nodes, *launch.tests):
-        place = node.attributes.get("machine")
+        place = node.places.get("machine")
         if place is not None and place not in told:
             yield RULE.fine(place)
 

@@ -75,7 +75,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             continue
         node = instance.node
         yield RULE.at(
-            Origin(node.attributes.get("args", node.origin.place), node.origin.step),
+            Origin(node.places.get("arguments", node.origin.place), node.origin.step),
             judged.message,
             severity=judged.severity if instance.certain else min(judged.severity, Severity.WARNING),
             label="no such class",
@@ -88,7 +88,7 @@ def check(view: GraphView) -> Iterator[Finding]:
 
 
 def _fix(node: Node, view: GraphView, name: str, near: str | None) -> Fix | None:
-    place = node.attributes.get("args")
+    place = node.places.get("arguments")
     if near is None or place is None or place.text.split().count(name) != 1 or "&" in place.text:
         return None
     words = re.sub(rf"(?<!\S){re.escape(name)}(?!\S)", lambda _: near, place.text)

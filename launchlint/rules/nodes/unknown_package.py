@@ -79,7 +79,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
     missing: dict[tuple[str, str], list[Node]] = {}
     for node in (*launch.nodes, *launch.tests):
         name = node.package
-        if "pkg" not in node.unknown and name.strip() and not view.packages.has(name):
+        if node.knows("package") and name.strip() and not view.packages.has(name):
             missing.setdefault((_place(node).source.path, name), []).append(node)
     for (path, name), nodes in missing.items():
         if (path, name) in told:
@@ -111,4 +111,4 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
 
 
 def _place(node: Node) -> Place:
-    return node.attributes.get("pkg", node.origin.place)
+    return node.places.get("package", node.origin.place)

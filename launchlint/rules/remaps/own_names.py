@@ -38,7 +38,7 @@ def own_names(instance: Instance, library: Library) -> OwnNames | None:
         or instance.client == "none"
     ):
         return None  # a manager's remaps act on whatever is loaded into it
-    if instance.node.unknown & {"args", "name", "ns", "remap"}:
+    if not instance.node.knows("arguments", "name", "namespace", "remaps"):
         return None
     namer = instance.namer
     spelled: dict[str, str] = dict(instance.looked_up)

@@ -94,7 +94,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
             if remap_or_none is not None:
                 origin, topic = remap_or_none.origin, ""
             else:
-                origin = Origin(instance.node.attributes.get("args", instance.node.origin.place), instance.node.origin.step)
+                origin = Origin(instance.node.places.get("arguments", instance.node.origin.place), instance.node.origin.step)
                 topic = f"{instance.name} {applied.rule.source}"
             if applied.source == applied.target:
                 continue  # the rule of remaps to themselves speaks about it

@@ -8,7 +8,7 @@ from launchlint.model import Node
 
 def has_known_name(node: Node) -> bool:
     """Whether the node's name and namespace are certain, so that names can be resolved."""
-    return bool(node.name) and not node.unknown & {"name", "ns"} and UNKNOWN_NAMESPACE not in node.namespace
+    return bool(node.name) and node.knows("name", "namespace") and UNKNOWN_NAMESPACE not in node.namespace
 
 
 def resolve(node: Node, name: str) -> str:

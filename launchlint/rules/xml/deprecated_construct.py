@@ -43,6 +43,7 @@ from collections.abc import Iterator, Mapping
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import Instance, Reading
+from launchlint.model import Role
 from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, is_literal, remove_attribute, remove_element, rename_attribute, replace, set_value, spot
 from launchlint.rules.other_file import is_inside
@@ -127,14 +128,15 @@ def _is_shadowed(reading: Reading, view: GraphView) -> bool:
 
 def _program(instance: Instance, view: GraphView) -> Iterator[Finding]:
     node = instance.node
+    role: Role = "executable"
+    package, table, name = node.package, "executables", node.executable
     if instance.kind == "nodelet":
-        package, table, name, attribute = instance.program.partition("/")[0], "nodelets", instance.program, "args"
-    else:
-        package, table, name, attribute = node.package, "executables", node.executable, "type"
+        role = "arguments"
+        package, table, name = instance.program.partition("/")[0], "nodelets", instance.program
     removed = view.library.removed(package, table, name)
     if removed is None or _lies_here(package, view) or _is_settled(package, name, view):
         return
-    place = node.attributes.get(attribute, node.origin.place)
+    place = node.places.get(role, node.origin.place)
     instead = removed.get("instead", "")
     change = None
     if instead and "/" not in instead and is_literal(place, name):

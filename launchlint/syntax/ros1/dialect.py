@@ -33,10 +33,13 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Literal
 
+    from launchlint.model import Role
+
 __all__ = [
     "CONDITIONS",
     "OWNERS",
     "PARAM_SOURCES",
+    "ROLES",
     "ROS2_ATTRIBUTES",
     "ROS2_SUBSTITUTIONS",
     "ROS2_TAGS",
@@ -108,6 +111,20 @@ PARAM_SOURCES = ("value", "textfile", "binfile", "command")
 
 TEST_REFUSES = ("respawn", "respawn_delay", "output")
 """What a ``<node>`` may have and a ``<test>`` may not (``XmlLoader._test_attrs``)."""
+
+ROLES: dict[str, Role] = {
+    "pkg": "package",
+    "type": "executable",
+    "name": "name",
+    "test-name": "test_name",
+    "ns": "namespace",
+    "args": "arguments",
+    "launch-prefix": "prefix",
+    "machine": "machine",
+    "output": "output",
+    "cwd": "cwd",
+}
+"""What the attributes of ``<node>`` and ``<test>`` are for, in the words of the model."""
 
 _IF = (AttributeRule("if", CONDITION), AttributeRule("unless", CONDITION))
 _BLOCK = ("launch", "group")
