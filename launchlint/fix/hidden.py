@@ -5,6 +5,7 @@ What they would do cannot be compared, so they must be written the same, among t
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from launchlint.evaluate.assemble import Evaluation
@@ -72,7 +73,8 @@ class Hidden:
     def _sequence(self) -> list[Any]:
         """The hidden elements as they are written, between whatever acts on them or is overwritten by them.
 
-        The order of args does not matter, only which of them stand before a hidden element; so their names are added up.
+        The order of args does not matter, only which of them stand before a hidden element, and how often; so they are counted, from one
+        hidden element to the next.
         """
         hidden = list(self._elements())
         if not hidden or self._document is None:
@@ -81,7 +83,7 @@ class Hidden:
         last = hidden[-1].span.start
         scopes = _around(hidden)
         sequence: list[Any] = []
-        declared = 0
+        declared: Counter[tuple[str | None, int]] = Counter()
         inside = -1
         for element in self._document.elements:
             start, end = element.span
@@ -90,8 +92,9 @@ class Hidden:
             if element.index in outermost:
                 inside = end
                 sequence.append((declared, element.depth, _written(element)))
+                declared = Counter()
             elif element.tag == "arg":
-                declared += hash((element.get("name"), element.depth))
+                declared[element.get("name"), element.depth] += 1
             elif element.tag in _ABOUT and (start < last or element.tag not in _ONLY_BEFORE):
                 if element.tag in _IN_SCOPE and element.parent is not None and element.parent.index not in scopes:
                     continue

@@ -196,6 +196,15 @@ def test_does_not_mean_the_same(before: str, after: str, why: str, tmp_path: Pat
     assert refusal(after, before, tmp_path) != ""
 
 
+def test_args_before_what_is_never_taken_are_compared_themselves_and_not_their_hashes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two texts whose args have hashes of the same sum are two texts."""
+    monkeypatch.setattr("launchlint.fix.hidden.hash", lambda each: 0, raising=False)
+    never = '<group if="false">[[n args="$(arg sim)"]]</group>'
+    assert refusal(SIM + never, never + SIM, tmp_path) != ""
+
+
 @pytest.mark.parametrize(
     ("before", "after", "why"),
     [
