@@ -18,6 +18,7 @@ from launchlint.evaluate.launch import Entered, enter_entry
 from launchlint.evaluate.ros1.arg_flow import ArgFlow, Pairs
 from launchlint.evaluate.session import Session
 from launchlint.model import Branch
+from launchlint.syntax.ros1.substitutions import expression_in
 
 MOST_EVALUATIONS = 48
 """Evaluations of one entry file, tried ones included; real files need 1.6 on average."""
@@ -151,11 +152,11 @@ def _around(branch: Branch, base: Evaluation) -> list[Branch]:
 
 def _turning(branch: Branch, flow: ArgFlow) -> Iterator[tuple[str, str]]:
     names = sorted(branch.steered_by)
-    text = branch.text.strip()
-    if text.startswith("$(eval "):
+    expression = expression_in(branch.text)
+    if expression is not None:
         path = branch.origin.place.source.path
         for name in names:
-            for value in flow.literals_in(name, path, text[7:-1]):
+            for value in flow.literals_in(name, path, expression):
                 yield name, value
     positive = branch.taken is (branch.attribute == "unless")
     for name in names:

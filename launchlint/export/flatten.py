@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from launchlint.evaluate.configurations import configurations
 from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.ros1.file import Exhausted
 from launchlint.evaluate.session import Session
+from launchlint.export.expression import VARIABLES, NotCovered, variables_read
 from launchlint.export.frame import Plan
 from launchlint.export.tree import Out, Piece, render
 from launchlint.export.walk import Walk
@@ -20,13 +21,13 @@ from launchlint.fix.format.formatting import formatted
 from launchlint.fix.format.style import Style
 from launchlint.fix.meaning import Meaning, difference, meaning
 from launchlint.model import Launch
+from launchlint.syntax.parts import Parts
+from launchlint.syntax.ros1.substitutions import parse
 
 MOST_ATTEMPTS = 60
 MOST_NODES = 20_000
 MOST_VARIABLES = 8
 """Environment variables whose other values take part in the proof."""
-
-_VARIABLE = re.compile(r"""\$\(\s*(?:opt)?env\s+([^\s()]+)|\b(?:opt)?env\(\s*['"]([^'"]+)""")
 
 Pairs = tuple[tuple[str, str], ...]
 
@@ -100,7 +101,16 @@ def _strings(pieces: list[Piece]) -> Iterator[str]:
 
 def _variables(pieces: list[Piece]) -> frozenset[str]:
     """The environment variables that the exported file asks for."""
-    return frozenset(name for text in _strings(pieces) for names in _VARIABLE.findall(text) for name in names if name)
+    return frozenset(name for text in _strings(pieces) for name in _variables_of(parse(text)))
+
+
+def _variables_of(parts: Parts) -> Iterable[str]:
+    if parts.expression is None:
+        return (part.words[1].text for part in parts.substitutions() if part.command in VARIABLES and len(part.words) > 1)
+    try:
+        return variables_read(parts.expression.code)
+    except NotCovered:
+        return ()
 
 
 def _fixed(plan: Plan, launch: Launch, pieces: list[Piece], reasons: dict[str, str]) -> list[str]:

@@ -8,13 +8,15 @@ from collections.abc import Iterable
 
 from launchlint.evaluate.ros1.file import FileEvaluation
 from launchlint.evaluate.ros1.scope import Context
-from launchlint.evaluate.ros1.substitution import BadSubstitution, collect, resolve
+from launchlint.evaluate.ros1.substitution import resolve
 from launchlint.evaluate.session import Session
 from launchlint.export.expression import NotCovered, exchanged, names_read, uses, variables_read
 from launchlint.export.tree import Out, Piece
 from launchlint.export.written import CannotExport, Fixed, Setting, Written
 from launchlint.model import Unknown
 from launchlint.source import Span
+from launchlint.syntax.parts import Expression, Substitution
+from launchlint.syntax.ros1.substitutions import expression_in, parse
 from launchlint.syntax.tree import Comment, Document, Element
 
 LARGEST_EXPORT = 16 * 1024 * 1024
@@ -73,7 +75,9 @@ class Plan:
             raise CannotExport(f"the exported file would be larger than {LARGEST_EXPORT // (1024 * 1024)} MiB")
 
     def portable(self, value: str) -> str:
-        """``value`` with ``$(find package)`` in place of the directories of packages, so that it holds on another machine, too."""
+        """``value`` with ``$(find package)`` in place of the directories of packages, so that it holds on another machine, too; as it is
+        where a ``$(`` stands in it, which would take what is written behind it for its own.
+        """
         if "/" not in value or "$(" in value:
             return value
         packages = self.session.packages
@@ -128,24 +132,25 @@ class Frame:
         """How ``text``, an attribute value or YAML, is written in the exported file. Raises Fixed and CannotExport."""
         if "$" not in text:
             return Written(text, text)
-        value = resolve(self.evaluation, text, lambda start, end: Span(0, 0), self.context if context is None else context)
+        parts = parse(text)
+        value = resolve(self.evaluation, parts, lambda start, end: Span(0, 0), self.context if context is None else context)
         if isinstance(value, Unknown):
             if self.doubt:
                 raise Fixed(self.doubt, f"{text} has no value on the side that is not taken ({value.reason})")
             raise CannotExport(f"the value of {text} is not known: {value.reason}")
         self.plan.spend(value)
-        if text.startswith("$(eval ") and text.endswith(")"):
-            return self._expression(text, value)
-        try:
-            pieces = collect(text)
-        except BadSubstitution:
-            return Written(text, value)
-        result, sources, anonymous = text, frozenset[str](), False
-        for inner, start, end in reversed(pieces):
-            piece = self._substitution(inner, context)
-            result = result[:start] + piece.text + result[end:]
+        if parts.expression is not None:
+            return self._expression(parts.expression, value)
+        written, sources, anonymous = [], frozenset[str](), False
+        for part in parts.parts:
+            if not isinstance(part, Substitution):
+                written.append(part.text)
+                continue
+            piece = self._substitution(part, context)
+            written.append(piece.text)
             sources |= piece.sources
             anonymous |= piece.anonymous
+        result = "".join(written)
         if not sources and not anonymous and result != text and "$(find" in result and self._plain(result) != value:
             result = self.plan.portable(value)
         return Written(result, value, sources, anonymous)
@@ -158,30 +163,31 @@ class Frame:
 
     def settled(self, name: str, written: Written) -> Written:
         """``written`` as the value of an arg: by name where its text would mean something else in the middle of another one."""
-        return self.bind(name, written) if written.anonymous or written.text.startswith("$(eval ") else written
+        return self.bind(name, written) if written.anonymous or expression_in(written.text) is not None else written
 
     def _plain(self, text: str) -> object:
-        return resolve(self.evaluation, text, lambda start, end: Span(0, 0), Context("/", None))
+        return resolve(self.evaluation, parse(text), lambda start, end: Span(0, 0), Context("/", None))
 
-    def _substitution(self, inner: str, context: Context | None) -> Written:
-        words = [word for word in inner.split(" ") if word]
-        command, name = words[0], words[1] if len(words) > 1 else ""
+    def _substitution(self, part: Substitution, context: Context | None) -> Written:
+        text, command = part.text, part.command
+        words = [word.text for word in part.words]
+        name = words[1] if len(words) > 1 else ""
         if command == "arg":
-            return self.arguments.get(name) or Written(f"$({inner})", "")
+            return self.arguments.get(name) or Written(text, "")
         if command in ("env", "optenv"):
             source = f"${name}"
             if source in self.plan.fixed:
                 value = self.plan.session.variable(name)
                 return Written(" ".join(words[2:]) if value is None else value, "")
-            return Written(f"$({inner})", "", frozenset((source,)))
+            return Written(text, "", frozenset((source,)))
         if command == "dirname":
             return Written(self.directory(), "")
         if command == "anon":
             identity = (context or self.context).anonymous.get(name, name)
             self.plan.ids[identity] = name
             self.plan.touched.add(identity)
-            return Written(f"$({inner})", "", anonymous=True)
-        return Written(f"$({inner})", "")
+            return Written(text, "", anonymous=True)
+        return Written(text, "")
 
     def directory(self) -> str:
         """``$(dirname)`` of this file, as another file may say it."""
@@ -190,8 +196,8 @@ class Frame:
             self.plan.local[directory] = self.plan.session.shown(self.evaluation.file)
         return directory
 
-    def _expression(self, text: str, value: str) -> Written:
-        expression = text[7:-1]
+    def _expression(self, part: Expression, value: str) -> Written:
+        text, expression = part.text, part.code
         try:
             read = names_read(expression)
             sources = self._sources(read) | {f"${name}" for name in variables_read(expression)} - self.plan.fixed
@@ -218,7 +224,7 @@ class Frame:
         written = self.arguments.get(name)
         if written is None or written.only_arg == name:
             return None
-        if written.only_arg is None and (written.sources or "$(" in written.text):
+        if written.only_arg is None and (written.sources or parse(written.text).computed):
             written = self.arguments[name] = self.bind(name, written)
         return written
 

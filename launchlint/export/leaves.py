@@ -12,6 +12,7 @@ from launchlint.export.tree import Note, Out, Piece
 from launchlint.export.written import Condition, Fixed, Setting, Written
 from launchlint.syntax.ros1.dialect import PARAM_SOURCES, TAGS
 from launchlint.syntax.ros1.domains import parse_flag
+from launchlint.syntax.ros1.substitutions import parse
 from launchlint.syntax.tree import Comment, Element
 
 TYPE_CHECKING = False
@@ -74,7 +75,7 @@ def param(frame: Frame, element: Element, condition: Condition | None) -> Settin
         _count(frame)
         return None
     for source in PARAM_SOURCES:
-        if source in attributes and "$(anon" in attributes[source]:
+        if source in attributes and any(parse(attributes[source]).substitutions("anon")):
             attributes[source] = frame.settled("value", frame.written(element.get(source) or "")).text
     pairs = tuple({"name": name.text.removeprefix("~"), **attributes}.items())
     return Setting("param", pairs, "" if name.sources else canonical(name.known), condition)
@@ -204,7 +205,7 @@ def _rosparam(frame: Frame, element: Element, condition: Condition | None, conte
     if flag(frame, element, "subst_value"):
         written = frame.written(text, context)
         text = written.text
-        if "$(" in text:
+        if parse(text).computed:
             attributes["subst_value"] = "true"
     if not text.strip() and frame.plan.angles:
         return None

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from launchlint.evaluate.block import Value
 from launchlint.model import Unknown
+from launchlint.syntax.ros1.substitutions import only_arg, parse
 
 
 class Written(NamedTuple):
@@ -28,8 +29,7 @@ class Written(NamedTuple):
     @property
     def only_arg(self) -> str | None:
         """The name of the arg that the text consists of, if it is ``$(arg name)`` and nothing else."""
-        name = self.text[6:-1]
-        return name if self.text == f"$(arg {name})" and " " not in name and "$" not in name and ")" not in name else None
+        return only_arg(parse(self.text)) or None
 
 
 class Condition(NamedTuple):

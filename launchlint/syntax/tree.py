@@ -15,6 +15,10 @@ from bisect import bisect_left
 from launchlint.problem import Problem
 from launchlint.source import Place, Source, Span
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.syntax.parts import Parts
+
 _UNIT = re.compile(r"\r\n|&[^;&<]*;")
 _LINE_END = re.compile(r"\r\n")
 _PREDEFINED = frozenset(("&lt;", "&gt;", "&amp;", "&quot;", "&apos;"))
@@ -52,10 +56,11 @@ class Attribute:
     """One attribute of a start tag: ``name="value"``.
 
     ``value`` is what expat makes of it (references resolved, line ends and tabs turned into blanks), ``raw`` what is
-    written between the quotes.
+    written between the quotes. ``parts`` is kept here by the grammar of the dialect (:mod:`launchlint.syntax.parts`), which takes the
+    value apart when it is first asked to.
     """
 
-    __slots__ = ("_name_end", "_name_start", "_offsets", "_value_end", "_value_start", "name", "raw", "value")
+    __slots__ = ("_name_end", "_name_start", "_offsets", "_value_end", "_value_start", "name", "parts", "raw", "value")
 
     def __init__(self, name: str, value: str, raw: str, name_start: int, name_end: int, value_start: int, value_end: int) -> None:
         self.name = name
@@ -66,6 +71,7 @@ class Attribute:
         self._value_start = value_start
         self._value_end = value_end
         self._offsets: list[int] | None = None
+        self.parts: Parts | None = None
 
     def __repr__(self) -> str:
         return f"Attribute({self.name!r}, {self.value!r})"

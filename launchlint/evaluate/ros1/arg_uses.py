@@ -10,6 +10,8 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from launchlint.late import late
+from launchlint.syntax.parts import Expression, Parts, Substitution
+from launchlint.syntax.ros1.substitutions import is_computed, parse, parts_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,10 +20,8 @@ if TYPE_CHECKING:
 BOOLEANS = ("true", "false", "1", "0")
 """What ``if`` and ``unless`` take (roslaunch.loader.convert_value of type bool)."""
 
-_ARG = late(r"\$\(arg +([^ $()]+) *\)")
-_WHOLE = late(r"\s*\$\(arg +([^ $()]+) *\)\s*")
-_PLACE = late(r"(?:\$\([^()]*\)|[^\s=])+")
-"""A word of a command line, without ``name=`` or ``name:=`` before it."""
+_PLACE = late(r"[^\s=]+")
+"""A word of a command line, without ``name=`` or ``name:=`` before it; what is substituted has no blanks in it."""
 _NAME = late(r"\w+")
 _CONDITIONS = ("if", "unless")
 _FLAGS = frozenset({"required", "respawn", "clear_params", "pass_all_args", "subst_value"})
@@ -91,39 +91,39 @@ class _Reading:
     def read(self, element: Element) -> None:
         """Take in one element."""
         for name, attribute in element.attributes.items():
-            if "$(" in attribute.value:
-                self._value(element, name, attribute.value)
+            if is_computed(attribute):
+                self._value(element, name, parts_of(attribute))
         if element.tag == "arg":
             self._declaration(element)
-        elif element.tag == "rosparam" and "$(arg " in element.text:
-            self.parts.update(_parts(element.text))
+        elif element.tag == "rosparam" and "$(" in element.text:
+            self.parts.update(_parts(parse(element.text)))
 
-    def _value(self, element: Element, name: str, text: str) -> None:
-        if text.startswith("$(eval ") and text.endswith(")"):
-            self._expression(element, name, text[7:-1])
+    def _value(self, element: Element, name: str, parts: Parts) -> None:
+        if parts.expression is not None:
+            self._expression(element, name, parts.expression.code)
             return
-        whole = _WHOLE.fullmatch(text)
+        whole = _whole(parts)
         if name in _CONDITIONS or name in _FLAGS:
-            if whole is not None:
-                self.booleans.add(whole[1])
+            if whole:
+                self.booleans.add(whole)
         elif element.tag.lower() == "arg" and name in ("value", "default"):
-            if whole is not None:
-                self._goes_on(element, whole[1])
+            if whole:
+                self._goes_on(element, whole)
             else:
-                self.parts.update(_ARG.findall(text))
-        elif name == "value" and whole is not None:
+                self.parts.update(parts.names("arg"))
+        elif name == "value" and whole:
             kind = (element.get("type") or "").strip().lower()
             if kind in ("bool", "boolean"):
-                self.booleans.add(whole[1])
+                self.booleans.add(whole)
             elif kind in ("int", "double"):
-                self.texts.add(whole[1])
+                self.texts.add(whole)
         elif name == "value" or name in _WORDS:
-            for word in _PLACE.findall(text):
-                (self.paths if "/" in word else self.parts).update(_parts(word))
+            for start, end in _places(parts):
+                (self.paths if "/" in parts.text[start:end] else self.parts).update(_parts(parts, start, end))
         elif name in _FILES:
-            self.paths.update(_ARG.findall(text))
+            self.paths.update(parts.names("arg"))
         elif name != "doc":
-            self.parts.update(_ARG.findall(text))
+            self.parts.update(parts.names("arg"))
 
     def _expression(self, element: Element, attribute: str, expression: str) -> None:
         from launchlint.evaluate.ros1.expression import compared_literals, made_into_text, truth_tested, whole_arg
@@ -161,17 +161,32 @@ class _Reading:
         name = element.get("name")
         if not name or element.parent is None or element.parent.tag == "include":
             return
-        for written in (element.get("value"), element.get("default")):
-            if written is not None and "$(" not in written and not is_boolean(written):
+        for written in (element.attributes.get("value"), element.attributes.get("default")):
+            if written is not None and not is_computed(written) and not is_boolean(written.value):
                 self.texts.add(name)
 
 
-def _parts(text: str) -> Iterator[str]:
-    """The args in ``text`` that are only part of a word."""
-    for match in _ARG.finditer(text):
-        start, end = match.span()
-        if (start and text[start - 1] not in _BEFORE) or (end < len(text) and text[end] not in _AFTER):
-            yield match[1]
+def _whole(parts: Parts) -> str:
+    """The arg that a value consists of, but for blanks around it; empty where it is none."""
+    found = list(parts.substitutions())
+    return found[0].only if len(found) == 1 and found[0].command == "arg" and not parts.beside().strip() else ""
+
+
+def _places(parts: Parts) -> Iterator[tuple[int, int]]:
+    """Where the words of a command line begin and end."""
+    filled = ("." * len(part.text) if isinstance(part, (Substitution, Expression)) else part.text for part in parts.parts)
+    return (match.span() for match in _PLACE.finditer("".join(filled)))
+
+
+def _parts(parts: Parts, start: int = 0, end: int | None = None) -> Iterator[str]:
+    """The args between ``start`` and ``end`` that are only part of a word."""
+    text = parts.text
+    end = len(text) if end is None else end
+    for part in parts.substitutions("arg"):
+        if start <= part.start < end and part.only:
+            joined = part.start > start and text[part.start - 1] not in _BEFORE
+            if joined or (part.end < end and text[part.end] not in _AFTER):
+                yield part.only
 
 
 def settled_defaults(document: Document) -> dict[str, str]:
@@ -201,14 +216,9 @@ def settled_defaults(document: Document) -> dict[str, str]:
 def args_needed(element: Element) -> list[str]:
     """Names of the args that the value of an ``<arg>`` reads."""
     text = element.get("value") or element.get("default") or ""
-    if text.startswith("$(eval ") and text.endswith(")"):
+    parts = parse(text)
+    if parts.expression is not None:
         from launchlint.evaluate.ros1.expression import arguments_read
 
-        return sorted(arguments_read(text[7:-1]))
-    from launchlint.evaluate.ros1.substitution import BadSubstitution, collect
-
-    try:
-        words = [inner.split() for inner, _, _ in collect(text)]
-    except BadSubstitution:
-        return []
-    return [pair[1] for pair in words if len(pair) == 2 and pair[0] == "arg"]
+        return sorted(arguments_read(parts.expression.code))
+    return [] if parts.refused is not None else list(parts.names("arg"))

@@ -12,27 +12,21 @@ from types import MappingProxyType
 from launchlint.evaluate.block import Block, Effect, LocalBranch, Value
 from launchlint.evaluate.ros1.arg_uses import args_needed
 from launchlint.evaluate.ros1.scope import ActiveSetting, Context, Missing
-from launchlint.evaluate.ros1.substitution import (
-    ANONYMOUS_FOLD,
-    OUTSIDE,
-    SHORT,
-    absolute_directory,
-    left_over,
-    never_boolean,
-    only_arg,
-    resolve,
-)
+from launchlint.evaluate.ros1.substitution import ANONYMOUS_FOLD, OUTSIDE, SHORT, absolute_directory, never_boolean, resolve
 from launchlint.evaluate.session import Session
 from launchlint.model import Condition, ScopedSetting, Unknown
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Span
 from launchlint.syntax.ros1.domains import parse_condition, parse_flag
 from launchlint.syntax.ros1.problems import if_and_unless, missing_attribute
+from launchlint.syntax.ros1.substitutions import EXTRA, is_plain, only_arg, parse, parts_of, slip
 from launchlint.syntax.tree import Attribute, Document, Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any, TypeAlias, TypeVar
+
+    from launchlint.syntax.parts import Parts
 
     T = TypeVar("T")
 
@@ -170,9 +164,10 @@ class FileEvaluation:
     def value(self, attribute: Attribute, context: Context, text: str | None = None) -> Value:
         """The resolved value of ``attribute`` (or of ``text``, a stripped form of it)."""
         raw = attribute.value if text is None else text
-        if "$" not in raw and "(" not in raw:
+        if "$" not in raw and "(" not in raw:  # is_plain, without a call
             return raw
-        alone = only_arg(raw)
+        parts = parts_of(attribute) if text is None or text == attribute.value else parse(text)
+        alone = only_arg(parts)
         if alone:
             known = self.plain_argument(alone, context)
             if known is not None:
@@ -182,16 +177,16 @@ class FileEvaluation:
         def where(start: int, end: int) -> Span:
             return attribute.span_of(start + offset, end + offset)
 
-        value = resolve(self, raw, where, context)
-        self.notice_left_over(raw, where)
+        value = resolve(self, parts, where, context)
+        self.notice_left_over(parts, where)
         return value
 
-    def notice_left_over(self, text: str, where: Callable[[int, int], Span]) -> None:
+    def notice_left_over(self, parts: Parts, where: Callable[[int, int], Span]) -> None:
         """Record what looks like a substitution and is none, and so reaches the robot as it stands."""
-        at = None if text.startswith("$(eval ") else left_over(text)
-        if at is not None:
-            start, end, extra = at
-            self.problem("unexpanded-substitution", where(start, end), text=text[start:end], extra=extra)
+        found = slip(parts)
+        if found is not None and parts.refused is None and not any(parts.substitutions("eval")):
+            words = tuple(word.text for word in found.words)
+            self.problem("unexpanded-substitution", where(found.start, found.end), text=found.text, extra=found.kind == EXTRA, words=words)
 
     def optional(self, element: Element, name: str, context: Context) -> Value | None:
         """The resolved value of an attribute that may be absent."""
@@ -410,7 +405,7 @@ class FileEvaluation:
             except ValueError as error:
                 facts: dict[str, Any] = {"attribute": name, "value": value, "text": attribute.value, "reason": str(error)}
                 self.problem("condition-not-boolean", span, refused=True, **facts)
-        elif never_boolean(attribute.value):
+        elif never_boolean(parts_of(attribute)):
             facts = {"attribute": name, "value": attribute.value, "text": attribute.value, "reason": value.reason}
             self.problem("condition-not-boolean", span, refused=True, **facts)
         taken = (True if truth is None else truth) is (name == "if")
@@ -439,7 +434,7 @@ class FileEvaluation:
         if _is_plain(value) and _is_plain(default):
             return (None if value is None else value.value, None if default is None else default.value), frozenset()
         if value is not None and default is None:
-            alone = only_arg(value.value)
+            alone = only_arg(parts_of(value))
             known = self.plain_argument(alone, context) if alone else None
             if known is not None:
                 return (known, None), frozenset((alone,))
@@ -488,4 +483,4 @@ class FileEvaluation:
 
 def _is_plain(attribute: Attribute | None) -> bool:
     """Whether the value of ``attribute`` is what is written, as :meth:`FileEvaluation.value` sees it."""
-    return attribute is None or ("$" not in attribute.value and "(" not in attribute.value)
+    return attribute is None or is_plain(attribute.value)

@@ -17,6 +17,7 @@ from launchlint.model import Binary, Command, ParameterSetting, Unknown
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.ros1.problems import conflicting_attributes, missing_attribute
+from launchlint.syntax.ros1.substitutions import parse
 from launchlint.syntax.tree import Attribute, Element
 
 TYPE_CHECKING = False
@@ -189,7 +190,7 @@ def rosparam(file: FileEvaluation, element: Element, context: Context, namespace
         _notice_unsubstituted(file, element, text[0])
     written = None
     if substitute:
-        resolved = resolve(file, text[0], _in_text(element, name), context)
+        resolved = resolve(file, parse(text[0]), _in_text(element, name), context)
         if isinstance(resolved, Unknown):
             file.effect(MoreParameters(full))
             return

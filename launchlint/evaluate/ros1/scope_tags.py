@@ -9,6 +9,7 @@ from launchlint.evaluate.ros1.scope import Context
 from launchlint.model import EnvironmentSetting, Remap, Unknown
 from launchlint.source import Origin
 from launchlint.syntax.ros1.problems import conflicting_attributes
+from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Element
 from launchlint.words import split_words
 
@@ -53,7 +54,7 @@ def remap(file: FileEvaluation, element: Element, context: Context) -> Remap | N
     values: list[Value] = [file.required(element, attribute, context) for attribute in ("from", "to")]
     for attribute, value in zip(("from", "to"), values, strict=True):
         written = element.attributes.get(attribute)
-        if written is not None and "//" in written.value and not written.value.startswith("$(eval "):
+        if written is not None and "//" in written.value and parts_of(written).expression is None:
             start = written.value.index("//")
             end = start + len(written.value[start:]) - len(written.value[start:].lstrip("/"))
             file.problem("doubled-slash", written.span_of(start, end), attribute=attribute, value=written.value)

@@ -1,8 +1,8 @@
-"""``$(…)`` in attribute values and in rosparam text (roslaunch.substitution_args).
+"""What ``$(…)`` in attribute values and in rosparam text stands for (roslaunch.substitution_args).
 
-``env``, ``optenv``, ``dirname``, ``anon`` and ``arg`` are replaced in a first pass, ``find`` in a second one, since the path behind it
-takes part in
-the search. ``$(eval …)`` must fill the whole value. Whatever cannot be known makes the whole value an :class:`~launchlint.model.Unknown`.
+How it is written is said in :mod:`launchlint.syntax.ros1.substitutions`. ``env``, ``optenv``, ``dirname``, ``anon`` and ``arg`` are
+replaced in a first pass, ``find`` in a second one, since the path behind it takes part in the search. Whatever cannot be known makes the
+whole value an :class:`~launchlint.model.Unknown`.
 """
 
 from __future__ import annotations
@@ -10,13 +10,15 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable
-from functools import lru_cache
 
 from launchlint.evaluate.block import Value
 from launchlint.evaluate.ros1.scope import Context
 from launchlint.evaluate.ros1.values import UnknownValue
+from launchlint.late import late
 from launchlint.model import Unknown
 from launchlint.source import Span
+from launchlint.syntax.parts import Expression, Parts, Substitution
+from launchlint.syntax.ros1.substitutions import COMMANDS, parse_again
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,35 +26,25 @@ if TYPE_CHECKING:
 
 OUTSIDE = "$"
 """Stands among the args read for whatever is not an arg: an environment variable."""
-COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
 ANONYMOUS_FOLD = str.maketrans(".-:", "___")
 
 _LONGEST_BOOLEAN = len("false")
+_SEVERAL = late(r"\*{2,}")
 
 Where = Callable[[int, int], Span]
 
 SHORT = 100
 """Texts of fewer characters cost nothing in :meth:`~launchlint.evaluate.ros1.file.FileEvaluation.spend_characters`."""
-LONGEST_KEPT = 2_000
-"""Characters of a text whose parts are remembered: the same attributes are resolved in every configuration, long texts are few."""
 
 
-class BadSubstitution(Exception):
-    """The text cannot be taken apart: ``reason`` in plain words, ``start`` and ``end`` in the text."""
+class _Bad(Exception):
+    """roslaunch refuses the text: ``reason`` in plain words, ``start`` and ``end`` in the text."""
 
     def __init__(self, reason: str, start: int, end: int) -> None:
         super().__init__(reason)
         self.reason = reason
         self.start = start
         self.end = end
-
-
-_PLAIN = re.compile(r"\$\(([^$()]+)\)")
-_LEFT = re.compile(r"(?:\$\([^$()]+\)|\*)+")
-"""A substitution with nothing odd in it; where all of a text are, no walk over its characters is needed."""
-
-
-_ONLY_ARG = re.compile(r"\$\(arg ([^ $()]+)\)")
 
 
 class _NotKnown(Exception):
@@ -64,76 +56,32 @@ class _NotKnown(Exception):
         self.pattern = pattern
 
 
-def collect(text: str) -> tuple[tuple[str, int, int], ...]:
-    """The inner texts of ``$(…)`` in ``text`` with start and end of the whole (substitution_args._collect_args).
-
-    A ``$(`` that is never closed is no substitution. Raises BadSubstitution for ``$`` or ``(`` inside one.
+def resolve(evaluation: FileEvaluation, parts: Parts, where: Where, context: Context) -> Value:
+    """The value of a text taken apart, in ``context``; problems are recorded on ``evaluation`` at the place ``where`` gives for offsets
+    into the text.
     """
-    if "$(" not in text:
-        return ()
-    return _kept(text) if len(text) <= LONGEST_KEPT else _collect(text)
-
-
-def _collect(text: str) -> tuple[tuple[str, int, int], ...]:
-    plain = tuple((match[1], *match.span()) for match in _PLAIN.finditer(text))
-    if text.count("$") == text.count("(") == len(plain):
-        return plain
-    found: list[tuple[str, int, int]] = []
-    outside, dollar, opened, inside = range(4)
-    state, begin, first = outside, 0, 0
-    for index, char in enumerate(text):
-        if char == "$":
-            if state in (opened, inside):
-                raise BadSubstitution("a substitution cannot stand inside another one", begin, index + 1)
-            state, begin = dollar, index
-        elif char == "(":
-            if state == dollar:
-                state = opened
-            elif state != outside:
-                raise BadSubstitution("a parenthesis cannot stand inside a substitution", begin, index + 1)
-        elif char == ")":
-            if state == inside:
-                found.append((text[first:index], begin, index + 1))
-            state = outside
-        elif state == dollar:
-            state = outside
-        elif state == opened:
-            state, first = inside, index
-    return tuple(found)
-
-
-_kept = lru_cache(maxsize=2048)(_collect)
-
-
-@lru_cache(maxsize=2048)
-def only_arg(text: str) -> str:
-    """The name of the arg where ``text`` is ``$(arg name)`` and nothing else: most of what launch files hold. Else empty."""
-    match = _ONLY_ARG.fullmatch(text) if len(text) < SHORT else None
-    return "" if match is None else match[1]
-
-
-def resolve(evaluation: FileEvaluation, text: str, where: Where, context: Context) -> Value:
-    """The value of ``text`` in ``context``; problems are recorded on ``evaluation`` at the place ``where`` gives for offsets into
-    ``text``.
-    """
+    text = parts.text
     if "$" not in text:
         return text
     try:
-        if text.startswith("$(eval ") and text.endswith(")"):
-            value = _evaluate(evaluation, text, where, context)
+        expression = parts.expression
+        if expression is not None:
+            value = _evaluate(evaluation, expression, where, context)
             if isinstance(value, str):
                 evaluation.spend_characters(len(value), where(0, len(text)))
             return value
         try:
-            first = _replace(evaluation, text, where, context, finds=False)
+            first = _replace(evaluation, parts, where, context, finds=False)
         except _NotKnown:
-            _replace(evaluation, text, where, context, finds=True)  # for what is wrong with it
+            _replace(evaluation, parts, where, context, finds=True)  # for what is wrong with it
             raise
         if "$(" not in first:
             return first
-        where, text = _through(text, first, where), first
-        return _replace(evaluation, text, where, context, finds=True)
-    except BadSubstitution as bad:
+        if first != text:
+            where, parts = _through(text, first, where), parse_again(first)
+        return _replace(evaluation, parts, where, context, finds=True)
+    except _Bad as bad:
+        text = parts.text
         evaluation.problem("bad-substitution", where(bad.start, bad.end), refused=True, reason=bad.reason, text=text[bad.start : bad.end])
         return Unknown(text, bad.reason)
     except _NotKnown as unknown:
@@ -142,8 +90,6 @@ def resolve(evaluation: FileEvaluation, text: str, where: Where, context: Contex
 
 def _through(text: str, replaced: str, where: Where) -> Where:
     """Places in a text after its first pass: exact for what did not move, else the whole value."""
-    if text == replaced:
-        return where
 
     def place(start: int, end: int) -> Span:
         piece = replaced[start:end]
@@ -153,52 +99,58 @@ def _through(text: str, replaced: str, where: Where) -> Where:
     return place
 
 
-def _replace(evaluation: FileEvaluation, text: str, where: Where, context: Context, *, finds: bool) -> str:
-    resolved = text
+def _replace(evaluation: FileEvaluation, parts: Parts, where: Where, context: Context, *, finds: bool) -> str:
+    if parts.refused is not None:
+        bad = parts.refused
+        raise _Bad(bad.refused, bad.start, bad.end + 1)  # up to the character that must not stand there
+    resolved = parts.text
     unknown: _NotKnown | None = None
-    for inner, start, end in collect(text):
-        name = inner[4:] if not finds and inner.startswith("arg ") else ""
-        if name and " " not in name and len(resolved) < SHORT:
-            # Most of what a launch file holds; a span is made where something is to be said of it only.
-            known = evaluation.known_argument(name, context)
-            if known is not None and len(known) < SHORT:
-                resolved = resolved.replace(text[start:end], known)
-                continue
-        words = [word for word in inner.split(" ") if word]
+    for part in parts.parts:
+        if not isinstance(part, Substitution):
+            continue
+        words = part.words
         if not words:
-            raise BadSubstitution("there is no command in it", start, end)
-        command, arguments = words[0], words[1:]
+            raise _Bad("there is no command in it", part.start, part.end)
+        command = words[0].text
+        if not finds and command == "arg" and len(words) == 2 and len(resolved) < SHORT:
+            # Most of what a launch file holds; a span is made where something is to be said of it only.
+            known = evaluation.known_argument(words[1].text, context)
+            if known is not None and len(known) < SHORT:
+                resolved = resolved.replace(part.text, known)
+                continue
         if command not in COMMANDS:
-            raise BadSubstitution(f"{command} is not a substitution command", start, end)
+            raise _Bad(f"{command} is not a substitution command", part.start, part.end)
         if (command == "find") is not finds:
             continue
-        span = where(start, end)
+        span = where(part.start, part.end)
         evaluation.spend_characters(len(resolved), span)  # each one goes over the whole text
         try:
             if command == "find":
-                resolved = _find(evaluation, resolved, inner, arguments, (start, end), span, context)
+                resolved = _find(evaluation, resolved, part, span, context)
             else:
-                value, written = _simple(evaluation, command, arguments, (start, end), span, context), f"$({inner})"
-                if len(value) > len(written):
-                    evaluation.spend_characters(len(value) * resolved.count(written), span)
-                resolved = resolved.replace(written, value)
+                value = _simple(evaluation, part, span, context)
+                if len(value) > len(part.text):
+                    evaluation.spend_characters(len(value) * resolved.count(part.text), span)
+                resolved = resolved.replace(part.text, value)
         except _NotKnown as reason:
             unknown = unknown or reason  # the rest may be wrong too
     if unknown is not None:
-        raise _NotKnown(unknown.reason, _LEFT.sub("*", resolved))
+        raise _NotKnown(unknown.reason, _SEVERAL.sub("*", parse_again(resolved).beside("*")))
     return resolved
 
 
-def _simple(evaluation: FileEvaluation, command: str, arguments: list[str], at: tuple[int, int], span: Span, context: Context) -> str:
+def _simple(evaluation: FileEvaluation, part: Substitution, span: Span, context: Context) -> str:
+    command = part.command
     if command == "dirname":
         return evaluation.dirname()
+    arguments = [word.text for word in part.words[1:]]
     if not arguments:
-        raise BadSubstitution(f"{command} needs a name", *at)
+        raise _Bad(f"{command} needs a name", part.start, part.end)
     name = arguments[0]
     if command == "optenv":
         return evaluation.variable(name, " ".join(arguments[1:]))
     if len(arguments) > 1:
-        raise BadSubstitution(f"{command} takes one name only", *at)
+        raise _Bad(f"{command} takes one name only", part.start, part.end)
     if command == "env":
         return _environment(evaluation, name, span, context)
     if command == "anon":
@@ -222,15 +174,13 @@ def _environment(evaluation: FileEvaluation, name: str, span: Span, context: Con
     return value
 
 
-def _find(
-    evaluation: FileEvaluation, text: str, inner: str, arguments: list[str], at: tuple[int, int], span: Span, context: Context
-) -> str:
+def _find(evaluation: FileEvaluation, text: str, part: Substitution, span: Span, context: Context) -> str:
     """Replace the first ``$(find pkg)`` and the path behind it up to a blank (substitution_args._find)."""
-    if len(arguments) != 1:
-        raise BadSubstitution("find takes one package name", *at)
-    before, _, after = text.partition(f"$({inner})")
+    if not part.only:
+        raise _Bad("find takes one package name", part.start, part.end)
+    before, _, after = text.partition(part.text)
     path, blank, rest = after.partition(" ")
-    directory = _package(evaluation, arguments[0], span, context)
+    directory = _package(evaluation, part.only, span, context)
     return before + evaluation.resource(directory, path) + blank + rest
 
 
@@ -292,22 +242,22 @@ class _Names:
         return self.evaluation.dirname()
 
 
-def _evaluate(evaluation: FileEvaluation, text: str, where: Where, context: Context) -> Value:
+def _evaluate(evaluation: FileEvaluation, part: Expression, where: Where, context: Context) -> Value:
     from launchlint.evaluate.ros1.expression import ExpressionError, arguments_read, evaluate, never_equal
 
-    expression = text[7:-1]
+    expression, text, at = part.code, part.text, part.code_start
     evaluation.reads.update(arguments_read(expression))
     if "= '" in expression or "='" in expression or '="' in expression or '= "' in expression:
         for start, end, name, literal in never_equal(expression):
-            evaluation.problem("eval-never-equal", where(7 + start, 7 + end), name=name, literal=literal)
+            evaluation.problem("eval-never-equal", where(at + start, at + end), name=name, literal=literal)
     try:
         return evaluate(expression, _Names(evaluation, where(0, len(text)), context))
     except UnknownValue as unknown:
         if not isinstance(unknown, AlreadyTold):
-            evaluation.problem("eval-not-covered", where(7, len(text) - 1), reason=str(unknown))
+            evaluation.problem("eval-not-covered", where(at, len(text) - 1), reason=str(unknown))
         return Unknown(text, str(unknown))
     except ExpressionError as error:
-        span = where(7 + error.start, 7 + max(error.end, error.start + 1))
+        span = where(at + error.start, at + max(error.end, error.start + 1))
         if error.undefined_arg is not None:
             evaluation.missing_argument(error.undefined_arg, span, context)
         elif error.unset_env is not None:
@@ -319,56 +269,11 @@ def _evaluate(evaluation: FileEvaluation, text: str, where: Where, context: Cont
         return Unknown(text, "its $(eval …) fails")
 
 
-_LOOKS_LIKE = (
-    r"\$\s+\((?:find|env|optenv|dirname|anon|arg|eval)\b(?:\s+[\w./\-]+)*\s*\)?"
-    r"|\$\{(?:find|env|optenv|anon|arg) [\w./\- ]*\}?"
-    r"|\$\((?:find|env|optenv|dirname|anon|arg|eval)\b(?:\s+[\w\-]+)?[}\]]?"
-    r"|\$(?:find|env|optenv|anon|arg) +[\w\-]+(?: +[^()$ ]+)*\)"
-    r"|\$(?:find|env|optenv|anon|arg)\( *[\w\-]+ *\)"
-    r"|(?<![\w$)])\((?:find|optenv|anon|arg) [\w\-]+\)"
-    r"|\$\[(?:find|arg|env) [\w./\- ]*\]?"
-)
-
-
-def left_over(text: str) -> tuple[int, int, bool] | None:
-    """Start and end of what looks like a substitution in ``text`` and is none, so that it stays in the value; True: a ``)`` too many."""
-    return _kept_left_over(text) if len(text) <= LONGEST_KEPT else _left_over(text)
-
-
-def _left_over(text: str) -> tuple[int, int, bool] | None:
-    try:
-        found = collect(text)
-    except BadSubstitution:
-        return None
-    rest = text
-    for _, start, end in found:
-        rest = rest[:start] + " " * (end - start) + rest[end:]
-    match = re.search(_LOOKS_LIKE, rest)
-    if match is not None:
-        return (*match.span(), False)
-    if rest.count(")") > rest.count("("):
-        for _, _, end in found:
-            if text[end : end + 1] == ")":
-                return end, end + 1, True
-    return None
-
-
-_kept_left_over = lru_cache(maxsize=2048)(_left_over)
-
-
-def never_boolean(text: str) -> bool:
-    """Whether no values of the substitutions in ``text`` can make a boolean of it, because of what is written beside them."""
-    if text.startswith("$(eval "):
-        return False
-    try:
-        found = collect(text)
-    except BadSubstitution:
-        return False
-    beside, end = "", 0
-    for _, start, after in found:
-        beside += text[end:start] + "\0"
-        end = after
-    beside = (beside + text[end:]).strip().lower()
+def never_boolean(parts: Parts) -> bool:
+    """Whether no values of its substitutions can make a boolean of a text, because of what is written beside them."""
+    if parts.refused is not None or parts.expression is not None or any(parts.substitutions("eval")):
+        return False  # what is wrong with it is told, or nobody knows
+    beside = parts.beside("\0").strip().lower()
     if len(beside.replace("\0", "")) > _LONGEST_BOOLEAN:
         return True
     pattern = ".*".join(map(re.escape, re.split("\0+", beside)))
