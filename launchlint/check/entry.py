@@ -32,6 +32,7 @@ from launchlint.workspace.packages import Packages
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.graph.connections import ConnectionGraph
+    from launchlint.graph.earlier import Earlier
     from launchlint.knowledge.own import OwnSources
     from launchlint.library.lookup import Library
 
@@ -85,6 +86,7 @@ class EntryChecker:
         self.graph_rules = tuple(rule for rule in self.rules if rule.view == "graph")
         self._files: dict[str, FileResult] = {}
         self._sights: list[Sight] = []
+        self._earlier: Earlier | None = None
 
     @cached_property
     def library(self) -> Library:
@@ -130,6 +132,7 @@ class EntryChecker:
         session.begin_entry()
         noted()
         self._sights.clear()
+        self._earlier = None
         if self.own is not None:
             self.own.asked()
         findings: dict[Key, Finding] = {}
@@ -242,11 +245,19 @@ class EntryChecker:
         if self.graph_rules and (launch.nodes or launch.tests or launch.parameter_settings):
             yield from self._graph_findings(evaluation, request)
 
+    @property
+    def _connected_before(self) -> Earlier:
+        from launchlint.graph.earlier import Earlier
+
+        if self._earlier is None:
+            self._earlier = Earlier()
+        return self._earlier
+
     def connected(self, evaluation: Evaluation) -> ConnectionGraph:
         """The connection graph of what was evaluated."""
         from launchlint.graph.connect import connect
 
-        return connect(evaluation.launch, self.library)
+        return connect(evaluation.launch, self.library, self._connected_before)
 
     def _graph_findings(self, evaluation: Evaluation, request: EntryRequest) -> Iterator[Finding | Fine]:
         from launchlint.rules.view import GraphView
@@ -254,7 +265,7 @@ class EntryChecker:
         graph = self.connected(evaluation)
         if not self._sights:  # only the configuration without args, which comes first, counts
             self._sights.append(_sight(graph))
-        view = GraphView(graph, self.library, self.packages, request.declared, evaluation.documents)
+        view = GraphView(graph, self.library, self.packages, request.declared, evaluation.documents, self._connected_before)
         for rule in self.graph_rules:
             for found in run_rule(rule, view, evaluation.launch.entry.path):
                 yield found if isinstance(found, Fine) else self._at_home(found, evaluation, assumed=False)

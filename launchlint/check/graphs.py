@@ -14,6 +14,7 @@ from launchlint.evaluate.launch import evaluate
 from launchlint.graph.connect import connect
 from launchlint.graph.connections import ConnectionGraph
 from launchlint.graph.details import details
+from launchlint.graph.earlier import Earlier
 from launchlint.graph.topology import Topology, topology
 
 
@@ -30,7 +31,9 @@ def graphs_of(checker: EntryChecker, request: EntryRequest, *, every_configurati
     session.begin_entry()
     if not every_configuration:
         return [connect(evaluate(session, request.at, request.arguments).launch, checker.library)]
-    return [connect(evaluation.launch, checker.library) for evaluation in configurations(session, request.at, request.arguments)]
+    earlier = Earlier()
+    found = configurations(session, request.at, request.arguments)
+    return [connect(evaluation.launch, checker.library, earlier) for evaluation in found]
 
 
 class Revision:

@@ -7,11 +7,13 @@ nodes, endpoints and connections: publishers and subscribers of a topic are list
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 from typing import NamedTuple
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.graph.command_line import CommandLine, command_line
 from launchlint.graph.connections import CATEGORY, OFFERS, Channel, ConnectionGraph, Doubt, Endpoint, Instance, Reading
+from launchlint.graph.earlier import Earlier
 from launchlint.graph.frames import Frame, frames
 from launchlint.graph.instantiate import Interface, instantiate
 from launchlint.graph.names import Namer, NodeletNamer, absolute
@@ -41,12 +43,18 @@ class _Process(NamedTuple):
     mode: str
 
 
-def connect(launch: Launch, library: Library) -> ConnectionGraph:
-    """The connection graph of ``launch``, tests included."""
+def connect(launch: Launch, library: Library, earlier: Earlier | None = None) -> ConnectionGraph:
+    """The connection graph of ``launch``, tests included. ``earlier`` are the other configurations of the same entry file, if any."""
     parameters = Parameters(launch.parameters, launch.more_parameters)
-    processes = [_process(node, library) for node in (*launch.nodes, *launch.tests)]
+    earlier = earlier or Earlier()
+    processes = [earlier.process(node, partial(_process, library)) for node in (*launch.nodes, *launch.tests)]
     managers = {process.namer.resolve(LOAD).name: process for process in processes if _is_manager(process)}
-    instances = tuple(_instance(process, managers, parameters, library) for process in processes)
+    found: list[Instance] = []
+    for process in processes:
+        manager = _manager(process, managers)
+        make = partial(_instance, process, manager, parameters, library)
+        found.append(earlier.instance(process.node, process, manager, parameters, make))
+    instances = tuple(found)
     channels: dict[tuple[str, str], Channel] = {}
     readers: dict[str, list[Reading]] = {}
     for instance in instances:
@@ -54,7 +62,7 @@ def connect(launch: Launch, library: Library) -> ConnectionGraph:
             key = (endpoint.kind, endpoint.name)
             channel = channels.get(key)
             if channel is None:
-                channel = channels[key] = Channel(*key, [], [])
+                channel = channels[key] = Channel(*key)
             (channel.offers if endpoint.role in OFFERS else channel.uses).append(endpoint)
         for reading in instance.readings:
             readers.setdefault(reading.name, []).append(reading)
@@ -63,7 +71,7 @@ def connect(launch: Launch, library: Library) -> ConnectionGraph:
     return ConnectionGraph(launch, instances, ordered, parameters, {name: tuple(readers[name]) for name in sorted(readers)}, unseen)
 
 
-def _process(node: Node, library: Library) -> _Process:
+def _process(library: Library, node: Node) -> _Process:
     line = command_line(node)
     program = library.executable(node.package, node.executable) if node.knows("package", "executable") else None
     client = program.client if program is not None else "rospy" if node.executable.endswith(".py") else ""
@@ -72,7 +80,7 @@ def _process(node: Node, library: Library) -> _Process:
     return _Process(node, node.full_name, line, program, namer, first if isinstance(first, str) else "")
 
 
-def _instance(process: _Process, managers: dict[str, _Process], parameters: Parameters, library: Library) -> Instance:
+def _instance(process: _Process, manager: _Process | None, parameters: Parameters, library: Library) -> Instance:
     node, name = process.node, process.name
     certain = not any(condition.assumed for condition in node.conditions)
     unknown = _unknown_start(node)
@@ -95,7 +103,6 @@ def _instance(process: _Process, managers: dict[str, _Process], parameters: Para
         elif process.mode in ("load", "standalone") and (class_ := _loaded(process.line, process.mode)):
             kind, program = "nodelet", class_
             if process.mode == "load":
-                manager = _manager(process, managers)
                 host = "" if manager is None else manager.namer.graph_name
                 namer = NodeletNamer(namer, None if manager is None else manager.namer)
             known = library.nodelet(program)
@@ -165,7 +172,9 @@ def _loaded(line: CommandLine, mode: str) -> str:
 
 
 def _manager(process: _Process, managers: dict[str, _Process]) -> _Process | None:
-    """The process that runs the nodelet; None where it is not of this launch, or not known."""
+    """The process that runs what ``process`` loads as a nodelet; None where it is not of this launch, or not known."""
+    if process.mode != "load":
+        return None
     given = process.line.words[2] if len(process.line.words) > 2 else UNKNOWN
     return managers.get(process.namer.resolve(f"{given}/load_nodelet").name) if isinstance(given, str) else None
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import NamedTuple
 
 from launchlint.graph.frames import Frame
@@ -168,24 +169,28 @@ class Instance(NamedTuple):
         return self.knowledge == "unknown" or category in self.open or any(doubt.category == category for doubt in self.doubts)
 
 
-class Channel(NamedTuple):
-    """A topic, service or action: ``offers`` are its publishers or servers, ``uses`` its subscribers or clients."""
+class Channel:
+    """A topic, service or action: ``offers`` are its publishers or servers, ``uses`` its subscribers or clients.
 
-    kind: str
-    name: str
-    offers: list[Endpoint]
-    uses: list[Endpoint]
+    What is asked of all of these is asked when the graph is complete, by many rules, and so is worked out once.
+    """
 
-    @property
+    def __init__(self, kind: str, name: str) -> None:
+        self.kind = kind
+        self.name = name
+        self.offers: list[Endpoint] = []
+        self.uses: list[Endpoint] = []
+
+    @cached_property
     def is_hub(self) -> bool:
         """Whether everybody uses it."""
         many = len(self.offers) > 1 and len(self.uses) > 1
         return self.name in HUBS or (many and len(self.offers) * len(self.uses) >= HUB_SIZE)
 
-    @property
+    @cached_property
     def is_plumbing(self) -> bool:
         """Whether it belongs to the machinery of nodes."""
-        return all(endpoint.is_plumbing for endpoint in (*self.offers, *self.uses))
+        return all(endpoint.type.startswith(PLUMBING) for endpoint in (*self.offers, *self.uses))
 
 
 class ConnectionGraph(NamedTuple):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from typing import NamedTuple
 
 from launchlint.graph.connections import CATEGORY, Doubt, Endpoint, Reading
@@ -49,9 +50,9 @@ def instantiate(program: Program, start: Start, namer: Namer, process: str, *, c
 
     Where it cannot be known which variant it is in, everything in any of them may be there.
     """
-    interface = Interface([], [], {}, [], any(is_template(each.name) for variant in program.variants for each in variant.declarations))
     variants = program.variant(start)
-    interface = interface._replace(literals=tuple(dict.fromkeys(text for variant in variants for text in variant.literals)))
+    literals = tuple(dict.fromkeys(text for variant in variants for text in variant.literals))
+    interface = Interface([], [], {}, [], any(variant.has_template for variant in program.variants), literals)
     for variant in variants:
         for category, reason in variant.open.items():
             interface.open.setdefault(category, reason)
@@ -91,13 +92,20 @@ def _around(declaration: Declaration, pattern: str, type_: str) -> Iterator[Doub
         yield Doubt(declaration.category, f"{pattern}/{suffix}", declaration.name, its_type)
 
 
+@lru_cache(maxsize=4096)  # the names of one program are asked for with each of its nodes
 def _is_usable(name: str) -> bool:
     """Whether a filled-in template is a name at all: what is not is as good as unknown."""
     return name.replace("/", "a").replace("_", "a").replace("~", "a", 1).isalnum() and name.isascii()
 
 
-def _names(declaration: Declaration, start: Start) -> Iterator[tuple[str | Undetermined, str]]:
+def _names(declaration: Declaration, start: Start) -> Iterable[tuple[str | Undetermined, str]]:
     """The names (and types) of a declaration; nothing where a part of it has no value."""
+    if declaration.each is None and declaration.name and not (is_template(declaration.name) or is_template(declaration.type)):
+        return ((declaration.name, declaration.type),)
+    return _filled(declaration, start)
+
+
+def _filled(declaration: Declaration, start: Start) -> Iterator[tuple[str | Undetermined, str]]:
     if declaration.each is None:
         items: list[Any] = [None]
     else:
@@ -116,23 +124,27 @@ def _names(declaration: Declaration, start: Start) -> Iterator[tuple[str | Undet
 def _add(
     interface: Interface, declaration: Declaration, name: str, type_: str, namer: Namer, start: Start, process: str, certain: bool
 ) -> None:
-    resolve = {"publishers": namer.topic, "subscribers": namer.topic, "actions": namer.action}.get(declaration.category, namer.resolve)
-    resolved = resolve(name)
+    category = declaration.category
+    if category in ("publishers", "subscribers"):
+        resolved = namer.topic(name)
+    else:
+        resolved = namer.action(name) if category == "actions" else namer.resolve(name)
     patterns, moved = namer.elsewhere(resolved.unremapped)
     for pattern in patterns:
         interface.doubts.extend(_around(declaration, pattern, type_))
     if moved:
         return
     certain = certain and not patterns
+    if category == "params":
+        interface.readings.append(Reading(namer.node, resolved.name, name, resolved.unremapped, resolved.applied, certain, declaration))
+        return
 
     def endpoint(role: str, at: Resolved, its_type: str, *, sure: bool = True, action: str = "") -> None:
         interface.endpoints.append(
             Endpoint(namer.node, role, at.name, name, at.unremapped, at.applied, its_type, certain and sure, process, declaration, action)
         )
 
-    if declaration.category == "params":
-        interface.readings.append(Reading(namer.node, resolved.name, name, resolved.unremapped, resolved.applied, certain, declaration))
-    elif declaration.category == "actions":
+    if category == "actions":
         start.looked_up[resolved.unremapped] = name
         serves = declaration.role == "server"
         endpoint(f"action {declaration.role}", resolved, type_)
@@ -144,7 +156,7 @@ def _add(
         start.looked_up[resolved.unremapped] = name
         _image(declaration, resolved, type_, namer, start, endpoint)
     else:
-        endpoint(_ROLES[declaration.category], resolved, type_)
+        endpoint(_ROLES[category], resolved, type_)
 
 
 def _image(declaration: Declaration, base: Resolved, type_: str, namer: Namer, start: Start, endpoint: Any) -> None:

@@ -139,6 +139,8 @@ class Namer:
 
     def elsewhere(self, unremapped: str) -> tuple[list[str], bool]:
         """Patterns of the names that remappings which are not known may make of a name, and whether one of them acts for certain."""
+        if not self._unknown:
+            return [], False
         found = [(source, target) for source, target in self._unknown if matches(source, unremapped)]
         return [target for _, target in found], any("*" not in source for source, _ in found)
 

@@ -19,9 +19,19 @@ class Parameters:
         self._settings = settings
         self._more = tuple({namespace.rstrip("/") for namespace in more})
         self._below: dict[str, list[str]] | None = None
+        self._noted: dict[str, Any] = {}
+
+    def noted(self) -> Mapping[str, Any]:
+        """The values that were asked for since this was called the last time."""
+        noted, self._noted = self._noted, {}
+        return noted
 
     def value(self, name: str) -> Any:
         """The value of a param; a mapping of what is below it where only that is set; None where nothing is; UNKNOWN."""
+        value = self._noted[name] = self._value(name)
+        return value
+
+    def _value(self, name: str) -> Any:
         setting = self._settings.get(name)
         if setting is not None:
             return _plain(setting.value)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from launchlint.library.condition import holds
+from launchlint.library.template import is_template
 from launchlint.library.terms import CATEGORIES, FRAMES
 
 TYPE_CHECKING = False
@@ -52,7 +53,7 @@ class FrameDeclaration(NamedTuple):
 class Variant(NamedTuple):
     """One way a program can be started. ``match`` is the condition for it (None: always); ``open`` the categories that may hold more.
 
-    ``literals`` are texts in its sources that may be names.
+    ``literals`` are texts in its sources that may be names; ``has_template``: some name depends on how it is started.
     """
 
     name: str
@@ -61,6 +62,7 @@ class Variant(NamedTuple):
     open: Mapping[str, str]
     frames: tuple[FrameDeclaration, ...] = ()
     literals: tuple[str, ...] = ()
+    has_template: bool = False
 
 
 class Program(NamedTuple):
@@ -96,7 +98,15 @@ def program(package: str, name: str, data: Mapping[str, Any]) -> Program:
 def _variant(name: str, data: Mapping[str, Any]) -> Variant:
     declarations = [_declaration(category, entry) for category in CATEGORIES for entry in data.get(category, ())]
     frames = [_frame(entry) for entry in data.get(FRAMES, ())]
-    return Variant(name, data.get("match"), tuple(declarations), data.get("open", {}), tuple(frames), tuple(data.get("literals", ())))
+    return Variant(
+        name,
+        data.get("match"),
+        tuple(declarations),
+        data.get("open", {}),
+        tuple(frames),
+        tuple(data.get("literals", ())),
+        any(is_template(each.name) for each in declarations),
+    )
 
 
 def _frame(entry: Mapping[str, Any]) -> FrameDeclaration:

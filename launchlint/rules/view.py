@@ -18,10 +18,15 @@ from launchlint.workspace.packages import Packages
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.graph.connections import ConnectionGraph
+    from typing import Any, TypeVar
+
+    from launchlint.graph.connections import ConnectionGraph, Instance
     from launchlint.graph.difference import Difference
+    from launchlint.graph.earlier import Earlier
     from launchlint.library.lookup import Library
     from launchlint.suppression import Suppression
+
+    T = TypeVar("T")
 
 
 class FileView(NamedTuple):
@@ -101,19 +106,41 @@ class LaunchView:
         return found
 
 
-class GraphView(NamedTuple):
+class GraphView:
     """The graph view: who talks to whom in what one entry file starts in one configuration; else as :class:`LaunchView`."""
 
-    graph: ConnectionGraph
-    library: Library
-    packages: Packages
-    declared_entry: bool
-    documents: Mapping[str, Document] = {}
+    def __init__(
+        self,
+        graph: ConnectionGraph,
+        library: Library,
+        packages: Packages,
+        declared_entry: bool,
+        documents: Mapping[str, Document],
+        earlier: Earlier,
+    ) -> None:
+        self.graph = graph
+        self.library = library
+        self.packages = packages
+        self.declared_entry = declared_entry
+        self.documents = documents
+        self._earlier = earlier
+        self._worked_out: dict[object, Any] = {}
 
     @property
     def launch(self) -> Launch:
         """What is started."""
         return self.graph.launch
+
+    def once(self, work: Callable[[GraphView], T]) -> T:
+        """What ``work`` makes of the view: worked out for the first rule that asks, and kept for the others."""
+        if work not in self._worked_out:
+            self._worked_out[work] = work(self)
+        made: T = self._worked_out[work]
+        return made
+
+    def fact(self, instance: Instance, work: Callable[[Instance, Library], T]) -> T:
+        """What ``work`` makes of a node and the library, and of nothing else: kept for other rules, and configurations with that node."""
+        return self._earlier.fact(instance, work, self.library)
 
 
 class BaseView(NamedTuple):

@@ -67,13 +67,12 @@ SHARED = frozenset({"map", "map_metadata", "initialpose", "clicked_point", "goal
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at every topic that several nodes of one program publish, or several hear."""
-    known: Owners | None = None
     for channel in view.graph.channels.values():
         if channel.kind != "topic" or channel.is_hub or channel.is_plumbing or channel.name.rpartition("/")[2] in SHARED:
             continue
         if len(channel.offers) < 2 and len(channel.uses) < 2:
             continue
-        known = known or owners(view.graph)
+        known = view.once(owners)
         copies = _copies(channel.offers, known)
         if copies:
             shared = _is_gathered(channel, copies, known) or not all(map(_surely_publishes, copies))

@@ -84,11 +84,10 @@ class Source(NamedTuple):
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at every command topic."""
-    known: Owners | None = None
     for channel in view.graph.channels.values():
         if channel.kind != "topic" or len(channel.offers) < 2 or channel.name.rpartition("/")[2] not in COMMANDS:
             continue
-        known = known or owners(view.graph)
+        known = view.once(owners)
         sources = _sources(channel, known, view.graph)
         if len(sources) > 1:
             yield _finding(channel, sources, known, view.graph)

@@ -11,11 +11,12 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from launchlint.finding import Severity
-from launchlint.graph.connections import HUBS, OFFERS, Channel, ConnectionGraph, Endpoint, Instance
+from launchlint.graph.connections import HUBS, OFFERS, Channel, Endpoint, Instance
 from launchlint.graph.plausible import Possible
 from launchlint.rules.connections.near_names import NAMESPACE, RELATIONS, SLIP, TWIN, WORDS, relation
 from launchlint.rules.connections.places import owners
 from launchlint.rules.connections.same_definition import STANDARD, is_known, stands_for
+from launchlint.rules.view import GraphView
 
 _MOST_CANDIDATES = 40
 """Names of one type that a loose end is compared with."""
@@ -51,12 +52,12 @@ class Missed(NamedTuple):
 class LooseEnds:
     """The loose ends of one graph."""
 
-    def __init__(self, graph: ConnectionGraph) -> None:
-        self.graph = graph
-        self.owners = owners(graph)
+    def __init__(self, view: GraphView) -> None:
+        self.graph = view.graph
+        self.owners = view.once(owners)
         self._by_type: dict[tuple[str, bool, str], list[Channel]] | None = None
         self._connected: dict[int, bool] = {}
-        self._programs = Counter(instance.program for instance in graph.instances)
+        self._programs = Counter(instance.program for instance in self.graph.instances)
         self._compared = 0
         self._possible: dict[tuple[int, bool], tuple[Possible, ...] | None] = {}
 

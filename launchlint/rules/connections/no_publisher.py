@@ -61,5 +61,5 @@ RULE = Rule("LL612", "no-publisher", Severity.WARNING, fixable="unsafe")
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at the topics that have subscribers only."""
     repairs = Repairs(view)
-    for cause in causes(view.graph, "subscriber"):
+    for cause in view.once(causes)["subscriber"]:
         yield tell(RULE, cause, "both nodes run and neither complains, but no message arrives", repairs)

@@ -55,5 +55,5 @@ RULE = Rule("LL614", "no-server", Severity.WARNING, fixable="unsafe")
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at the services and actions that have clients only."""
     repairs = Repairs(view)
-    for cause in causes(view.graph, "client"):
+    for cause in view.once(causes)["client"]:
         yield tell(RULE, cause, "the call fails, or waits for the server for ever", repairs)

@@ -58,5 +58,5 @@ RULE = Rule("LL613", "no-subscriber", Severity.INFO, fixable="unsafe")
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at the topics that have publishers only."""
     repairs = Repairs(view)
-    for cause in causes(view.graph, "publisher"):
+    for cause in view.once(causes)["publisher"]:
         yield tell(RULE, cause, "what it publishes reaches nobody", repairs)

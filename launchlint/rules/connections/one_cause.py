@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from launchlint.graph.connections import ConnectionGraph
 from launchlint.rules.connections.loose_ends import LooseEnds, Missed
 from launchlint.rules.connections.near_names import NAMESPACE, SIBLING
+from launchlint.rules.view import GraphView
 
 Apart = tuple[tuple[str, ...], tuple[str, ...]]
 Hub = tuple[str, Apart]
@@ -23,29 +23,29 @@ class Cause(NamedTuple):
     hub: Hub | None
 
 
-def causes(graph: ConnectionGraph, tells: str) -> Iterator[Cause]:
-    """The loose ends of ``graph`` that the rule for ``subscriber``, ``publisher`` or ``client`` tells, joined by their cause.
+def causes(view: GraphView) -> Mapping[str, Sequence[Cause]]:
+    """The loose ends of the launch, joined by their cause: those that the rule for each of :data:`_ORDER` tells.
 
     What it has in common with loose ends of other kinds is told once: by the rule for subscribers if it has any, else by the one for
     publishers.
     """
-    found = list(_missed(graph))
+    found = list(_missed(view))
     counts = Counter(hub for missed in found for hub in _hubs(missed))
     groups: dict[object, list[Missed]] = {}
     for missed in found:
         likely = max(_hubs(missed), key=lambda each: (counts[each], each), default=None)
         key: object = likely if likely is not None and counts[likely] > 1 else id(missed)
         groups.setdefault(key, []).append(missed)
+    told: dict[str, list[Cause]] = {teller: [] for teller in _ORDER}
     for key, group in groups.items():
         teller = min((_teller(missed) for missed in group), key=_ORDER.index)
-        if teller != tells:
-            continue
         own = [missed for missed in group if _teller(missed) == teller]
         hub = key if isinstance(key, tuple) else None
         first = max(own, key=lambda missed: (missed.level, hub is not None and missed.instance.name == hub[0]))
         level = max(missed.level for missed in group)
         others = tuple(missed for missed in group if missed is not first)
-        yield Cause(first._replace(level=level), others, hub)
+        told[teller].append(Cause(first._replace(level=level), others, hub))
+    return told
 
 
 _ORDER = ("subscriber", "publisher", "client")
@@ -56,9 +56,9 @@ def _teller(missed: Missed) -> str:
     return role if role in _ORDER else "client"
 
 
-def _missed(graph: ConnectionGraph) -> Iterator[Missed]:
+def _missed(view: GraphView) -> Iterator[Missed]:
     """All loose ends that were meant for something; one of two ends that were meant for each other."""
-    ends = LooseEnds(graph)
+    ends = LooseEnds(view)
     told: set[tuple[str, str]] = set()
     for missed in ends.missed("topic", offers=False):
         told.add((missed.other.name, missed.end.name))

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from launchlint.finding import Finding, Location, Related
-from launchlint.graph.connections import ConnectionGraph, Endpoint, Instance
+from launchlint.graph.connections import Endpoint, Instance
 from launchlint.graph.names import Applied, absolute, kind
 from launchlint.library.template import Slot, is_template, parse
 from launchlint.library.terms import READ_FROM
+from launchlint.rules.view import GraphView
 from launchlint.source import Origin
 
 Owners = Mapping[int, Instance]
@@ -25,9 +26,9 @@ TALKS = {
 """What a node of each role does with a name."""
 
 
-def owners(graph: ConnectionGraph) -> Owners:
-    """The node of each endpoint of ``graph``."""
-    return {id(endpoint): instance for instance in graph.instances for endpoint in instance.endpoints}
+def owners(view: GraphView) -> Owners:
+    """The node of each endpoint; to be asked for through :meth:`~launchlint.rules.view.GraphView.once`."""
+    return {id(endpoint): instance for instance in view.graph.instances for endpoint in instance.endpoints}
 
 
 def is_known_to_act(endpoint: Endpoint) -> bool:

@@ -57,12 +57,11 @@ def check(view: GraphView) -> Iterator[Finding]:
 
     What the same servers share is told once: two copies of a node share all that they serve.
     """
-    known: Owners | None = None
     clashes: dict[tuple[str, ...], list[Clash]] = {}
     for channel in view.graph.channels.values():
         if channel.kind == "topic" or len(channel.offers) < 2:
             continue
-        known = known or owners(view.graph)
+        known = view.once(owners)
         servers: dict[str, Endpoint] = {}
         for endpoint in channel.offers:
             # Tests run one after another, so that a test is never there beside another one.
@@ -71,8 +70,7 @@ def check(view: GraphView) -> Iterator[Finding]:
         if len(servers) > 1:
             clashes.setdefault(tuple(servers), []).append((channel, list(servers.values())))
     for shared in clashes.values():
-        assert known is not None
-        yield _finding(shared, known)
+        yield _finding(shared, view.once(owners))
 
 
 def _is_called(channel: Channel) -> bool:

@@ -35,7 +35,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.graph.connections import ConnectionGraph, Endpoint, Instance
+from launchlint.graph.connections import Endpoint, Instance
 from launchlint.model import ParameterSetting
 from launchlint.rules.connections.places import owners
 from launchlint.rules.params.values import is_certain
@@ -56,15 +56,16 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     channel = graph.channels.get(("topic", CLOCK))
     clocks = [] if channel is None else channel.offers
     if setting is not None and setting.value is True:
-        yield from _without_clock(setting, clocks, graph)
+        yield from _without_clock(setting, clocks, view)
     else:
-        yield from _unused_clock(setting, clocks, graph)
+        yield from _unused_clock(setting, clocks, view)
 
 
-def _without_clock(setting: ParameterSetting, clocks: list[Endpoint], graph: ConnectionGraph) -> Iterator[Finding | Fine]:
+def _without_clock(setting: ParameterSetting, clocks: list[Endpoint], view: GraphView) -> Iterator[Finding | Fine]:
+    graph = view.graph
     if clocks or not is_certain(setting):
         yield RULE.fine(setting.origin)
-        known = owners(graph)
+        known = view.once(owners)
         yield from (RULE.fine(_args(known[id(endpoint)])) for endpoint in clocks)
         return
     players = [instance for instance in graph.instances if instance.program == _PLAYER and instance.certain]
@@ -98,12 +99,13 @@ def _args(player: Instance) -> Origin:
     return Origin(player.node.places.get("arguments", player.node.origin.place), player.node.origin.step)
 
 
-def _unused_clock(setting: ParameterSetting | None, clocks: list[Endpoint], graph: ConnectionGraph) -> Iterator[Finding]:
+def _unused_clock(setting: ParameterSetting | None, clocks: list[Endpoint], view: GraphView) -> Iterator[Finding]:
+    graph = view.graph
     if setting is not None and (setting.value is not False or not is_certain(setting)):
         return
     if setting is None and not graph.launch.complete:
         return
-    known = owners(graph)
+    known = view.once(owners)
     others = [other for other in graph.instances if other.program != _PLAYER]
     if not others or any(known[id(endpoint)].program != _PLAYER for endpoint in clocks):
         return  # Gazebo (gazebo_ros_api_plugin) and Stage (stageros) set the param themselves

@@ -58,12 +58,9 @@ _WHAT_HAPPENS = {
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at every name that nodes of both sides certainly have."""
-    owner: Owners | None = None
     for channel in view.graph.channels.values():
         for offer, use in _mismatches(channel):
-            if owner is None:
-                owner = owners(view.graph)
-            yield _finding(channel, offer, use, owner)
+            yield _finding(channel, offer, use, view.once(owners))
 
 
 def _mismatches(channel: Channel) -> Iterator[tuple[Endpoint, Endpoint]]:

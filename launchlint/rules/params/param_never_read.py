@@ -46,11 +46,11 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
-from launchlint.graph.connections import ConnectionGraph, Instance
+from launchlint.graph.connections import Instance
 from launchlint.library.lookup import Library
 from launchlint.model import ParameterSetting
 from launchlint.rules.edits import Edits, fix, set_value, spot
-from launchlint.rules.params.reads import UNIVERSAL, Declared, declared_by
+from launchlint.rules.params.reads import UNIVERSAL, declared_by
 from launchlint.rules.params.values import is_certain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
@@ -72,7 +72,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look at every param that is private to a node."""
     graph = view.graph
     instances = {instance.name: instance for instance in graph.instances}
-    reads = _Reads(graph, view.library)
+    reads = _Reads(view)
     unread: list[tuple[ParameterSetting, Instance]] = []
     in_file: Counter[tuple[str, str]] = Counter()
     for setting in graph.launch.parameters.values():
@@ -119,68 +119,76 @@ def _is_known(instance: Instance) -> bool:
     return not instance.may_have_more("params")
 
 
-class _Reads:
-    """What is read in one launch."""
+class _Own:
+    """What the code of one node may read."""
 
-    def __init__(self, graph: ConnectionGraph, library: Library) -> None:
-        self._graph = graph
-        self._library = library
-        self._declared: dict[str, Declared] = {}
-        self._private: dict[str, list[str]] = {}
-        self._patterns: dict[str, list[list[str]]] = {}
-        self._around: set[str] = set()
-        for name in graph.readers:
-            self._around.add(name)
-            outer = name.rpartition("/")[0]
-            while outer and outer not in self._around:
-                self._around.add(outer)
-                outer = outer.rpartition("/")[0]
-        self._channels = {name for _, name in graph.channels}
+    def __init__(self, instance: Instance, library: Library) -> None:
+        self.declared = declared_by(instance, library)
+        start = f"{instance.name}/"
+        self.private = [name[len(start) :] for name in self.declared.names if name.startswith(start)]
+        """The params below its own name, without that name."""
+        parts = (each.pattern[len(start) :].split("/") for each in self.declared.patterns if each.pattern.startswith(start))
+        self._patterns = [each for each in parts if "*" not in each[-1]]
+        self._slips: dict[str, list[str]] = {}
 
-    def declared(self, instance: Instance) -> Declared:
-        """What the code of a node may read."""
-        if instance.name not in self._declared:
-            self._declared[instance.name] = declared_by(instance, self._library)
-        return self._declared[instance.name]
-
-    def private(self, instance: Instance) -> Sequence[str]:
-        """The params that a node may read below its own name, without that name."""
-        if instance.name not in self._private:
-            start = f"{instance.name}/"
-            self._private[instance.name] = [name[len(start) :] for name in self.declared(instance).names if name.startswith(start)]
-        return self._private[instance.name]
-
-    def patterns(self, instance: Instance) -> Sequence[list[str]]:
-        """As :meth:`private`, of names in which a part may be anything (``*``): their parts."""
-        if instance.name not in self._patterns:
-            start = f"{instance.name}/"
-            known = (each.pattern for each in self.declared(instance).patterns)
-            parts = (pattern[len(start) :].split("/") for pattern in known if pattern.startswith(start))
-            self._patterns[instance.name] = [each for each in parts if "*" not in each[-1]]
-        return self._patterns[instance.name]
-
-    def unset(self, inner: str, owner: Instance, is_like: Callable[[str], bool]) -> list[str]:
-        """Those that are not set and ``is_like`` holds for; where a part may be anything it is that of ``inner``."""
-        found = [name for name in self.private(owner) if is_like(name)]
+    def like(self, inner: str, is_like: Callable[[str], bool]) -> list[str]:
+        """Those that ``is_like`` holds for; where a part may be anything it is that of ``inner``."""
+        found = [name for name in self.private if is_like(name)]
         parts = inner.split("/")
-        for others in self.patterns(owner):
+        for others in self._patterns:
             if len(others) == len(parts):
                 full = "/".join(mine if other == "*" else other for mine, other in zip(parts, others, strict=True))
                 found += [full] if "*" not in full and is_like(full) else []
-        return [name for name in dict.fromkeys(found) if not self._graph.parameters.is_set(f"{owner.name}/{name}")]
+        return list(dict.fromkeys(found))
 
-    def slip(self, inner: str, owner: Instance) -> str | None:
-        """The only name that ``inner`` must be a slip for, although the node may read more than is known."""
+    def slips(self, inner: str) -> list[str]:
+        """Those that ``inner`` may be a slip for."""
+        if inner not in self._slips:
+            self._slips[inner] = self._found_slips(inner)
+        return self._slips[inner]
+
+    def _found_slips(self, inner: str) -> list[str]:
         if max(map(len, inner.split("/"))) < _SHORTEST_SLIP:
-            return None
+            return []
         half = (len(inner) - 2) // 2
         start, end = inner[:half], inner[-half:]
 
         def is_like(name: str) -> bool:  # one slip leaves one of the halves as it is
             return abs(len(name) - len(inner)) <= 1 and (name.startswith(start) or name.endswith(end))
 
-        near = [name for name in self.unset(inner, owner, is_like) if _is_slip(_differing(inner, name))]
+        return [name for name in self.like(inner, is_like) if _is_slip(_differing(inner, name))]
+
+
+class _Reads:
+    """What is read in one launch."""
+
+    def __init__(self, view: GraphView) -> None:
+        self._graph = view.graph
+        self._view = view
+        self._around: set[str] = set()
+        for name in self._graph.readers:
+            self._around.add(name)
+            outer = name.rpartition("/")[0]
+            while outer and outer not in self._around:
+                self._around.add(outer)
+                outer = outer.rpartition("/")[0]
+        self._channels = {name for _, name in self._graph.channels}
+
+    def own(self, instance: Instance) -> _Own:
+        """What the code of a node may read."""
+        return self._view.fact(instance, _Own)
+
+    def unset(self, inner: str, owner: Instance, is_like: Callable[[str], bool]) -> list[str]:
+        """As :meth:`_Own.like`: those that are not set."""
+        return self._not_set(self.own(owner).like(inner, is_like), owner)
+
+    def slip(self, inner: str, owner: Instance) -> str | None:
+        """The only name that ``inner`` must be a slip for, although the node may read more than is known."""
+        near = self._not_set(self.own(owner).slips(inner), owner)
         return near[0] if len(near) == 1 else None
+
+    def _not_set(self, names: list[str], owner: Instance) -> list[str]:
+        return [name for name in names if not self._graph.parameters.is_set(f"{owner.name}/{name}")]
 
     def any_of(self, name: str, owner: Instance) -> bool:
         """Whether somebody may read ``name``, which is private to ``owner``, something around it or something below it."""
@@ -191,13 +199,13 @@ class _Reads:
             if outer in self._graph.readers or (outer != owner.name and outer in self._channels):
                 return True
             outer = outer.rpartition("/")[0]
-        if self.declared(owner).may_be(name):
+        if self.own(owner).declared.may_be(name):
             return True
         return self._graph.unseen.has("params", name)
 
 
 def _finding(setting: ParameterSetting, owner: Instance, reads: _Reads, view: GraphView, *, several: bool) -> Finding:
-    inner, declared = _inner(setting, owner), reads.declared(owner)
+    inner, declared = _inner(setting, owner), reads.own(owner).declared
     if _is_known(owner):
         elsewhere = next((name for name in sorted(declared.names) if declared.names[name].lstrip("/") == inner), None)
         candidates = _near(inner, reads.unset(inner, owner, lambda name: abs(len(name) - len(inner)) <= _FARTHEST))
@@ -220,7 +228,7 @@ def _finding(setting: ParameterSetting, owner: Instance, reads: _Reads, view: Gr
         f"{owner.program} does not read the param {inner}, which is set for {owner.name}",
         severity=Severity.WARNING if meant and not as_default else Severity.INFO,
         label="never read",
-        notes=(_listed(reads.private(owner), everything=_is_known(owner)),),
+        notes=(_listed(reads.own(owner).private, everything=_is_known(owner)),),
         help=help_,
         topic=inner,
         cause=""

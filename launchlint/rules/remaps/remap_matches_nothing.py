@@ -81,7 +81,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     for instance in view.graph.instances:
         if not instance.node.remaps and not instance.namer.remappings:
             continue
-        names = own_names(instance, view.library)
+        names = view.fact(instance, own_names)
         table = instance.namer.remappings.values()
         acting = set() if names is None else {id(applied.rule.remap) for applied in table}
         for remap in instance.node.remaps:

@@ -1,0 +1,106 @@
+"""What the configurations of one entry file have in common: a node that is started in the same way is worked out once.
+
+Most configurations differ in a node or two. Two nodes are the same where everything is equal that is known of them, the places in the
+launch files and the conditions included; then all that follows from the node alone is equal, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
+
+from launchlint.graph.connections import Instance
+from launchlint.graph.parameters import Parameters
+from launchlint.model import Node
+from launchlint.source import Place
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, TypeVar
+
+    from launchlint.library.lookup import Library
+
+    Process = TypeVar("Process")
+    Fact = TypeVar("Fact")
+
+DEEPEST = 16
+"""Groups and includes around a node; with more of them comparing it with another one would cost more than it saves."""
+
+
+class _Made(NamedTuple):
+    """An instance with all that it was made from; ``params`` are those that were asked for."""
+
+    process: object
+    manager: object
+    params: Mapping[str, Any]
+    instance: Instance
+
+
+class Earlier:
+    """The nodes of the configurations of one entry file that were connected before."""
+
+    def __init__(self) -> None:
+        self._processes: dict[tuple[str, Place], tuple[Node, Any]] = {}
+        self._made: dict[tuple[str, Place], _Made] = {}
+        self._facts: dict[tuple[int, object], tuple[Instance, Any]] = {}
+
+    def process(self, node: Node, make: Callable[[Node], Process]) -> Process:
+        """What ``make`` gives for ``node``, which must depend on nothing else; that of an equal node if there was one."""
+        if _is_deep(node):
+            return make(node)
+        key = _key(node)
+        known = self._processes.get(key)
+        if known is not None and known[0] == node:
+            process: Process = known[1]
+        else:
+            process = make(node)
+            self._processes[key] = (node, process)
+        return process
+
+    def instance(self, node: Node, process: object, manager: object, parameters: Parameters, make: Callable[[], Instance]) -> Instance:
+        """What ``make`` gives for ``node``; the same as before where ``process``, ``manager`` and all params it asks for are the same."""
+        key = _key(node)
+        known = self._made.get(key)
+        if (
+            known is not None
+            and known.process is process
+            and known.manager is manager
+            and all(_is_same(parameters.value(name), value) for name, value in known.params.items())
+        ):
+            return known.instance
+        parameters.noted()
+        instance = make()
+        self._made[key] = _Made(process, manager, parameters.noted(), instance)
+        return instance
+
+    def fact(self, instance: Instance, work: Callable[[Instance, Library], Fact], library: Library) -> Fact:
+        """What ``work`` makes of an instance and a library, which is always the same one, and of nothing else; once for each instance."""
+        key = (id(instance), work)
+        if key not in self._facts:
+            self._facts[key] = (instance, work(instance, library))  # the instance stays alive, and so its id its own
+        fact: Fact = self._facts[key][1]
+        return fact
+
+
+def _key(node: Node) -> tuple[str, Place]:
+    return node.full_name, node.origin.place
+
+
+def _is_deep(node: Node) -> bool:
+    scope, depth = node.scope, 0
+    while scope is not None and depth <= DEEPEST:
+        scope, depth = scope.parent, depth + 1
+    return depth > DEEPEST
+
+
+def _is_same(value: Any, other: Any) -> bool:
+    """Whether two values of a param are the same for whatever is made of them: 1, 1.0 and true are not."""
+    if value is other:
+        return True
+    if type(value) is not type(other):
+        return False
+    if isinstance(value, dict):
+        return list(value) == list(other) and all(_is_same(value[key], other[key]) for key in value)
+    if isinstance(value, list):
+        return len(value) == len(other) and all(map(_is_same, value, other))
+    return isinstance(value, (str, int, float)) and repr(value) == repr(other)
