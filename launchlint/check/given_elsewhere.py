@@ -1,4 +1,4 @@
-"""Args that no launch file reads and that other files of the workspace give to it: they may have to be there.
+"""Args that no launch file reads: those that other files of the workspace give may have to be there, some others nobody gives.
 
 Which files those are is worked out when everything has been checked: what is said of one launch file would else hang on all the others.
 """
@@ -10,27 +10,38 @@ from collections.abc import Iterable, Iterator
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
-from launchlint.rules.args.unused_arg import RULE, name_of
+from launchlint.rules.args.unused_arg import RULE, lacks_default, name_of
+from launchlint.workspace.registered_tests import TEST_END
 
+BARE = "it has no default, and no include passes it: roslaunch asks for it only where it is read, so that the file starts without it"
+TEST = "no include passes it, and nobody gives args to a test"
 FAMILY = "an include with a computed file name passes it, so that files like this one have to take it"
 
 
 def judged_by_givers(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
-    """``findings``, those of LL206 about args that others give as infos, and without the removal where an include passes the arg."""
+    """``findings``, those of LL206 about args that others give, or nobody is likely to, as infos.
+
+    Without the removal where an include passes the arg.
+    """
     for finding in findings:
         if finding.rule == RULE.id:
             name = name_of(finding)
             uses = known.packages.arg_uses()
             file = known.file(finding.location.path)
             giver = uses.giver(file, name)
+            passed = uses.is_passed(file, name)
             reason = ""
             if giver is not None:
                 reason = f"{os.path.relpath(giver, known.root).replace(os.sep, '/')} gives it with :=, so that it may have to be there"
             elif uses.may_be_passed(name):
                 reason = FAMILY
-            if reason and finding.severity is RULE.severity:
-                cause = f"{finding.cause}; {reason}"
-                finding = finding._replace(severity=Severity.INFO, notes=(reason,), cause=cause)
-            if reason or uses.is_passed(file, name):
+            if reason or passed:
                 finding = finding._replace(fix=None)
+            elif lacks_default(finding):
+                reason = BARE
+            elif file.endswith(TEST_END):
+                reason = TEST
+            if reason and finding.severity is RULE.severity:
+                cause = f"{RULE.id} {name}; {reason}" if reason is BARE else f"{finding.cause}; {reason}"
+                finding = finding._replace(severity=Severity.INFO, notes=(reason,), cause=cause)
         yield finding

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 
 from launchlint.check.conventions import judged_by_conventions
+from launchlint.check.copied import judged_by_origin
 from launchlint.check.fragments import judged_by_inclusion
 from launchlint.check.given_elsewhere import judged_by_givers
 from launchlint.check.given_together import judged_by_callers
@@ -20,6 +21,7 @@ JUDGES: tuple[Callable[[Iterable[Finding], Known], Iterator[Finding]], ...] = (
     judged_by_registration,
     judged_by_marker,
     judged_by_place,
+    judged_by_origin,
     judged_by_inclusion,
     judged_by_includers,
     judged_by_givers,

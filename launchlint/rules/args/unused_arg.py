@@ -7,8 +7,10 @@ of a file with `<rosparam file="…" subst_value="true"/>`: the YAML file may re
 
 It is an info where nobody who gives the arg a value is misled: what reads it is commented out, and may come back, or the arg has a fixed
 `value`. So it is where another file names this one and gives the arg with `name:=…` (a script, a service, a document, the args of a node in
-another launch file): it belongs to an interface that is kept. All args of one file that are never read are told as one, and so are those
-that are declared with the same words in several files that were copied from each other.
+another launch file): it belongs to an interface that is kept. It is one, too, where no include passes the arg and nobody is likely to give
+it: it has no default (roslaunch asks for it only where it is read, so that such a rest of a template is in nobody's way), or the file is
+a `.test`; and where the package is a copy of a public one among packages of other people. All args of one file that are never read are told
+as one, and so are those that are declared with the same words in several files that were copied from each other.
 
 ## Why it matters
 
@@ -55,7 +57,7 @@ from launchlint.rules.view import FileView
 from launchlint.syntax.tree import Comment, Document, Element
 
 NO_EFFECT = "a value that is given for it has no effect"
-DEMANDED = "{} has no default: roslaunch even demands a value for it"
+NO_DEFAULT = "{} has no default; roslaunch asks for it only where it is read, so that the file starts without it"
 _MOST_ALIKE = 40
 """Args by which copies of a file are recognised; each finding carries them."""
 RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
@@ -108,7 +110,7 @@ def check(view: FileView) -> Iterator[Finding]:
             severity=Severity.INFO if idle else None,
             label="unused",
             related=tuple((place, "declared here too") for place in others),
-            notes=(idle or NO_EFFECT, *([DEMANDED.format(name)] if _is_demanded(elements) else [])),
+            notes=(idle or NO_EFFECT, *([NO_DEFAULT.format(name)] if _lacks_default(elements) else [])),
             cause=causes[idle],
             help=f"remove it here and in the includes that pass it, or use it as $(arg {name})",
             fix=None
@@ -124,19 +126,26 @@ def together(findings: Sequence[Finding]) -> Finding:
     if len(names) < 2:
         return result
     more = f" and {len(names) - 4} more" if len(names) > 4 else ""
-    demanded = sorted({name_of(finding) for finding in findings if DEMANDED.format(name_of(finding)) in finding.notes})
+    bare = sorted({name_of(finding) for finding in findings if lacks_default(finding)})
     return result._replace(
         message=f"{len(names)} args are never read: {', '.join(names[:4])}{more}",
-        notes=(*result.notes[:1], *([_demanded(demanded)] if demanded else [])),
+        notes=(*result.notes[:1], *([_without_default(bare)] if bare else [])),
         help="remove them here and in the includes that pass them, or use them as $(arg …)",
     )
 
 
-def _demanded(names: Sequence[str]) -> str:
+def _without_default(names: Sequence[str]) -> str:
     if len(names) == 1:
-        return DEMANDED.format(names[0])
+        return NO_DEFAULT.format(names[0])
     more = f" and {len(names) - 4} more" if len(names) > 4 else ""
-    return f"{', '.join(names[:4])}{more} have no default: roslaunch even demands values for them"
+    return (
+        f"{', '.join(names[:4])}{more} have no default; roslaunch asks for them only where they are read, so that the file starts without"
+    )
+
+
+def lacks_default(finding: Finding) -> bool:
+    """Whether the arg that a finding of this rule is about has neither default nor value."""
+    return NO_DEFAULT.format(name_of(finding)) in finding.notes
 
 
 def name_of(finding: Finding) -> str:
@@ -153,13 +162,13 @@ def _why_idle(name: str, elements: list[Element], in_comments: set[str]) -> str:
     return ""
 
 
-def _is_demanded(elements: list[Element]) -> bool:
-    """Whether roslaunch wants a value for the arg (roslaunch.substitution_args, load_args)."""
+def _lacks_default(elements: list[Element]) -> bool:
+    """Whether the arg has no value unless it is given one: what reads it would demand one (roslaunch.xmlloader, ArgException)."""
     return not any({"default", "value", "if", "unless"} & element.attributes.keys() for element in elements)
 
 
 def _cause(unread: list[list[Element]], reason: str, document: Document) -> str:
-    """One for all that is unread in a file, and in its copies; an arg that must be given is a matter of its own file."""
+    """One for all that is unread in a file, and in its copies; an arg without a default is a matter of its own file."""
     if len(unread) <= _MOST_ALIKE and all(
         any("default" in each.attributes or "value" in each.attributes for each in elements) for elements in unread
     ):

@@ -2,20 +2,30 @@
 
 from __future__ import annotations
 
+import posixpath
+
 from launchlint.late import late
 from launchlint.rules.packages.metapackages import members
 from launchlint.syntax.tree import Document
+from launchlint.workspace.looking import is_file
 from launchlint.workspace.mentions import install_lines, says_install
 from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.public_packages import public_names
 from launchlint.workspace.put_aside import put_aside
+from launchlint.workspace.registered_tests import TEST_END
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.workspace.manifest import Manifest
 
 BASE = "ros_base"
+CHANGES = "CHANGELOG.rst"
+"""What releases are made from (REP 132)."""
+SETUP_ASSISTANT = ".setup_assistant"
+_MUCH_MORE = 4
 _BENCH = late(r"(?:^|[/_.-])(?:tests?|bench\w*|debug|examples?|demos?|play\w*|replay|(?:ros)?bags?)(?:[/_.-]|[A-Z\d]|$)")
+_TRIAL = late(r"(?:^|[/_.-])(?:tests?|debug|examples?|demos?|tryout|bench\w*)(?:[/_.-]|[A-Z\d]|$)")
+_TESTS = late(r"(?:^|/)tests?/")
 _ADDRESS = late(r"<(?:maintainer|author)\b[^>]*\bemail\s*=\s*[\"']([^\"']+)[\"']")
 
 
@@ -27,32 +37,50 @@ def why_left_out(name: str, document: Document, home: Package, packages: Package
     comments = [line for comment in document.comments for line in install_lines(comment.text)]
     if says_install(name, comments) or says_install(name, packages.documents().installing):
         return f"people are told to install {name} where they need it, so that it seems to be left out on purpose"
-    if _BENCH.search(path) is not None and name in _base():
-        return f"{name} is part of every installation of {BASE}, and it is used to try something out only"
+    if name in _base():
+        if home.name not in public_names():
+            return f"{name} is part of {BASE}, the smallest installation, and {home.name} is none of the released packages"
+        if _BENCH.search(path) is not None:
+            return f"{name} is part of every installation of {BASE}, and it is used to try something out only"
+    if _is_trial(document.source.file, home):
+        return f"only launch files that seem to be there to try something out need {name}"
     if is_copy(home, packages):
         return f"{home.name} is a copy of a public package, and that is where to declare {name}"
     return ""
 
 
+def _is_trial(file: str, home: Package) -> bool:
+    """Whether a person starts the launch file to try something out; machines run tests, and MoveIt's ``demo.launch`` is what people start.
+
+    In a package that is for nothing else (``arm_examples``) it is what matters.
+    """
+    inside = posixpath.relpath(posixpath.abspath(file), home.directory)
+    if inside.endswith(TEST_END) or _TESTS.search(inside) is not None or _TRIAL.search(inside) is None or _TRIAL.search(home.name):
+        return False
+    return not is_file(posixpath.join(home.directory, SETUP_ASSISTANT))
+
+
 def is_copy(home: Package, packages: Packages) -> bool:
-    """Whether ``home`` is a public package in a workspace of others: most packages there are not public, and none has its people."""
-    if home.name not in public_names() or home.manifest is None:
+    """Whether ``home`` is a public package in a workspace of others: it was released (whence its list of changes), most packages there are
+    not public, and at most a few, which came with it, have its people.
+    """
+    if home.name not in public_names() or home.manifest is None or not is_file(posixpath.join(home.directory, CHANGES)):
         return False
     people = _people(home.manifest)
     if not people:
         return False
-    own = public = 0
+    own = public = theirs = 0
     for place in packages.places[: len(packages.workspaces)]:
         for each in place.everything:
-            if each.manifest is None:
+            if each.manifest is None or each.name == home.name:
                 continue
             if each.name in public_names():
                 public += 1
             elif not people.isdisjoint(_people(each.manifest)):
-                return False
+                theirs += 1
             else:
                 own += 1
-    return own >= public
+    return own > public and own >= _MUCH_MORE * theirs
 
 
 def _people(manifest: Manifest) -> frozenset[str]:

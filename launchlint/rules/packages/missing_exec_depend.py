@@ -8,11 +8,14 @@ placeholders such as `$(find [PACKAGE])` is a template that is never launched. A
 `package.xml` was left out on purpose. Everything that one `package.xml` lacks is told at once, with the first use of each package.
 
 It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has the
-other; and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse, the
-assistant itself), in a package with its `.setup_assistant`. It is one, without a fix, where a comment of the launch file or a README tells
-people to install the package themselves, where only a bench or test needs something that every `ros_base` has, where only launch files
-need it that were put aside (in a directory `old`, `deprecated`, `attic` …), and where the package is a copy of a public one among packages
-of other people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out.
+other; where it is part of every `ros_base`, the smallest installation, and the package is none that was released; and where only files need
+it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse, the assistant itself), in a package
+with its `.setup_assistant`. It is one, without a fix, where a comment of the launch file or a README tells people to install the package
+themselves, where only launch files need it by which people try something out (`demo.launch`, `test_arm.launch`; not tests that machines
+run), where only launch files need it that were put aside (in a directory `old`, `deprecated`, `attic` …), and where the package is a copy
+of a public one, with its `CHANGELOG.rst`, among packages of other people. Packages below a `CATKIN_IGNORE` are passed over, and launch
+files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Beside a `manifest.xml` of rosbuild it is the `package.xml` that counts.
+
 ## Why it matters
 
 On the developer's machine the package happens to be there. Where only the declared dependencies are installed (rosdep, the build
@@ -20,7 +23,7 @@ farm, a fresh robot) the launch fails, unless something else brings the package 
 
 ## Example
 
-```xml
+```xml robot.launch
 <launch>
   <node pkg="robot_state_publisher" type="robot_state_publisher" name="robot_state_publisher"/>
 </launch>
@@ -38,7 +41,7 @@ farm, a fresh robot) the launch fails, unless something else brings the package 
 
 ## Use instead
 
-```xml
+```xml robot.launch
 <launch>
   <node pkg="robot_state_publisher" type="robot_state_publisher" name="robot_state_publisher"/>
 </launch>
@@ -75,7 +78,7 @@ from launchlint.late import late
 from launchlint.rules.missing_package import is_placeholder
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.package_contents import contents
-from launchlint.rules.packages.left_out import why_left_out
+from launchlint.rules.packages.left_out import SETUP_ASSISTANT, why_left_out
 from launchlint.rules.packages.metapackages import members
 from launchlint.rules.rule import Rule
 from launchlint.rules.stale_package import own_instead
@@ -95,7 +98,7 @@ if TYPE_CHECKING:
 ELSEWHERE = "it works only where something else brings {} along"
 LEFT_OUT = "it may do without: "
 MOST_NAMED = 12
-SETUP_ASSISTANT = ".setup_assistant"
+SETTING_UP = "only files need it that MoveIt's Setup Assistant writes beside those that drive the robot"
 _MOVE = "move {} to a package that starts both, such as a bringup package"
 # What MoveIt's Setup Assistant writes into every package and what nobody needs to drive the robot; it declares none of this itself.
 _GENERATED_EXTRA = late(
@@ -112,7 +115,7 @@ def check(view: FileView) -> Iterator[Finding]:
     """Yield one finding for each undeclared package of one launch file (roslaunch.depends, roslaunch.rlutil.check_roslaunch)."""
     document, packages = view.document, view.packages
     file = document.source.file
-    home = packages.package_of(file)
+    home = _home(packages, file)
     if home is None or home.broken or home.is_metapackage or not home.name or not is_inside(home.manifest_path, packages.workspaces):
         return
     manifest = home.manifest
@@ -148,11 +151,11 @@ def check(view: FileView) -> Iterator[Finding]:
         way = None if tested else ways.get(name)
         closes = way is not None and (way.built or is_test)
         beside = not tested and home.name not in public_names() and _is_beside(name, packages, file)
-        reason = "" if tested else why_left_out(name, document, home, packages)
+        reason = "" if tested else SETTING_UP if extra else why_left_out(name, document, home, packages)
         yield RULE.at(
             place if at is None else place._replace(span=at),
             f"{manifest_path} {says}, {'and' if tested else 'which'} {document.source.path} {how} {'it' if tested else ''}".rstrip(),
-            severity=Severity.INFO if beside or extra or reason else RULE.severity,
+            severity=Severity.INFO if beside or reason else RULE.severity,
             label="for tests only" if tested else f"no {name} here",
             related=((where, "used here"),),
             notes=(
@@ -163,8 +166,15 @@ def check(view: FileView) -> Iterator[Finding]:
             help=_MOVE.format(document.source.path) if way is not None else f"{'change it to' if tested else 'add'} {line}",
             topic=name,
             cause="" if tested else manifest_path,
-            fix=None if tested or reason or way is not None else _fix(place, manifest, line, safe=name not in later),
+            fix=None if tested or (reason and not extra) or way is not None else _fix(place, manifest, line, safe=name not in later),
         )
+
+
+def _home(packages: Packages, file: str) -> Package | None:
+    """The package of ``file``; where a ``package.xml`` lies beside a ``manifest.xml`` of rosbuild, it is the former that counts."""
+    home = packages.package_of(file)
+    modern = None if home is None else packages.get(home.name, file)
+    return home if home is None or modern is None or modern.directory != home.directory else modern
 
 
 _latest: list[tuple[Packages, str, dict[str, Way], dict[str, Way]]] = []
@@ -205,7 +215,7 @@ def together(findings: Sequence[Finding]) -> Finding:
             ELSEWHERE.format("them")
             if any(finding.notes[:1] == (ELSEWHERE.format(finding.topic),) for finding in findings)
             else "they lie in this workspace; whoever has only this package lacks them",
-            *[note for finding in findings for note in finding.notes[1:]][:MOST_NAMED],
+            *list(dict.fromkeys(note for finding in findings for note in finding.notes[1:]))[:MOST_NAMED],
         ),
         help=f"{help}, and so on" if fixes else first.help,
         fix=fix,
