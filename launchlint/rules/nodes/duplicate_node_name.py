@@ -3,7 +3,9 @@
 What it does: it compares the full names of all nodes that would start together, after namespaces, arguments and includes are
 worked out and with the conditions as they are. Nodes that exclude each other by `if` and `unless` are no duplicates. `/rosout`
 belongs to roscore, whose own file `roscore.xml` may start it. Where the names meet only when an arg has another value than its default
-and no launch file here gives it that one, it is a warning. What two includes of one file, or one such value, bring about is told once.
+and no launch file here gives it that one, it is a warning; an info, if another arg can switch off one of the two: nodes behind switches of
+their own (`if="$(arg real)"`, `if="$(arg simulation)"`) are alternatives. What two includes of one file, or one such value, bring about is
+told once.
 
 ## Why it matters
 
@@ -80,6 +82,9 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     related = _way_to(first, second)
     tried = view.tried
     notes = (stops,) if not tried else (stops, f"only with {tried}, which is not what this launch file does by itself")
+    switches = _own_switches(first, second, view) if tried else []
+    if switches:
+        notes = (*notes, f"one of the two hangs on {' and '.join(switches)}, so that they may be alternatives")
     twice = first.origin.place == second.origin.place
     equal = not twice and _are_equal(first, second, view)
     if not twice:
@@ -88,13 +93,28 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         problem.origin,
         f"the node {name} is started twice" if twice else f"two nodes are named {name}",
         label="its file is included twice" if twice else "the second one",
-        severity=Severity.WARNING if tried else None,
+        severity=Severity.INFO if switches else Severity.WARNING if tried else None,
         related=related,
         notes=notes,
         cause=_cause(first, second, tried, view),
-        help="remove the second one, which starts the same once more" if equal else _advice(first, second, twice),
-        fix=None if twice else _removal(second, view) if equal else _fix(second, view),
+        help="let one arg choose between the two, with if and unless"
+        if switches
+        else "remove the second one, which starts the same once more"
+        if equal
+        else _advice(first, second, twice),
+        fix=None if twice or switches else _removal(second, view) if equal else _fix(second, view),
     )
+
+
+def _own_switches(first: Node, second: Node, view: LaunchView) -> list[str]:
+    """The args that can switch off one of the two and not the other, beside those that were tried."""
+    steers: dict[Place, frozenset[str]] = {}
+    for branch in view.launch.branches:
+        steers[branch.origin.place] = steers.get(branch.origin.place, frozenset()) | branch.steered_by
+    one, other = (
+        frozenset().union(*(steers.get(condition.place, frozenset()) for condition in node.conditions)) for node in (first, second)
+    )
+    return sorted((one ^ other) - {name for name, _ in view.launch.given})
 
 
 def _cause(first: Node, second: Node, tried: str, view: LaunchView) -> str:
