@@ -4,7 +4,8 @@ Told is what nobody writes on purpose: the same parameter set again to another v
 is included afterwards, or by a YAML file that is loaded afterwards. Silent are the usual ways to override a value: a
 YAML file and single parameters after it, several YAML files from the general to the special, a parameter set after
 the include whose value it replaces, a `~param` of a group that a node sets again, and a second setting under a
-condition.
+condition. It is an info where an arg chooses the file that is included afterwards: what stands in front of it is for all of these
+files, and the chosen one says what is special.
 
 Two included files that disagree about a parameter are told as an info. The same two values of the same parameter in several files, which
 were copied with the mistake in them, are told as one.
@@ -40,11 +41,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.rules.edits import spot
 from launchlint.rules.params.set_again import SetAgain, set_again
 from launchlint.rules.params.values import is_same, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
-from launchlint.source import Origin
+from launchlint.source import Origin, Place
 
 RULE = Rule("LL504", "param-overwritten", Severity.WARNING)
 
@@ -59,10 +61,10 @@ def check(view: LaunchView) -> Iterator[Finding]:
         if again.settings is None:
             yield _finding(again, Severity.WARNING)
             continue
-        if id(again.first.place.source) not in launch_files:
+        if id(again.first.place.source) not in launch_files or _is_from_file(again.first, view):
             continue  # a YAML file: what comes after it is meant to override it
-        single = id(again.second.place.source) in launch_files
-        severity = _severity(again.first, again.second, single=single)
+        single = id(again.second.place.source) in launch_files and not _is_from_file(again.second, view)
+        severity = _severity(again.first, again.second, view, single=single)
         if severity is not None:
             found = _finding(again, severity)
             if not single:
@@ -73,11 +75,24 @@ def check(view: LaunchView) -> Iterator[Finding]:
             yield found
 
 
-def _severity(earlier: Origin, later: Origin, *, single: bool) -> Severity | None:
+def _is_from_file(origin: Origin, view: LaunchView) -> bool:
+    """Whether it stands at a ``<rosparam>`` that loads a YAML file: with ``subst_value`` what is read has no place in that file."""
+    at = spot(view, origin.place)
+    return at is not None and at.element.tag == "rosparam" and "file" in at.element.attributes
+
+
+def _is_chosen(include: Place, view: LaunchView) -> bool:
+    """Whether an arg says which file is included there."""
+    at = spot(view, include)
+    file = "" if at is None else at.element.get("file") or ""
+    return "$(arg " in file or "$(eval " in file
+
+
+def _severity(earlier: Origin, later: Origin, view: LaunchView, *, single: bool) -> Severity | None:
     """How sure it is that nobody meant it; None where overriding is what people do. ``single``: the later one is no YAML file."""
     outer, inner = earlier.chain, later.chain
-    if inner[: len(outer)] == outer:
-        return Severity.WARNING  # in the same file, or in one that it includes afterwards
+    if inner[: len(outer)] == outer:  # in the same file, or in one that it includes afterwards
+        return Severity.INFO if any(_is_chosen(place, view) for place in inner[len(outer) :]) else Severity.WARNING
     if outer[: len(inner)] == inner:
         return None  # set again after the include
     return Severity.INFO if single else None
