@@ -56,11 +56,12 @@ def closest(name: str, names: Iterable[str]) -> str | None:
 
     Near enough is one slip in a name of up to four letters, two in one of up to eight, three in a longer one. Letter case and
     the difference between ``-`` and ``_`` count as one slip together. Of several, the nearest and then alphabetically first. A name that
-    says something else (:func:`differs_in_meaning`) is never near.
+    says something else (:func:`differs_in_meaning`) is never near, nor one with another word: in ``min_height`` and ``scan_height`` most
+    letters are the same, and no word is a slip for the other.
     """
     if not name:
         return None
-    limit = 1 if len(name) <= 4 else 2 if len(name) <= 8 else 3
+    limit = _most_slips(len(name))
     folded = _fold(name)
     letters = frozenset(name)
     best: tuple[int, str] | None = None
@@ -78,9 +79,30 @@ def closest(name: str, names: Iterable[str]) -> str | None:
             and apart < len(candidate)
             and (best is None or (apart, candidate) < best)
             and not differs_in_meaning(name, candidate)
+            and not _has_another_word(name, candidate)
         ):
             best = (apart, candidate)
     return None if best is None else best[1]
+
+
+def _most_slips(letters: int) -> int:
+    """How many slips there may be in so many letters."""
+    return 1 if letters <= 4 else 2 if letters <= 8 else 3
+
+
+def _has_another_word(name: str, other: str) -> bool:
+    """Whether one of the words of ``name`` is another one in ``other``, and not a slip for it or its beginning."""
+    words, others = _words(name), _words(other)
+    if len(words) != len(others) or len(words) < 2:
+        return False
+    return not all(_is_near(word, another) for word, another in zip(words, others, strict=True))
+
+
+def _is_near(word: str, other: str) -> bool:
+    """Whether two words may stand for one: by a slip, or because one of them is cut short."""
+    shorter, longer = sorted((word, other), key=len)
+    limit = _most_slips(len(shorter))
+    return longer.startswith(shorter) or distance(word, other, limit) <= limit
 
 
 def one_slip(name: str, names: Iterable[str]) -> str | None:

@@ -54,6 +54,22 @@ def test_slips_are_near(name: str, other: str) -> None:
     assert closest(name, [other]) == other
 
 
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [("min_height", "scan_height"), ("meta_topic_over_network", "map_topic_over_network")],
+)
+def test_another_word_is_not_near(name: str, other: str) -> None:
+    assert closest(name, [other]) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [("publish_pose_stamp", "publish_pose_stamped"), ("inflation_rad", "inflation_radius"), ("dead_zone_x", "deadzone_x")],
+)
+def test_a_word_cut_short_is_near(name: str, other: str) -> None:
+    assert closest(name, [other]) == other
+
+
 def test_a_slip_is_for_the_name_that_says_the_same() -> None:
     assert closest("min_velocty", ["max_velocity", "min_velocity"]) == "min_velocity"
 
