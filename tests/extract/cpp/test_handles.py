@@ -195,3 +195,26 @@ def test_nodelet(tmp_path: Path) -> None:
         """
     )
     assert doubts == ()
+
+
+FURTHER = "if where nothing nearer is set"
+SEARCHES = {
+    'ros::param::search("ids", found);': ("~ids - 3", f"ids - 3 {FURTHER}", f"/ids - 3 {FURTHER}"),
+    'ros::NodeHandle("~").searchParam("ids", found);': ("~ids - 3", f"ids - 3 {FURTHER}", f"/ids - 3 {FURTHER}"),
+    'ros::NodeHandle("a").searchParam("ids", found);': ("a/ids - 3", f"ids - 3 {FURTHER}", f"/ids - 3 {FURTHER}"),
+    'ros::param::search("/a/b", "ids", found);': ("/a/b/ids - 3", f"/a/ids - 3 {FURTHER}", f"/ids - 3 {FURTHER}"),
+    'ros::param::search("/ids", found);': ("/ids - 3",),
+}
+
+
+@pytest.mark.parametrize("call", SEARCHES)
+def test_searched_upward(tmp_path: Path, call: str) -> None:
+    facts, _ = program(tmp_path, in_main(f"std::string found;\n{call}"))
+    assert sorted(spelled(fact) for fact in facts) == sorted(f"params {line}" for line in SEARCHES[call])
+
+
+def test_what_was_found_is_read(tmp_path: Path) -> None:
+    facts, _ = program(
+        tmp_path, in_main('std::string found;\nros::param::search("rate", found);\nint rate;\nros::param::get(found, rate);')
+    )
+    assert "params ~rate int 5" in [spelled(fact) for fact in facts]

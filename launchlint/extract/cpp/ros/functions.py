@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from launchlint.extract.cpp.calls import Call
 
 _DEFAULT = Handle("")
+_OWN = Handle("~")
 
 
 def handle_among(asked: Call) -> Handle:
@@ -42,10 +43,12 @@ def _has(asked: Call) -> Value:
 
 
 def _search(asked: Call) -> Value:
+    """``search(name, found)`` begins at the node's own name; ``search(namespace, name, found)`` where it says."""
     if len(asked.arguments) == 3:
-        below_it = _DEFAULT
-        return handles.search_param(below_it, asked._replace(arguments=asked.arguments[1:]))
-    return handles.search_param(_DEFAULT, asked)
+        below = asked.value(0)
+        start = finished(below.template).rstrip("/") if isinstance(below, Text) else ""
+        return handles.search_param(Handle(start), asked._replace(arguments=asked.arguments[1:]))
+    return handles.search_param(_OWN, asked)
 
 
 def _node_name(asked: Call) -> Value:

@@ -149,13 +149,30 @@ def has_param(handle: Handle, asked: Call) -> Value:
 
 
 def search_param(handle: Handle, asked: Call) -> Value:
-    """``searchParam(name, found)``: what is found is called so, too."""
+    """``searchParam(name, found)``: looked for in the namespace of the handle, then upward; what is found is called by the nearest name."""
+    machine = asked.machine
     name = params.named(handle, asked.value(0))
-    asked.machine.fact("params", name, asked.node, asked.frame)
+    machine.fact("params", name, asked.node, asked.frame)
+    machine.conditions.append("where nothing nearer is set")
+    for outer in _around(handle.namespace):
+        further = params.named(Handle(outer), asked.value(0))
+        if further != name:  # which one that is global is
+            machine.fact("params", further, asked.node, asked.frame)
+    machine.conditions.pop()
     cell = asked.cell(1)
     if cell is not None:
-        asked.machine.write(cell, name)
+        machine.write(cell, name)
     return UNKNOWN
+
+
+def _around(namespace: str) -> list[str]:
+    """The namespaces around that of a handle, the nearest first (``~`` lies in the node's, as its name says)."""
+    found: list[str] = []
+    while namespace not in ("", "/"):
+        outer, slash, _ = namespace.rpartition("/")
+        namespace = outer if slash and outer else "/" if slash else ""
+        found.append(namespace)
+    return found if found[-1:] == ["/"] else [*found, "/"]
 
 
 def resolve_name(handle: Handle, asked: Call) -> Value:
