@@ -8,7 +8,8 @@ default of the param which the node does read: nothing changes with the right na
 part, so that `global_costmap/inflation/radus` is near `global_costmap/inflation/radius`, and also where the part in the middle is one that
 the node takes from a param. Of a node that may read more than is known, only a slip of one letter is told.
 
-The infos about one YAML file and one program are told as one, and so are those about the same param in several launch files.
+The infos about one YAML file and one program are told as one, and so are those about the same param in several launch files. One finding
+are also all params of a node in one file that its code reads outside of its private namespace, and the same slip in several files.
 
 ## Why it matters
 
@@ -227,17 +228,25 @@ def _finding(setting: ParameterSetting, owner: Instance, reads: _Reads, view: Gr
         setting.origin,
         f"{owner.program} does not read the param {inner}, which is set for {owner.name}",
         severity=Severity.WARNING if meant and not as_default else Severity.INFO,
-        label="never read",
+        label="never read" if elsewhere is None else f"never read, but {elsewhere} is",
         notes=(_listed(reads.own(owner).private, everything=_is_known(owner)),),
         help=help_,
         topic=inner,
-        cause=""
-        if elsewhere or near
-        else f"{setting.origin.place.source.path}: {owner.program}"
-        if several
-        else f"{owner.program} {inner}",
+        cause=_cause(setting, owner, inner, elsewhere, near, several=several, as_default=as_default),
         fix=_fix(setting, owner, inner, candidates[0], view) if elsewhere is None and len(candidates) == 1 and not as_default else None,
     )
+
+
+def _cause(
+    setting: ParameterSetting, owner: Instance, inner: str, elsewhere: str | None, near: str | None, *, several: bool, as_default: bool
+) -> str:
+    """What several findings share: the file in which all params are private that are not, the slip that was copied, the param."""
+    path, default = setting.origin.place.source.path, " as default" * as_default
+    if elsewhere is not None:
+        return f"{path}: {owner.program} reads others{default}"
+    if near is not None:
+        return f"{owner.program} {inner} for {near}{default}"
+    return f"{path}: {owner.program}" if several else f"{owner.program} {inner}"
 
 
 def _is_default(value: Any, name: str, owner: Instance, view: GraphView) -> bool:
