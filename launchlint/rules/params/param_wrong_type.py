@@ -3,7 +3,8 @@
 What it does: where the library says with which type a node reads a param, it compares that with the value. roscpp takes a whole number
 for a double and rounds a double to an int, and nothing else: text is no number, and 1 is no bool. rospy takes any value; there only a
 list or a mapping instead of a single value is told, and the reverse. Values in one YAML file that are wrong in the same way are told as
-one, and so is the same value of the same param in several files. An empty text is an info: it is a way to say that the param is not set.
+one, also where the file was copied, and so is the same value of the same param in several files. An empty text is an info: it is a way to
+say that the param is not set. So is a value that is the default in another type: `1e-3`, a text for YAML, where the default is 0.001.
 
 ## Why it matters
 
@@ -32,7 +33,6 @@ A roscpp node that asks for a bool and finds an int behaves as if the param were
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator
 from math import ceil, floor
 
@@ -63,7 +63,6 @@ def check(view: GraphView) -> Iterator[Finding]:
     graph = view.graph
     instances = {instance.name: instance for instance in graph.instances}
     found: list[tuple[ParameterSetting, Finding]] = []
-    in_file: Counter[tuple[str, str]] = Counter()
     for name, readings in graph.readers.items():
         setting = graph.parameters.setting(name)
         if setting is None or not is_known(setting.value) or not is_certain(setting) or _is_tried(setting, graph.launch):
@@ -75,11 +74,27 @@ def check(view: GraphView) -> Iterator[Finding]:
             finding = _judge(setting, instances[node], own)
             if finding is not None:
                 found.append((setting, finding))
-                in_file[setting.origin.place.source.path, finding.label] += setting.tag == "rosparam"
+    yield from _with_causes(found)
+
+
+def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Finding]:
+    """The findings about one file share a cause, also with those about a copy of it: all params in it that are wrong in the same way."""
+    in_file: dict[tuple[str, str], set[str]] = {}
     for setting, finding in found:
-        several = setting.tag == "rosparam" and in_file[setting.origin.place.source.path, finding.label] > 1
-        where = setting.origin.place.source.path if several else f"{setting.tag} {finding.topic} {shown(setting.value)}"
-        yield finding._replace(cause=f"{where} {finding.label}")
+        if setting.tag == "rosparam":
+            in_file.setdefault(_file(setting, finding), set()).add(_mistake(setting, finding))
+    causes = {file: f"{', '.join(sorted(mistakes))} in a file" for file, mistakes in in_file.items() if len(mistakes) > 1}
+    for setting, finding in found:
+        of_file = causes.get(_file(setting, finding)) if setting.tag == "rosparam" else None
+        yield finding._replace(cause=of_file or f"{setting.tag} {_mistake(setting, finding)}")
+
+
+def _file(setting: ParameterSetting, finding: Finding) -> tuple[str, str]:
+    return setting.origin.place.source.path, finding.label
+
+
+def _mistake(setting: ParameterSetting, finding: Finding) -> str:
+    return f"{finding.topic} {shown(setting.value)} {finding.label}"
 
 
 def _is_tried(setting: ParameterSetting, launch: Launch) -> bool:
@@ -106,7 +121,9 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
     instead = f"it runs with its default, {shown(default)}" if known else "it behaves as if the param were not set"
     if instance.client == "rospy":
         instead = f"it expects {_WORDS[one]}"
-    means_default = known and _plain(value) in (_plain(default), str(int(default)) if isinstance(default, bool) else "")
+    means_default = known and (
+        _plain(value) in (_plain(default), str(int(default)) if isinstance(default, bool) else "") or _is_number(value, default)
+    )
     return RULE.at(
         setting.origin,
         f"{instance.program} reads {reading.declared} as {_WORDS[one]}, and {shown(value)} is {_WORDS[type_]}: {instead}",
@@ -121,6 +138,16 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
 def _plain(value: Any) -> str:
     """The value without what tells a list from the text of one."""
     return str(value).lower().replace(" ", "").strip("[]")
+
+
+def _is_number(value: Any, default: Any) -> bool:
+    """Whether ``value`` is the number ``default``, written as a text: ``1e-3`` and 0.001."""
+    if not isinstance(value, str) or isinstance(default, (bool, str, list, dict)):
+        return False
+    try:
+        return float(value) == float(default)
+    except ValueError:
+        return False
 
 
 def _rounded(setting: ParameterSetting, instance: Instance, reading: Reading) -> Finding:
