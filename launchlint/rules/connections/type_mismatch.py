@@ -1,7 +1,8 @@
 """A publisher and a subscriber of one topic speak different types.
 
 The same holds for server and client of a service, and of an action. It is a warning where the two types may be one
-definition under two names: a copy of a message in a package of one's own.
+definition under two names: a copy of a message in a package of one's own. The same two programs with the same two types are told of once,
+also where several launch files start them.
 
 ## Why it matters
 
@@ -105,5 +106,6 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners) ->
         notes=tuple(notes),
         help="give one of the two another name, or put a node between them that converts",
         topic=f"{channel.kind} {channel.name} {offer.type} {use.type}",
+        cause=f"{giver.program} {taker.program} {channel.kind} {channel.name} {offer.type} {use.type}",
     )
     return with_sources(found, acting, other)

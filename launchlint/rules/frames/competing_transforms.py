@@ -4,8 +4,10 @@ What it does: it compares the frames whose transforms the nodes publish, as far 
 `static_transform_publisher`s of tf and tf2_ros, of localizers and SLAM nodes that the library knows (map → odom), and of the fixed joints
 of a plain URDF that a `robot_state_publisher` gets. It is an error where two static publishers hang one frame below two parents, an info
 where they say the same twice (two fixed joints with the same origin do, too), or where one of the two is published upon a message that
-nothing in the launch sends, and a warning elsewhere. Two publishers are told of once, with all the frames that both publish. Nodes whose
-`/tf` is remapped apart do not meet, and with a `tf_prefix` in the launch the rule is silent.
+nothing in the launch sends, and a warning elsewhere. Two publishers are told of once, with all the frames that both publish, and so are the
+same two programs in several launch files. Nodes whose `/tf` is remapped apart do not meet, and with a `tf_prefix` in the launch the rule is
+silent.
+
 ## Why it matters
 
 A frame has one parent. With two, the one heard last wins: the robot jumps between two places, or a part of the tree is cut off, and
@@ -66,7 +68,7 @@ def check(view: GraphView) -> Iterator[Finding]:
 
 
 def together(findings: Sequence[Finding]) -> Finding:
-    """What the same two lines do in several namespaces."""
+    """What the same two lines do in several namespaces, and the same two programs in several launch files."""
     first = findings[0]
     if any(finding.location != first.location for finding in findings):
         return joined(findings)
@@ -113,7 +115,7 @@ def _finding(severity: Severity, both: Sequence[tuple[Published, Published]], gr
         notes=_judged(first, other, graph)[1],
         help="start only one of them, or give each a frame of its own",
         topic=other.child,
-        cause=" ".join((severity.word, *(f"{place.source.path}:{place.span.start}" for place in (here.place, there)), *frames)),
+        cause=" ".join((severity.word, *(f"{each.instance.program} {each.parent}" for each in both[0]), *frames)),
     )
 
 

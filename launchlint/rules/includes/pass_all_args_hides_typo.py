@@ -1,7 +1,8 @@
 """An include with `pass_all_args` gives an arg that nothing below it knows.
 
 What it does: with `pass_all_args="true"` roslaunch no longer checks the args of an include. It speaks where an explicit `<arg>`
-is neither declared nor mentioned in the included file and all that it includes.
+is neither declared nor mentioned in the included file and all that it includes. What several files give the same included file for nothing
+is told once.
 
 ## Why it matters
 
@@ -86,6 +87,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         notes=("pass_all_args turns off roslaunch's check of the args that are passed",),
         help=did_you_mean(name, known) or "remove it, or declare it there",
         fix=passed_under(view, problem.place, name, closest(name, known)),
+        cause=f"{file} {name}",
     )
 
 

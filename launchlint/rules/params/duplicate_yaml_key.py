@@ -1,7 +1,7 @@
 """A key stands twice in one YAML dictionary.
 
 The YAML parser takes the last one and drops the others without a word. Where both have the same value, it is an info, and all of
-one file are told as one.
+one file are told as one. The same key in copies of a file is told once.
 
 ## Why it matters
 
@@ -52,6 +52,7 @@ RULE = Rule("LL513", "duplicate-yaml-key", Severity.WARNING)
 def tell(problem: Problem, view: object) -> Iterator[Finding]:
     """Show both keys; facts: ``key`` (the path, with ``/``), ``same``."""
     key, same = problem.facts["key"], problem.facts["same"]
+    places = (problem.place, *(place for place, _ in problem.related))  # in a copy of the file the same
     yield RULE.at(
         problem.origin,
         f"the key {key} stands twice with the same value" if same else f"the key {key} stands twice: the first value is lost",
@@ -59,6 +60,6 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         label="the last one counts",
         related=problem.related,
         topic=key,
-        cause=f"{problem.place.source.path} same" if same else "",
+        cause=f"{problem.place.source.path} same" if same else f"{key} {[place.source.position(place.span.start) for place in places]}",
         help="remove one of the two" if same else "remove one of the two, or merge what is below them",
     )

@@ -3,7 +3,8 @@
 Told are the `password` of a `<machine>`, and literal values of parameters, args and environment variables whose name
 ends in a word such as `password`, `secret`, `token` or `api_key`. Empty values, substitutions, file names and
 placeholders are left alone. The default of an `<arg>` is an info, and so is a value that a comment beside it calls a default: it may be
-the one that everybody knows, to be replaced. The value itself is never printed: what is shown of the line has asterisks in its place.
+the one that everybody knows, to be replaced. The value itself is never printed: what is shown of the line has asterisks in its place. One
+value that stands in many places is told once.
 
 ## Why it matters
 
@@ -100,7 +101,15 @@ def _finding(document: Document, element: Element, name: str, what: str) -> Find
         label="a literal secret",
         help=help_,
         element=f"{element.tag} {element.get('name') or ''} {name}",
+        cause=f"{_digest(attribute.value)}{' replaceable' * replaceable}",
     )
+
+
+def _digest(secret: str) -> str:
+    """What tells one secret from another, in caches too, without giving it away."""
+    from hashlib import sha256
+
+    return sha256(secret.strip().encode("utf-8", "surrogatepass")).hexdigest()[:12]
 
 
 def _is_known(document: Document, element: Element) -> bool:
