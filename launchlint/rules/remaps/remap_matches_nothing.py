@@ -3,8 +3,12 @@
 It is told where the library knows the node completely, and none of the names in its code (topics, services, actions, params)
 is the `from` of the remap. Of a remap outside a node it is told where this holds for all nodes that it reaches. It is an info
 where the remap would change nothing anyhow: one of `/tf` and the like, one of a param that the node does not read and others
-do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. A name that the
+do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. So it is for a nodelet
+whose names are remapped as they would be in the namespace of its manager, where old releases looked for them. A name that the
 node would have if it were started in another way counts as one of its names.
+
+All remaps of a program for which nothing better is known than that it has no such names are one finding, and so is the same remap of the
+same program in several files.
 
 A remap acts on whole names only: `camera` does not remap `camera/image`, unless the code makes a NodeHandle of `camera`.
 
@@ -59,6 +63,8 @@ RULE = Rule("LL601", "remap-matches-nothing", Severity.WARNING, fixable="unsafe"
 UNIVERSAL = ("~get_loggers", "~set_logger_level", "/rosout", "/clock", "/use_sim_time", "/statistics")
 """Names that every node has (roscpp, rospy)."""
 REMOVE = "remove it"
+_IS_OTHER = "the name of the node is"
+_IS_PARAM = "it is a param of the node, to which a remap gives no value"
 _PROPOSED = late(r'from="([^"]+)"(?: to="([^"]+)")?')
 _MOST_NAMES = 6
 _MOST_CANDIDATES = 300
@@ -153,16 +159,29 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
         notes.append(f"{instance.name} has no names of its own")
     elif not help_ and len(own) <= _MOST_NAMES:
         notes.append(f"the names of {instance.name} are {_listed(own)}")
+    severity = Severity.INFO if all(_is_harmless(miss) for miss in misses) else RULE.severity
     return RULE.at(
         origin,
         f"the remap of {written} matches nothing: {who}",
-        severity=Severity.INFO if all(_is_harmless(miss) for miss in misses) else None,
+        severity=severity,
         label="matches nothing",
         notes=tuple(notes),
         help=help_ or "remove it, or write the name that the node's code uses",
         topic=topic,
         fix=None if topic else _fix(origin, help_, view),
+        cause=_cause(instance, severity, written, help_) if len(misses) == 1 else "",
     )
+
+
+def _cause(instance: Instance, severity: Severity, written: str, help_: str) -> str:
+    """What holds for several remaps of one program, or for one of them in several files."""
+    if not help_:
+        reason = "other names"
+    elif help_.startswith((_IS_PARAM, _IS_OTHER)):
+        reason = help_.partition(":")[0]
+    else:
+        reason = f"{written} {help_}"
+    return f"{instance.program} {severity.word} {reason}"
 
 
 def _fix(origin: Origin, help_: str, view: GraphView) -> Fix | None:
@@ -185,7 +204,7 @@ def _is_harmless(miss: _Miss) -> bool:
     source, target = miss.applied.source, miss.applied.target
     if source in HUBS or (target in miss.names.spelled and _reversed(miss) is None) or _is_said_twice(miss):
         return True
-    if _as_wanted(miss) is not None or _is_idle_param(miss):
+    if _as_wanted(miss) is not None or _is_idle_param(miss) or _is_of_manager(miss):
         return True
     return miss.instance.client != "rospy" and any(full.startswith(f"{source}/") for full in miss.names.spelled)
 
@@ -213,6 +232,26 @@ def _is_idle_param(miss: _Miss) -> bool:
     return is_param and not any(full.rpartition("/")[2] == end for full in names.spelled) and closest(source, names.spelled) is None
 
 
+def _is_of_manager(miss: _Miss) -> bool:
+    """Whether it is a name of the nodelet as it would be in the namespace of its manager (``camera/scan`` for ``camera/manager``)."""
+    instance = miss.instance
+    words = instance.node.arguments.split()
+    if instance.kind != "nodelet" or len(words) < 3:
+        return False
+    space = absolute(words[2], instance.namer.namespace, instance.namer.node).rpartition("/")[0]
+    inner = miss.applied.source.removeprefix(f"{space}/")
+    return inner != miss.applied.source and absolute(inner, instance.namer.namespace, instance.namer.node) in miss.names.spelled
+
+
+def _param(miss: _Miss, written: str) -> str | None:
+    """The param of the node that is called so, where nothing else of it is: a remap gives it no value."""
+    namer, bare = miss.instance.namer, written.lstrip("~/")
+    full = absolute(f"~{bare}", namer.namespace, namer.node) if bare else ""
+    params = {absolute(each.declared, namer.namespace, namer.node) for each in miss.instance.readings}
+    others = {absolute(each.declared, namer.namespace, namer.node) for each in miss.instance.endpoints}
+    return bare if full in params - others else None
+
+
 def _is_said_twice(miss: _Miss) -> bool:
     """Whether another remap leads a name with the same last part to the same target: one of them is for another version of the node."""
     end = miss.applied.source.rpartition("/")[2]
@@ -234,6 +273,9 @@ def _reversed(miss: _Miss) -> str | None:
 def _help(miss: _Miss, written: str) -> str:
     names, source = miss.names, miss.applied.source
     spelled = names.spelled
+    param = _param(miss, written)
+    if param is not None:
+        return f'{_IS_PARAM}: write <param name="{param}" value="{miss.applied.rule.target}"/>'
     turned = _reversed(miss)
     if turned is not None and source not in HUBS:
         swapped = f'write from="{turned}" to="{written}"'
@@ -251,7 +293,7 @@ def _help(miss: _Miss, written: str) -> str:
         found = spelled.get(absolute(other, namer.namespace, namer.node)) if bare else None
         if found is not None:
             full = absolute(other, namer.namespace, namer.node)
-            return _done_by_another(miss, full) or f'the name of the node is {what}: write from="{found}"'
+            return _done_by_another(miss, full) or f'{_IS_OTHER} {what}: write from="{found}"'
     if len(spelled) > _MOST_CANDIDATES:
         return ""
     own = {full: name for full, name in spelled.items() if full not in names.derived}
