@@ -101,7 +101,7 @@ def _has_another_word(name: str, other: str) -> bool:
 def _is_near(word: str, other: str) -> bool:
     """Whether two words may stand for one: by a slip, or because one of them is cut short."""
     shorter, longer = sorted((word, other), key=len)
-    limit = _most_slips(len(shorter))
+    limit = _most_slips(len(longer))
     return longer.startswith(shorter) or distance(word, other, limit) <= limit
 
 
