@@ -25,6 +25,7 @@ LETTERS_FOR_A_SLIP = 8
 """Of several slips there is one in so many letters at most."""
 
 
+_NUMBER = late(r"[_-]v?\d+")
 _LEGAL = late(r"[A-Za-z][\w-]*")
 
 
@@ -49,8 +50,9 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
     that is here or that a ``package.xml`` declares. Nothing: a package that is here, one of the public index or of the library that
     launchlint ships, one that a ``package.xml`` of the workspaces declares, one whose repository a ``.gitmodules``, ``*.rosinstall`` or
     ``*.repos`` names, one whose ``package.xml`` is here and broken (LL704 tells of that), and a placeholder.
-    Warning: a name that is much like one that is here, declared or public, or that is made from one that is here (``arm_tools`` beside
-    ``arm``). Info: any other: it may well lie in another repository of the same people.
+    Warning: a name that is much like one that is here, declared or public, or that is one that is here with a number or with its end twice
+    (``arm_2``, ``arm_config_config``). Info: any other, also one that begins like one that is here: it may well lie in another
+    repository of the same people, or of this project.
     One slip from a public package is help and no more: no list holds all packages. A package is proposed only where it has a file that
     is asked for by ``$(find name)/…``, if any is.
     """
@@ -148,8 +150,9 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
     why = f"no package.xml here declares it, and {unlisted}"
     if near is not None:
         return Judgement(Severity.WARNING, why, _did_you_mean(near), near)
-    made_from = max((each for each in known if name.startswith((f"{each}_", f"{each}-"))), key=len, default=None)
-    return Judgement(Severity.INFO if made_from is None else Severity.WARNING, why, _add(name))
+    ends = ((each, name.removeprefix(each)) for each in packages.names() if name.startswith(each))
+    slipped = any(_NUMBER.fullmatch(end) is not None or (end[:1] == "_" and each.endswith(end)) for each, end in ends)
+    return Judgement(Severity.WARNING if slipped else Severity.INFO, why, _add(name))
 
 
 def _say_hidden(hidden: Hidden, packages: Packages, home: Package | None) -> Judgement:

@@ -1,10 +1,14 @@
-"""What the texts of a workspace (README, workflows, images, scripts) say of ROS distributions and of installing. Nothing is run."""
+"""What the texts of a workspace (README, workflows, images, scripts) say of ROS distributions, of installing, and of what they fetch.
+
+Nothing is run.
+"""
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 from launchlint.workspace.looking import names, walk
@@ -27,17 +31,25 @@ _INSTALLS = re.compile(
 )
 
 
+# A line that brings other sources here: `git clone …/arm_tools.git`, `mv arm/arm_tools .`, `ln -s …`, `wget …/arm_tools.zip`.
+_FETCHES = re.compile(r"^(?![ \t]*#).*\b(?:git|clone|svn|hg|wstool|vcs|mv|ln|cp|wget|curl|unzip|tar)\b.*$", re.MULTILINE)
+_FETCHED = re.compile(r"(?<![\w-])([A-Za-z]\w*_\w*)(?![\w-])")
+_SHORTEST = 6
+
+
 class Distributions(NamedTuple):
     """The distributions of ROS 1 that are named (small letters), and the places that were looked at.
 
     ``installs``: the directories of the files with a step that installs what is built (catkin builds a devel space without one).
     ``templates``: the distributions of the templates from which the ``CMakeLists.txt`` of the packages were made; it is but a hint.
+    ``fetched``: names in lines that bring other sources here, each with the first file (absolute) that does.
     """
 
     named: frozenset[str]
     looked: frozenset[str]
     installs: frozenset[str] = frozenset()
     templates: frozenset[str] = frozenset()
+    fetched: Mapping[str, str] = MappingProxyType({})
 
     @property
     def meant(self) -> frozenset[str]:
@@ -55,6 +67,7 @@ def read_distributions(directories: Iterable[str]) -> Distributions:
     found: set[str] = set()
     templates: set[str] = set()
     installs: set[str] = set()
+    fetched: dict[str, str] = {}
     for file, text in texts(_places(directories), _MOST_FILES, looked):
         if file.endswith(_CMAKE):
             templates.update(_LINKED.findall(text), ["noetic"] if _NEW_TEMPLATE.search(text) else [])
@@ -62,7 +75,11 @@ def read_distributions(directories: Iterable[str]) -> Distributions:
         found.update(name.lower() for name in _NAMED.findall(text))
         if _INSTALLS.search(text):
             installs.add(os.path.dirname(file))
-    return Distributions(frozenset(found), frozenset(looked), frozenset(installs), frozenset(templates))
+        for line in _FETCHES.findall(text):
+            for name in _FETCHED.findall(line):
+                if len(name) >= _SHORTEST:
+                    fetched.setdefault(name, file)
+    return Distributions(frozenset(found), frozenset(looked), frozenset(installs), frozenset(templates), MappingProxyType(fetched))
 
 
 def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:

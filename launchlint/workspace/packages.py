@@ -280,8 +280,12 @@ class Packages:
         return self._variables.known
 
     def documented_in(self, name: str) -> str | None:
-        """A README or another document of the workspaces (absolute) that names package ``name``; ``None`` where there is none."""
-        return self.documents().known.get(name)
+        """A README or another document of the workspaces (absolute) that names package ``name``, or a script, a workflow or an image that
+        fetches something of that name; ``None`` where there is none.
+        """
+        named = self.documents().known.get(name)
+        fetched = self.distributions().fetched.get(name)
+        return fetched if named is None else named
 
     def documents(self) -> Mentions:
         """What the READMEs and other documents of the workspaces name."""

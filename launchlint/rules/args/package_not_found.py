@@ -6,7 +6,9 @@ name is one slip away from a package that is here (and has one of the files aske
 everything is here: a ROS
 installation is set up on this machine, or the configuration says `packages: complete`. It is a warning where the name is
 much like that of a package that is here, declared or public (no list holds all packages, so that a near name in one is help and not proof),
-or is made from one that is here (`arm_tools` beside `arm`); else an info, since it may well lie in another repository of the same people.
+or is one that is here with a number or its end twice (`arm_2` beside `arm`); else an info, since it may well lie in another repository of
+the same people.
+So it is where a document names it, or a script, a workflow or an image fetches something of that name.
 Each package is told of once, with all files that need it.
 
 ## Why it matters

@@ -1,11 +1,12 @@
 """A node is started from a package that does not exist.
 
-What it does: it looks for the `pkg` of every node and test among the packages of the workspace, the installed ones, the public
-index, and the repositories that a `.gitmodules`, `*.rosinstall` or `*.repos` of the workspace names. It is an error where every
-package is known (a ROS installation is set up here, or the configuration says `packages: complete`) or where the name is one slip
-away from a package that is here or that a `package.xml` here declares; a warning where the name is much like that of a package
-that is here, declared or public, or is made from one that is here (`arm_tools` beside `arm`); else an info, since it may well lie
-in another repository of the same people. Public packages that are only not installed here are passed over.
+What it does: it looks for the `pkg` of every node and test among the packages of the workspace, the installed ones, the public index, and
+the repositories that a `.gitmodules`, `*.rosinstall` or `*.repos` of the workspace names. It is an error where every package is known (a
+ROS installation is set up here, or the configuration says `packages: complete`) or where the name is one slip away from a package that is
+here or that a `package.xml` here declares; a warning where the name is much like that of a package that is here, declared or public, or is
+one that is here with a number or its end twice (`arm_2` beside `arm`); else an info, since it may well lie in another repository of the
+same people. So it is where a document names it, or a script, a workflow or an image fetches something of that name. Public packages that
+are only not installed here are passed over.
 Each package is told of once, with all files that need it. Where a file looks for it with `$(find …)`, too, LL210 tells, and
 the two rules are told as one.
 

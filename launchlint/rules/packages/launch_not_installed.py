@@ -4,8 +4,10 @@ What it does: where `CMakeLists.txt` can be read to the end and installs somethi
 `install(FILES …)` takes the launch file. Tests and examples are passed over, packages that install nothing at all, or nothing that exists,
 and what an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on purpose; and packages below a `CATKIN_IGNORE`. It is an info
 where the package installs nothing but headers, and where all it has is `catkin_install_python`, which makes scripts run in a devel space,
-too, or it installs none of the programs that it builds (a rest of a template), unless a script, a workflow, an image or a README installs
-what is built. All files of one directory that are missing for one reason are told of at once.
+too, or it installs none of the programs that it builds (a rest of a template), or nothing but programs, libraries, headers and descriptions
+of plugins, which is what catkin's template offers, and was never released; unless a script, a workflow, an image or a README installs what
+is built. And it is one for a file beside `CMakeLists.txt` where another one of its name is installed. All files of one directory that are
+missing for one reason are told of at once.
 
 ## Why it matters
 
@@ -87,9 +89,15 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.workspace.looking import exists, is_file
 from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.public_packages import public_names
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.cmake_targets import Install
 
 RULE = Rule("LL702", "launch-not-installed", Severity.WARNING)
 DEVEL = "it has catkin_install_python only, which a devel space needs, too; nothing here installs the package"
+OFFERED = "it installs only what catkin's template offers (programs, libraries, headers), and nothing here installs the package"
 LEFT = "it installs none of the programs that it builds, and nothing here installs the package"
 
 _NOT_MEANT = late(r"(?:^|[/_.-])(?:tests?|examples?|debug|dev|sandbox|scripts)\d*(?:[/_.-]|$)")
@@ -105,6 +113,11 @@ def _is_installed(package: Package, packages: Packages) -> bool:
         if is_inside(package.manifest_path, (scope,)):
             return True
     return False
+
+
+def _is_data(install: Install) -> bool:
+    """Whether files for people or nodes to read are installed: descriptions of plugins come with a library."""
+    return (install.destination or "share").partition("/")[0] == "share" and (install.is_directory or not install.path.endswith(".xml"))
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -128,16 +141,27 @@ def check(view: FileView) -> Iterator[Finding]:
     directory = inside.partition("/")[0] if "/" in inside else ""
     share = "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}"
     headers = all((each.destination or "").partition("/")[0] == "include" for each in present)
-    unused = LEFT if installed.leaves_programs else "" if installed.by_name else DEVEL
-    devel = bool(unused) and not _is_installed(package, packages)
-    severity = Severity.INFO if headers or devel else RULE.severity
+    unused = (
+        LEFT
+        if installed.leaves_programs
+        else DEVEL
+        if not installed.by_name
+        else OFFERED
+        if not (headers or package.name in public_names() or any(map(_is_data, present)))
+        else ""
+    )
+    reason = unused if unused and not _is_installed(package, packages) else ""
+    if not directory:
+        namesakes = (f"{posixpath.relpath(each, package.directory)}/{inside}" for each in installed.directories)
+        reason = next((f"it installs {each}" for each in namesakes if is_file(posixpath.join(package.directory, each))), reason)
+    severity = Severity.INFO if headers or reason else RULE.severity
     meant = f"it installs {'headers' if headers else 'other files'}, so that the package is meant to be installed"
     yield RULE.at(
         document.place(document.launch.name_span),
         f"{name} does not install this file",
         severity=severity,
         label="missing from an installed package",
-        notes=(unused if devel else meant,),
+        notes=(reason or meant,),
         help=f"add install(DIRECTORY {directory} {share})" if directory else f"add install(FILES {inside} {share})",
         cause=f"{severity.word} {name} {directory}",
     )

@@ -7,7 +7,7 @@ import posixpath
 from launchlint.late import late
 from launchlint.rules.packages.metapackages import members
 from launchlint.syntax.tree import Document
-from launchlint.workspace.looking import is_file
+from launchlint.workspace.looking import is_file, walk
 from launchlint.workspace.mentions import install_lines, says_install
 from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.public_packages import public_names
@@ -25,6 +25,8 @@ SETUP_ASSISTANT = ".setup_assistant"
 _MUCH_MORE = 4
 _BENCH = late(r"(?:^|[/_.-])(?:tests?|bench\w*|debug|examples?|demos?|play\w*|replay|(?:ros)?bags?)(?:[/_.-]|[A-Z\d]|$)")
 _TRIAL = late(r"(?:^|[/_.-])(?:tests?|debug|examples?|demos?|tryout|bench\w*)(?:[/_.-]|[A-Z\d]|$)")
+_LAUNCH_ENDS = (".launch", ".launch.xml", TEST_END)
+_MOST_DIRECTORIES = 100
 _TESTS = late(r"(?:^|/)tests?/")
 _ADDRESS = late(r"<(?:maintainer|author)\b[^>]*\bemail\s*=\s*[\"']([^\"']+)[\"']")
 
@@ -42,22 +44,30 @@ def why_left_out(name: str, document: Document, home: Package, packages: Package
             return f"{name} is part of {BASE}, the smallest installation, and {home.name} is none of the released packages"
         if _BENCH.search(path) is not None:
             return f"{name} is part of every installation of {BASE}, and it is used to try something out only"
-    if _is_trial(document.source.file, home):
-        return f"only launch files that seem to be there to try something out need {name}"
     if is_copy(home, packages):
         return f"{home.name} is a copy of a public package, and that is where to declare {name}"
     return ""
 
 
-def _is_trial(file: str, home: Package) -> bool:
-    """Whether a person starts the launch file to try something out; machines run tests, and MoveIt's ``demo.launch`` is what people start.
+def is_trial(file: str, home: Package) -> bool:
+    """Whether a person starts the launch file of package ``home`` to try something out; machines run tests.
 
-    In a package that is for nothing else (``arm_examples``) it is what matters.
+    MoveIt's ``demo.launch`` is what people start, and so is what most launch files of a package are called.
     """
     inside = posixpath.relpath(posixpath.abspath(file), home.directory)
-    if inside.endswith(TEST_END) or _TESTS.search(inside) is not None or _TRIAL.search(inside) is None or _TRIAL.search(home.name):
+    if not _tries(inside) or _TRIAL.search(home.name) or is_file(posixpath.join(home.directory, SETUP_ASSISTANT)):
         return False
-    return not is_file(posixpath.join(home.directory, SETUP_ASSISTANT))
+    listed = [
+        posixpath.relpath(posixpath.join(directory, name), home.directory)
+        for directory, names in walk(home.directory, _MOST_DIRECTORIES)
+        for name in names
+        if name.endswith(_LAUNCH_ENDS)
+    ]
+    return 2 * sum(map(_tries, listed)) <= len(listed)
+
+
+def _tries(inside: str) -> bool:
+    return not inside.endswith(TEST_END) and _TESTS.search(inside) is None and _TRIAL.search(inside) is not None
 
 
 def is_copy(home: Package, packages: Packages) -> bool:

@@ -8,13 +8,14 @@ placeholders such as `$(find [PACKAGE])` is a template that is never launched. A
 `package.xml` was left out on purpose. Everything that one `package.xml` lacks is told at once, with the first use of each package.
 
 It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has the
-other; where it is part of every `ros_base`, the smallest installation, and the package is none that was released; and where only files need
-it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse, the assistant itself), in a package
-with its `.setup_assistant`. It is one, without a fix, where a comment of the launch file or a README tells people to install the package
-themselves, where only launch files need it by which people try something out (`demo.launch`, `test_arm.launch`; not tests that machines
-run), where only launch files need it that were put aside (in a directory `old`, `deprecated`, `attic` …), and where the package is a copy
-of a public one, with its `CHANGELOG.rst`, among packages of other people. Packages below a `CATKIN_IGNORE` are passed over, and launch
-files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Beside a `manifest.xml` of rosbuild it is the `package.xml` that counts.
+other; where it is part of every `ros_base`, the smallest installation, and the package is none that was released; where only launch files
+need it by which people try something out (`demo.launch`, `test_arm.launch`, beside more that are called otherwise; not tests that machines
+run); and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse, the
+assistant itself), in a package with its `.setup_assistant`. It is one, without a fix, where a comment of the launch file or a README tells
+people to install the package themselves, where only launch files need it that were put aside (in a directory `old`, `deprecated`, `attic`
+…), and where the package is a copy of a public one, with its `CHANGELOG.rst`, among packages of other people. Packages below a
+`CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Beside a `manifest.xml` of
+rosbuild it is the `package.xml` that counts.
 
 ## Why it matters
 
@@ -78,7 +79,7 @@ from launchlint.late import late
 from launchlint.rules.missing_package import is_placeholder
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.package_contents import contents
-from launchlint.rules.packages.left_out import SETUP_ASSISTANT, why_left_out
+from launchlint.rules.packages.left_out import SETUP_ASSISTANT, is_trial, why_left_out
 from launchlint.rules.packages.metapackages import members
 from launchlint.rules.rule import Rule
 from launchlint.rules.stale_package import own_instead
@@ -98,6 +99,7 @@ if TYPE_CHECKING:
 ELSEWHERE = "it works only where something else brings {} along"
 LEFT_OUT = "it may do without: "
 MOST_NAMED = 12
+TRIED = "only launch files that seem to be there to try something out need {}"
 SETTING_UP = "only files need it that MoveIt's Setup Assistant writes beside those that drive the robot"
 _MOVE = "move {} to a package that starts both, such as a bringup package"
 # What MoveIt's Setup Assistant writes into every package and what nobody needs to drive the robot; it declares none of this itself.
@@ -152,15 +154,17 @@ def check(view: FileView) -> Iterator[Finding]:
         closes = way is not None and (way.built or is_test)
         beside = not tested and home.name not in public_names() and _is_beside(name, packages, file)
         reason = "" if tested else SETTING_UP if extra else why_left_out(name, document, home, packages)
+        tried = not (tested or reason) and is_trial(file, home)
         yield RULE.at(
             place if at is None else place._replace(span=at),
             f"{manifest_path} {says}, {'and' if tested else 'which'} {document.source.path} {how} {'it' if tested else ''}".rstrip(),
-            severity=Severity.INFO if beside or reason else RULE.severity,
+            severity=Severity.INFO if beside or reason or tried else RULE.severity,
             label="for tests only" if tested else f"no {name} here",
             related=((where, "used here"),),
             notes=(
                 f"{name} lies in this workspace; whoever has only this package lacks it" if beside else ELSEWHERE.format(name),
                 *([f"{LEFT_OUT}{reason}"] if reason else []),
+                *([TRIED.format(name)] if tried else []),
                 *([] if way is None else [_ring(way, closes=closes)]),
             ),
             help=_MOVE.format(document.source.path) if way is not None else f"{'change it to' if tested else 'add'} {line}",
@@ -199,6 +203,7 @@ def together(findings: Sequence[Finding]) -> Finding:
     if len(findings) == 1:
         return first
     names = [finding.topic for finding in findings]
+    passing = {TRIED.format(name) for name in names if first.severity > Severity.INFO}
     fixes = [finding.fix for finding in findings if finding.fix is not None]
     fixes = [fix for fix in fixes if fix.safe] or fixes  # what is not safe is told again when it is alone
     help = next((finding.help for finding in findings if finding.fix in fixes), first.help)
@@ -215,7 +220,7 @@ def together(findings: Sequence[Finding]) -> Finding:
             ELSEWHERE.format("them")
             if any(finding.notes[:1] == (ELSEWHERE.format(finding.topic),) for finding in findings)
             else "they lie in this workspace; whoever has only this package lacks them",
-            *list(dict.fromkeys(note for finding in findings for note in finding.notes[1:]))[:MOST_NAMED],
+            *list(dict.fromkeys(note for finding in findings for note in finding.notes[1:] if note not in passing))[:MOST_NAMED],
         ),
         help=f"{help}, and so on" if fixes else first.help,
         fix=fix,
