@@ -25,10 +25,13 @@ _NEW_TEMPLATE = re.compile(r"^[ \t]*cmake_minimum_required\s*\(\s*VERSION\s+3\.(
 _NAMED = re.compile(r"(?<![A-Za-z])(fuerte|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic)(?![A-Za-z])", re.IGNORECASE)
 
 
+# Not what builds ROS itself, with the catkin that lies among its sources.
 _INSTALLS = re.compile(
-    r"\bcatkin_make(?:_isolated)?\b[^\n#]*\binstall\b|\bcatkin[ \t]+config\b[^\n#]*[ \t]--install\b|\bcolcon[ \t]+build\b"
+    r"(?<!catkin/bin/)\bcatkin_make(?:_isolated)?\b[^\n#]*\binstall\b|\bcatkin[ \t]+config\b[^\n#]*[ \t]--install\b"
     r"|\bindustrial_ci\b|\bbloom-(?:release|generate)\b|\bdpkg-buildpackage\b"
 )
+_COLCON = re.compile(r"\bcolcon[ \t]+build\b")
+_ROS_2 = re.compile(r"(?<![A-Za-z])(?:ardent|bouncy|crystal|dashing|eloquent|foxy|galactic|humble|iron|jazzy|kilted|rolling)(?![A-Za-z])")
 
 
 # A line that brings other sources here: `git clone …/arm_tools.git`, `mv arm/arm_tools .`, `ln -s …`, `wget …/arm_tools.zip`.
@@ -73,7 +76,7 @@ def read_distributions(directories: Iterable[str]) -> Distributions:
             templates.update(_LINKED.findall(text), ["noetic"] if _NEW_TEMPLATE.search(text) else [])
             continue
         found.update(name.lower() for name in _NAMED.findall(text))
-        if _INSTALLS.search(text):
+        if _INSTALLS.search(text) or (_COLCON.search(text) and not _ROS_2.search(text)):
             installs.add(os.path.dirname(file))
         for line in _FETCHES.findall(text):
             for name in _FETCHED.findall(line):

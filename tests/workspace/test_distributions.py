@@ -37,11 +37,35 @@ def test_older(tmp_path: Path, files: dict[str, str], older: bool) -> None:
 
 @pytest.mark.parametrize(
     ("text", "installs"),
-    [("catkin_make install\n", True), ("catkin config --init --install", True), ("catkin build\n", False), ("make install", False)],
+    [
+        ("catkin_make install\n", True),
+        ("catkin config --init --install", True),
+        ("catkin build\n", False),
+        ("make install", False),
+        ("./src/catkin/bin/catkin_make_isolated --install --install-space /opt/ros/noetic", False),
+        ("colcon build\n", True),
+        (". /opt/ros/foxy/setup.sh && colcon build\n", False),
+    ],
 )
 def test_install_step(tmp_path: Path, text: str, installs: bool) -> None:
     (tmp_path / "README.md").write_text(text, encoding="utf-8")
     assert Packages([str(tmp_path)], {}, explicit=True).distributions().installs == ({str(tmp_path)} if installs else set())
+
+
+@pytest.mark.parametrize(
+    ("text", "fetched"),
+    [
+        ("git clone https://github.com/example/my_arm.git\n", True),
+        ("  - mv -v arm/my_arm .\n", True),
+        ("# git clone https://github.com/example/my_arm.git\n", False),
+        ("roslaunch my_arm arm.launch\n", False),
+        ("git clone https://github.com/example/my_arm_2.git\n", False),
+    ],
+)
+def test_what_is_fetched(tmp_path: Path, text: str, fetched: bool) -> None:
+    (tmp_path / "install.sh").write_text(text, encoding="utf-8")
+    packages = Packages([str(tmp_path)], {}, explicit=True)
+    assert packages.documented_in("my_arm") == (str(tmp_path / "install.sh") if fetched else None)
 
 
 def test_never_released() -> None:
