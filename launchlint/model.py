@@ -7,7 +7,7 @@ is not here …) is an :class:`Unknown`; it is never guessed at and never causes
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Literal, NamedTuple
 
@@ -16,7 +16,9 @@ from launchlint.source import Origin, Place, Source
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from typing import Any, TypeVar
+
+    Kind = TypeVar("Kind", bound=Problem)
 
 Role = Literal["package", "executable", "name", "test_name", "namespace", "arguments", "prefix", "machine", "output", "cwd", "remaps"]
 """What a part of a node is for, whatever a dialect calls what it is written in (``pkg``, ``ns``, ``args`` …)."""
@@ -265,3 +267,7 @@ class Launch(NamedTuple):
     files: tuple[str, ...]
     complete: bool
     more_parameters: tuple[str, ...] = ()
+
+    def noticed(self, kind: type[Kind]) -> Iterator[Kind]:
+        """The problems of one kind."""
+        return (problem for problem in self.problems if isinstance(problem, kind))

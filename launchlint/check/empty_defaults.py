@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from launchlint.check.empty_reach import may_be_caused
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.problems import DuplicateNode, IncludeMissingArg, RequiredArgUnset
 from launchlint.evaluate.session import Session
 from launchlint.model import Launch, Unknown
 from launchlint.problem import Problem
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from launchlint.evaluate.block import Value
     from launchlint.evaluate.ros1.file import Declaration
 
-    Key: TypeAlias = tuple[str, Place, tuple[Place, ...]]
+    Key: TypeAlias = tuple[type[Problem], Place, tuple[Place, ...]]
 
 MOST_DECLARATIONS = 12
 """Empty defaults that are tried one by one."""
@@ -39,7 +40,7 @@ def told_at_declarations(session: Session, file: str, evaluation: Evaluation, pi
     their fact ``empty`` is true. The same ``evaluation`` where no empty default is to blame.
     """
     launch = evaluation.launch
-    if launch.refused is None or any(problem.facts.get("empty") is True for problem in launch.problems):
+    if launch.refused is None or any(isinstance(each, (RequiredArgUnset, IncludeMissingArg)) and each.empty for each in launch.problems):
         return evaluation  # it loads, or has been here
     declared = dict(_empty_declarations(evaluation))
     if not declared or not may_be_caused(session, evaluation, {name for name, _ in declared.values()}):
@@ -94,7 +95,7 @@ def _empty_declarations(evaluation: Evaluation) -> Iterator[tuple[Declaration, t
 def _independent(launch: Launch, better: Launch, with_placeholders: Callable[[], Launch]) -> tuple[Problem, ...]:
     """The nodes of one name that have it with any other value of the args, too: nothing is known of names made from unknown args."""
     still = _keys(better)
-    lost = [problem for problem in launch.problems if problem.kind == "duplicate-node" and _key(problem) not in still]
+    lost = [problem for problem in launch.problems if isinstance(problem, DuplicateNode) and _key(problem) not in still]
     if not lost:
         return ()
     there = _keys(with_placeholders())
@@ -111,7 +112,7 @@ def _placeholder(name: str) -> str:
 
 
 def _key(problem: Problem) -> Key:
-    return problem.kind, problem.place, problem.origin.chain
+    return type(problem), problem.place, problem.origin.chain
 
 
 def _keys(launch: Launch) -> set[Key]:
@@ -121,8 +122,8 @@ def _keys(launch: Launch) -> set[Key]:
 def _causes(name: str, place: Place, broken: list[Problem], evaluation: Evaluation) -> list[Problem]:
     """One problem for all that the empty default at ``place`` breaks: at the declaration, or at each include that leaves the arg out."""
     if place.source.path == evaluation.launch.entry.path:
-        facts = {"name": name, "empty": True}
-        return [Problem("required-arg-unset", Origin(place), facts, True, _places(broken))] if broken else []
+        unset = RequiredArgUnset(origin=Origin(place), refused=True, related=_places(broken), name=name, empty=True)
+        return [unset] if broken else []
     groups: dict[Origin, list[Problem]] = {}
     for problem in broken:
         for origin in _including(place, problem, evaluation.launch):
@@ -145,17 +146,17 @@ def _left_out(name: str, place: Place, origin: Origin, broken: list[Problem], do
     file = None if element is None else element.attributes.get("file")
     if document is None or element is None or file is None:
         return None
-    facts = {
-        "name": name,
-        "file": place.source.path,
-        "passed": tuple(sorted(_passed(element))),
-        "target": place.source.file,
-        "pass_all": "pass_all_args" in element.attributes,
-        "empty": True,
-    }
-    related = ((place, "its default is empty"), *_places(broken))
-    at = Origin(document.place(file.value_span), origin.step)
-    return Problem("include-missing-arg", at, facts, True, related)
+    return IncludeMissingArg(
+        origin=Origin(document.place(file.value_span), origin.step),
+        refused=True,
+        related=((place, "its default is empty"), *_places(broken)),
+        name=name,
+        file=place.source.path,
+        passed=tuple(sorted(_passed(element))),
+        target=place.source.file,
+        pass_all="pass_all_args" in element.attributes,
+        empty=True,
+    )
 
 
 def _passed(include: Element) -> Iterator[str]:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 
 from launchlint.evaluate.assemble import Evaluation
+from launchlint.evaluate.problems import EnvUnset, PackageNotFound, RequiredArgUnset
 from launchlint.evaluate.session import Session
 from launchlint.problem import Problem
 from launchlint.source import Place
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
     Words: TypeAlias = Mapping[str, frozenset[str]]
 
-LOCAL_KINDS = frozenset({"package-not-found", "required-arg-unset", "env-unset"})
+LOCAL_KINDS = (PackageNotFound, RequiredArgUnset, EnvUnset)
 """Problems that go away only where the text they stand in is not looked at any more, or is another; all others may depend on more."""
 ANY = "arg()"
 """Stands for a name that an expression makes."""
@@ -38,7 +39,7 @@ def may_be_caused(session: Session, evaluation: Evaluation, empty: Iterable[str]
     Args are told apart by name only, over all files, so that the answer *yes* may be wrong, and *no* is not.
     """
     refusing = [problem for problem in evaluation.launch.problems if problem.refused]
-    if any(problem.kind not in LOCAL_KINDS for problem in refusing):
+    if not all(isinstance(problem, LOCAL_KINDS) for problem in refusing):
         return True
     tables = [_table(session, document) for document in evaluation.documents.values()]
     if any(ANY in table for table in tables):

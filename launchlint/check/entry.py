@@ -16,6 +16,7 @@ from launchlint.check.verdict import judged, plainly
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.configurations import configurations
 from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.problems import IncludeMissingArg, IncludeUndeclaredArg, RequiredArgUnset, UndeclaredArg, UsedBeforeDeclaration
 from launchlint.evaluate.session import Session
 from launchlint.finding import Finding, Key, Location, Severity
 from launchlint.model import Launch
@@ -36,9 +37,8 @@ if TYPE_CHECKING:
     from launchlint.knowledge.own import OwnSources
     from launchlint.library.lookup import Library
 
-CALL_KINDS = ("include-undeclared-arg", "include-missing-arg")
 CRASHED = Verdict("cannot be told", INTERNAL_ERROR, "launchlint itself crashed on it")
-ALONE_KINDS = frozenset({"required-arg-unset", "undeclared-arg", "used-before-declaration"})
+ALONE_KINDS = frozenset({RequiredArgUnset, UndeclaredArg, UsedBeforeDeclaration})
 """Problems that say a file is made to be included: it lacks args that only its callers can give."""
 
 
@@ -208,7 +208,7 @@ class EntryChecker:
             return evaluation, None
         view = LaunchView(launch, self.packages, request.declared)
         told = [finding.message for finding in tell(refused, view, self.options.rules)]
-        return evaluation, (rule_of(refused.kind), told[0] if told else plainly(refused))
+        return evaluation, (rule_of(type(refused)), told[0] if told else plainly(refused))
 
     def session_for(self, request: EntryRequest) -> Session:
         """The shared session, or one of its own where other text stands in for a file."""
@@ -293,11 +293,11 @@ class EntryChecker:
         if refused is not None:
             told = next((finding.message for finding in findings.values() if finding.location.start == refused.place.span.start
                          and finding.location.path == refused.place.source.path), plainly(refused))  # fmt: skip
-            error = (rule_of(refused.kind), told)
-        reasons = {problem.kind for problem in launch.problems if problem.refused and problem.place.source.path == path}
+            error = (rule_of(type(refused)), told)
+        reasons = {type(problem) for problem in launch.problems if problem.refused and problem.place.source.path == path}
         roots = tuple((known.path, known.root) for known in files.values() if known.root is not None)
         needs_caller = bool(reasons & ALONE_KINDS) and not request.declared
-        lacks = needs_caller and bool(reasons & (ALONE_KINDS - {"required-arg-unset"}))
+        lacks = needs_caller and bool(reasons & (ALONE_KINDS - {RequiredArgUnset}))
         calls = tuple(_broken_calls(launch.problems))
         summary = EntrySummary(path, refused is not None, included, calls, roots, needs_caller, lacks, tuple(_calls(launch)))
         return EntryResult(
@@ -345,10 +345,10 @@ def _calls(launch: Launch) -> Iterator[tuple[str, tuple[tuple[str, str], ...]]]:
 
 def _broken_calls(problems: tuple[Problem, ...]) -> Iterator[BrokenCall]:
     for problem in problems:
-        if problem.kind in CALL_KINDS and problem.refused:
-            missing = problem.kind == "include-missing-arg"
-            if missing and problem.facts["pass_all"]:
-                continue  # it may come from the command line
-            names = (problem.facts["name"],) if missing else problem.facts["all"]
-            if problem.facts["name"] == names[0]:
-                yield BrokenCall(problem.facts["file"], ", ".join(names), missing, Location.of(problem.place))
+        if not problem.refused:
+            continue
+        if isinstance(problem, IncludeMissingArg):
+            if not problem.pass_all:  # else it may come from the command line
+                yield BrokenCall(problem.file, problem.name, True, Location.of(problem.place))
+        elif isinstance(problem, IncludeUndeclaredArg) and problem.name == problem.undeclared[0]:
+            yield BrokenCall(problem.file, ", ".join(problem.undeclared), False, Location.of(problem.place))

@@ -63,7 +63,7 @@ def _problems(document: Document) -> Iterator[Problem]:
         yield from validate(document)
 
 
-_KINDS: dict[str, tuple[Entry, ...]] = {}
+_KINDS: dict[type[Problem], tuple[Entry, ...]] = {}
 
 
 def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[Finding]:
@@ -71,7 +71,7 @@ def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[F
     if not _KINDS:
         _KINDS.update(by_kind())
     told = view.told if isinstance(view, LaunchView) else {}
-    for rule in _KINDS.get(problem.kind, ()):
+    for rule in _KINDS.get(type(problem), ()):
         if rule.id in selected:
             key = (id(problem), rule.id)
             if key not in told:

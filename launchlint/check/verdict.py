@@ -7,6 +7,17 @@ Where the rule says less, or nothing, roslaunch stops for want of something that
 from __future__ import annotations
 
 from launchlint.check.file import tell
+from launchlint.evaluate.problems import (
+    DuplicateNode,
+    EnvUnset,
+    IncludeMissingArg,
+    IncludeNotFound,
+    PackageNotFound,
+    ParamFileMissing,
+    RequiredArgUnset,
+    UndeclaredArg,
+    UnknownMachine,
+)
 from launchlint.finding import Severity
 from launchlint.model import Launch
 from launchlint.problem import Problem
@@ -17,19 +28,7 @@ from launchlint.verdict import LOADS, Verdict
 ALL_RULES = frozenset(rule.id for rule in RULES)
 """A verdict does not depend on the rules that somebody wants to hear of."""
 
-MISSING = {
-    "package-not-found": ("the package", "package"),
-    "required-arg-unset": ("the arg", "name"),
-    "undeclared-arg": ("the arg", "name"),
-    "include-missing-arg": ("the arg", "name"),
-    "env-unset": ("the environment variable", "variable"),
-    "unknown-machine": ("the machine", "name"),
-    "include-not-found": ("the file", "file"),
-    "param-file-missing": ("the file", "file"),
-}
-"""Problem kind → what is missing, and the fact that names it."""
-
-CERTAIN = frozenset(("duplicate-node",))
+CERTAIN = DuplicateNode
 """Of these the level of the rule says whether anybody starts it so; roslaunch refuses it in any case."""
 
 
@@ -46,7 +45,7 @@ def judged(launch: Launch, view: object) -> Verdict:
         if what in missing:
             continue
         told = list(tell(problem, view, ALL_RULES))
-        certain = problem.kind in CERTAIN
+        certain = isinstance(problem, CERTAIN)
         sure = next((finding for finding in told if certain or finding.severity is Severity.ERROR), None)
         if sure is not None:
             return Verdict("refused", sure.rule, sure.message)
@@ -54,22 +53,29 @@ def judged(launch: Launch, view: object) -> Verdict:
             missing[what] = None
         else:
             reason = reason or (told[0].message if told else plainly(problem))
-    return Verdict("cannot be told", rule_of(launch.refused.kind), reason, tuple(missing))
+    return Verdict("cannot be told", rule_of(type(launch.refused)), reason, tuple(missing))
 
 
 def plainly(problem: Problem) -> str:
     """Why roslaunch refuses a file, where the rule for it keeps silent because it need not be a mistake of the file."""
-    if problem.kind == "package-not-found":
-        return f"the package {problem.facts['package']} is not on this machine"
+    if isinstance(problem, PackageNotFound):
+        return f"the package {problem.package} is not on this machine"
     return problem.kind.replace("-", " ")
 
 
 def _missing(problem: Problem) -> str:
     """What would have to be there so that roslaunch does not stop at a problem; empty where that has no name."""
-    if problem.kind not in MISSING:
-        return ""
-    what, fact = MISSING[problem.kind]
-    name = str(problem.facts.get(fact) or "")
-    if what == "the file":
-        name = name.rsplit("/", 1)[-1]
+    match problem:
+        case PackageNotFound():
+            what, name = "the package", problem.package
+        case RequiredArgUnset() | UndeclaredArg() | IncludeMissingArg():
+            what, name = "the arg", problem.name
+        case EnvUnset():
+            what, name = "the environment variable", problem.variable
+        case UnknownMachine():
+            what, name = "the machine", problem.name
+        case IncludeNotFound() | ParamFileMissing():
+            what, name = "the file", problem.file.rsplit("/", 1)[-1]
+        case _:
+            return ""
     return f"{what} {shortened(name)}" if name else ""

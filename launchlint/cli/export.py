@@ -80,10 +80,6 @@ def _the_file(file: str, entry: EntryOptions, requests: list[EntryRequest]) -> E
     return requests[0]._replace(arguments=entry.arguments)
 
 
-READ_OVER = ("unknown-tag", "unknown-attribute", "misplaced-tag", "wrong-dialect")
-"""Problems of what roslaunch skips: it has no place in what is exported."""
-
-
 def _refused(checker: EntryChecker, request: EntryRequest) -> bool:
     """Whether roslaunch refuses the file; why, or what it reads over in it, is told on standard error."""
     from launchlint import __version__
@@ -92,11 +88,14 @@ def _refused(checker: EntryChecker, request: EntryRequest) -> bool:
     from launchlint.report.run import Run
     from launchlint.report.text import render
     from launchlint.rules.registry import rule_of
+    from launchlint.syntax.problems import MisplacedTag, UnknownAttribute, UnknownTag, WrongDialect
 
+    # What roslaunch skips has no place in what is exported.
+    read_over = (UnknownTag, UnknownAttribute, MisplacedTag, WrongDialect)
     _, error = checker.model(request)
     result = checker.check(request)
     found = {each.key: each for each in (*(guarded.finding for file in result.files for guarded in file.findings), *result.findings)}
-    always = {rule_of(kind) for kind in READ_OVER} | (set() if error is None else {error[0]})
+    always = {rule_of(kind) for kind in read_over} | (set() if error is None else {error[0]})
     told = [each for each in found.values() if each.severity is Severity.ERROR or each.rule in always]
     if told:
         emit(render(told, Run(__version__, files_checked=1, verbose=True, root=checker.session.root)), sys.stderr)

@@ -174,7 +174,7 @@ class _Run:
         from launchlint.rules.registry import rule_of
 
         self._failed += 1
-        for finding in findings_of(result.problem, None, frozenset((rule_of(result.problem.kind),))):
+        for finding in findings_of(result.problem, None, frozenset((rule_of(type(result.problem)),))):
             emit(f"{headline(finding)}\n", sys.stderr)
 
     def _summary(self) -> str:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, MoreParameters, NodeEffect, PrivateParameter
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE, canonical
+from launchlint.evaluate.problems import DuplicateNode, MachineConflict, UnknownMachine
 from launchlint.model import (
     Argument,
     Branch,
@@ -111,7 +112,7 @@ class _Assembly:
             elif isinstance(effect, Problem):
                 assumed = effect.assumed or inherited.assumed
                 self.problems.append(
-                    effect._replace(origin=place.origin(effect.origin), assumed=assumed, refused=effect.refused and not assumed)
+                    effect.but(origin=place.origin(effect.origin), assumed=assumed, refused=effect.refused and not assumed)
                 )
             elif isinstance(effect, Call):
                 self._call(effect, place, inherited, steer)
@@ -172,16 +173,22 @@ class _Assembly:
         first, first_guessed = self.names.setdefault((node.full_name, _unknown_scope(node)), (node, guessed))
         if guessed or first_guessed:
             return
-        assumed = any(condition.assumed for condition in (*node.conditions, *first.conditions))
-        place = node.places.get("name", node.origin.place)
-        if first is not node:
-            related = ((first.places.get("name", first.origin.place), "the first one"),)
-            facts = {"name": node.full_name, "first": first, "second": node, "core": False}
-            if not assumed:
-                self.problems.append(Problem("duplicate-node", Origin(place, node.origin.step), facts, True, related))
-        elif node.full_name == "/rosout" and not assumed:
-            facts = {"name": node.full_name, "first": node, "second": node, "core": True}
-            self.problems.append(Problem("duplicate-node", Origin(place, node.origin.step), facts, True))
+        core = first is node
+        if core and node.full_name != "/rosout":
+            return
+        if any(condition.assumed for condition in (*node.conditions, *first.conditions)):
+            return
+        self.problems.append(
+            DuplicateNode(
+                origin=Origin(node.places.get("name", node.origin.place), node.origin.step),
+                refused=True,
+                related=() if core else ((first.places.get("name", first.origin.place), "the first one"),),
+                name=node.full_name,
+                first=first,
+                second=node,
+                core=core,
+            )
+        )
 
     def _machine(self, machine: Machine) -> None:
         known = self.machines.setdefault(machine.name, machine)
@@ -189,8 +196,7 @@ class _Assembly:
         fields = tuple(field for field in machine._fields[:-1] if (getattr(known, field) or "") != (getattr(machine, field) or ""))
         if fields:
             related = ((known.origin.place, "the first definition"),)
-            facts = {"name": machine.name, "fields": fields}
-            self.problems.append(Problem("machine-conflict", machine.origin, facts, True, related))
+            self.problems.append(MachineConflict(origin=machine.origin, refused=True, related=related, name=machine.name, fields=fields))
 
     def _call(self, call: Call, place: _Placing, inherited: _Inherited, steer: Mapping[str, frozenset[str]]) -> None:
         include = place.include(call.include)
@@ -234,10 +240,10 @@ class _Assembly:
         known = self.unknown_machines.union(self.machines)
         for node in (*self.nodes, *self.tests):
             if node.machine and node.machine not in known and node.knows("machine"):
-                place = node.places.get("machine", node.origin.place)
+                origin = Origin(node.places.get("machine", node.origin.place), node.origin.step)
                 assumed = any(condition.assumed for condition in node.conditions)
-                facts = {"name": node.machine, "known": tuple(sorted(self.machines))}
-                self.problems.append(Problem("unknown-machine", Origin(place, node.origin.step), facts, not assumed, (), assumed))
+                defined = tuple(sorted(self.machines))
+                self.problems.append(UnknownMachine(origin=origin, refused=not assumed, assumed=assumed, name=node.machine, known=defined))
 
 
 class _Placing:

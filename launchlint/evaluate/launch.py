@@ -15,8 +15,8 @@ from launchlint.evaluate.ros1.launch_tags import enter
 from launchlint.evaluate.session import Read, Session
 from launchlint.finding import whole_file
 from launchlint.late import late
-from launchlint.problem import Problem
 from launchlint.source import Origin, Source
+from launchlint.syntax.problems import RootNotLaunch, UnreadableFile
 
 DEEPEST_STACK = 12_000
 """Python frames: 900 nested groups or 300 nested includes need about 3,000; both depths are bounded where they are read."""
@@ -83,11 +83,11 @@ def enter_entry(
     document = session.document(file)
     if isinstance(document, Read):
         source = Source(session.shown(file), "", file)
-        problem = Problem("unreadable-file", Origin(whole_file(source)), {"reason": document.reason, "file": source.path}, True)
+        problem = UnreadableFile(origin=Origin(whole_file(source)), refused=True, reason=document.reason)
         return not_loadable(source, None, given, problem)
     if document.launch is None:
-        problem = document.problems[0] if document.problems else Problem("root-not-launch", Origin(whole_file(document.source)), {}, True)
-        return not_loadable(document.source, document, given, problem)
+        nothing = RootNotLaunch(origin=Origin(whole_file(document.source)), refused=True)
+        return not_loadable(document.source, document, given, document.problems[0] if document.problems else nothing)
     arguments = command_line(given)
     namespace = next((value for name, value in given if name == "__ns"), session.variable("ROS_NAMESPACE") or "/")
     try:

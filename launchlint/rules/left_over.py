@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from launchlint.problem import Problem
+from launchlint.evaluate.problems import UnexpandedSubstitution
 from launchlint.rules.view import LaunchView
 
 
-def cause_at(problem: Problem) -> str:
+def cause_at(problem: UnexpandedSubstitution) -> str:
     """What LL215 tells of together with all that follows: ``problem`` is its own."""
     return f"left over {problem.place.source.path} {problem.place.span.start}"
 
@@ -15,6 +15,6 @@ def left_over_in(name: str, view: LaunchView) -> str:
     """The cause of a file ``name`` that holds text which was meant to be replaced; empty where LL215 tells of no such text in it."""
     if "(" not in name and ")" not in name:
         return ""
-    known = (each for each in view.launch.problems if each.kind == "unexpanded-substitution" and not each.facts.get("rosparam"))
-    held = [each for each in known if each.facts["text"].strip() in name]
-    return cause_at(max(held, key=lambda each: len(each.facts["text"]))) if held else ""
+    known = (each for each in view.launch.noticed(UnexpandedSubstitution) if not each.rosparam)
+    held = [each for each in known if each.text.strip() in name]
+    return cause_at(max(held, key=lambda each: len(each.text))) if held else ""

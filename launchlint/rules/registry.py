@@ -1,6 +1,6 @@
 """All rules, explicitly. A rule module is imported only when there is something for it to look at: start-up is the product.
 
-``on`` names the problem kinds a rule speaks about (its module then has ``tell``); ``view`` says what it looks at (its module then
+``on`` holds the kinds of problem that a rule speaks about (its module then has ``tell``); ``view`` says what it looks at (its module then
 has ``check``). A rule with both speaks in ``tell``, and says in ``check`` where things are in order. Numbers never change meaning;
 ``REDIRECTS`` keeps retired IDs and names working.
 """
@@ -12,7 +12,10 @@ from importlib import import_module
 from sys import modules
 from typing import NamedTuple
 
+import launchlint.evaluate.problems as evaluate
+import launchlint.syntax.problems as syntax
 from launchlint.finding import Severity
+from launchlint.problem import Problem
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,7 +32,7 @@ class Entry(NamedTuple):
     module: str
     severity: Severity
     view: str = "problem"
-    on: tuple[str, ...] = ()
+    on: tuple[type[Problem], ...] = ()
     default: bool = True
 
     def load(self) -> Any:
@@ -39,66 +42,66 @@ class Entry(NamedTuple):
 
 
 RULES: tuple[Entry, ...] = (
-    Entry("LL100", "unreadable-file", "xml.unreadable_file", ERROR, on=("unreadable-file",)),
-    Entry("LL101", "malformed-xml", "xml.malformed_xml", ERROR, on=("malformed-xml",)),
-    Entry("LL102", "root-not-launch", "xml.root_not_launch", ERROR, on=("root-not-launch",)),
-    Entry("LL103", "unknown-tag", "xml.unknown_tag", WARNING, on=("unknown-tag",)),
-    Entry("LL104", "unknown-attribute", "xml.unknown_attribute", WARNING, on=("unknown-attribute",)),
-    Entry("LL105", "missing-attribute", "xml.missing_attribute", ERROR, on=("missing-attribute",)),
-    Entry("LL106", "misplaced-tag", "xml.misplaced_tag", WARNING, on=("misplaced-tag",)),
-    Entry("LL107", "stray-text", "xml.stray_text", WARNING, on=("stray-text",)),
-    Entry("LL108", "if-and-unless", "xml.if_and_unless", ERROR, on=("if-and-unless",)),
-    Entry("LL109", "invalid-value", "xml.invalid_value", ERROR, on=("invalid-value", "unbalanced-quotes")),
-    Entry("LL110", "conflicting-attributes", "xml.conflicting_attributes", ERROR, on=("conflicting-attributes",)),
-    Entry("LL111", "deprecated-construct", "xml.deprecated_construct", WARNING, view="graph", on=("deprecated-construct",)),
-    Entry("LL112", "wrong-dialect", "xml.wrong_dialect", ERROR, on=("wrong-dialect",)),
-    Entry("LL113", "ineffective-attribute", "xml.ineffective_attribute", WARNING, on=("ineffective-attribute",)),
-    Entry("LL114", "condition-on-launch", "xml.condition_on_launch", ERROR, on=("condition-on-launch", "invalid-value")),
-    Entry("LL201", "undeclared-arg", "args.undeclared_arg", ERROR, on=("undeclared-arg",)),
-    Entry("LL202", "required-arg-unset", "args.required_arg_unset", INFO, on=("required-arg-unset",)),
-    Entry("LL203", "arg-redeclared", "args.arg_redeclared", ERROR, on=("arg-redeclared",)),
-    Entry("LL204", "arg-value-and-default", "args.arg_value_and_default", ERROR, on=("arg-value-and-default",)),
-    Entry("LL205", "arg-cycle", "args.arg_cycle", ERROR, on=("used-before-declaration",)),
+    Entry("LL100", "unreadable-file", "xml.unreadable_file", ERROR, on=(syntax.UnreadableFile,)),
+    Entry("LL101", "malformed-xml", "xml.malformed_xml", ERROR, on=(syntax.MalformedXml,)),
+    Entry("LL102", "root-not-launch", "xml.root_not_launch", ERROR, on=(syntax.RootNotLaunch,)),
+    Entry("LL103", "unknown-tag", "xml.unknown_tag", WARNING, on=(syntax.UnknownTag,)),
+    Entry("LL104", "unknown-attribute", "xml.unknown_attribute", WARNING, on=(syntax.UnknownAttribute,)),
+    Entry("LL105", "missing-attribute", "xml.missing_attribute", ERROR, on=(syntax.MissingAttribute,)),
+    Entry("LL106", "misplaced-tag", "xml.misplaced_tag", WARNING, on=(syntax.MisplacedTag,)),
+    Entry("LL107", "stray-text", "xml.stray_text", WARNING, on=(syntax.StrayText,)),
+    Entry("LL108", "if-and-unless", "xml.if_and_unless", ERROR, on=(syntax.IfAndUnless,)),
+    Entry("LL109", "invalid-value", "xml.invalid_value", ERROR, on=(syntax.InvalidValue, evaluate.UnbalancedQuotes)),
+    Entry("LL110", "conflicting-attributes", "xml.conflicting_attributes", ERROR, on=(syntax.ConflictingAttributes,)),
+    Entry("LL111", "deprecated-construct", "xml.deprecated_construct", WARNING, view="graph", on=(syntax.DeprecatedConstruct,)),
+    Entry("LL112", "wrong-dialect", "xml.wrong_dialect", ERROR, on=(syntax.WrongDialect,)),
+    Entry("LL113", "ineffective-attribute", "xml.ineffective_attribute", WARNING, on=(syntax.IneffectiveAttribute,)),
+    Entry("LL114", "condition-on-launch", "xml.condition_on_launch", ERROR, on=(evaluate.ConditionOnLaunch, syntax.InvalidValue)),
+    Entry("LL201", "undeclared-arg", "args.undeclared_arg", ERROR, on=(evaluate.UndeclaredArg,)),
+    Entry("LL202", "required-arg-unset", "args.required_arg_unset", INFO, on=(evaluate.RequiredArgUnset,)),
+    Entry("LL203", "arg-redeclared", "args.arg_redeclared", ERROR, on=(evaluate.ArgRedeclared,)),
+    Entry("LL204", "arg-value-and-default", "args.arg_value_and_default", ERROR, on=(syntax.ArgValueAndDefault,)),
+    Entry("LL205", "arg-cycle", "args.arg_cycle", ERROR, on=(evaluate.UsedBeforeDeclaration,)),
     Entry("LL206", "unused-arg", "args.unused_arg", WARNING, view="file"),
-    Entry("LL207", "bad-substitution", "args.bad_substitution", ERROR, on=("bad-substitution",)),
-    Entry("LL208", "eval-error", "args.eval_error", ERROR, on=("eval-error", "eval-not-covered", "eval-never-equal")),
-    Entry("LL209", "env-unset", "args.env_unset", WARNING, view="launch", on=("env-unset",)),
-    Entry("LL210", "package-not-found", "args.package_not_found", ERROR, view="launch", on=("package-not-found",)),
-    Entry("LL211", "arg-out-of-scope", "args.arg_out_of_scope", ERROR, on=("arg-out-of-scope",)),
-    Entry("LL212", "arg-override-refused", "args.arg_override_refused", ERROR, on=("arg-override-refused",)),
+    Entry("LL207", "bad-substitution", "args.bad_substitution", ERROR, on=(evaluate.BadSubstitution,)),
+    Entry("LL208", "eval-error", "args.eval_error", ERROR, on=(evaluate.EvalError, evaluate.EvalNotCovered, evaluate.EvalNeverEqual)),
+    Entry("LL209", "env-unset", "args.env_unset", WARNING, view="launch", on=(evaluate.EnvUnset,)),
+    Entry("LL210", "package-not-found", "args.package_not_found", ERROR, view="launch", on=(evaluate.PackageNotFound,)),
+    Entry("LL211", "arg-out-of-scope", "args.arg_out_of_scope", ERROR, on=(evaluate.ArgOutOfScope,)),
+    Entry("LL212", "arg-override-refused", "args.arg_override_refused", ERROR, on=(evaluate.ArgOverrideRefused,)),
     Entry("LL213", "unreachable-branch", "args.unreachable_branch", WARNING, view="launch"),
-    Entry("LL214", "condition-not-boolean", "args.condition_not_boolean", ERROR, on=("condition-not-boolean", "invalid-value")),
-    Entry("LL215", "unexpanded-substitution", "args.unexpanded_substitution", WARNING, on=("unexpanded-substitution",)),
-    Entry("LL216", "evaluation-bound", "args.evaluation_bound", WARNING, on=("evaluation-bound",)),
-    Entry("LL301", "duplicate-node-name", "nodes.duplicate_node_name", ERROR, on=("duplicate-node",)),
-    Entry("LL302", "invalid-node-name", "nodes.invalid_node_name", ERROR, on=("invalid-node-name",)),
+    Entry("LL214", "condition-not-boolean", "args.condition_not_boolean", ERROR, on=(evaluate.ConditionNotBoolean, syntax.InvalidValue)),
+    Entry("LL215", "unexpanded-substitution", "args.unexpanded_substitution", WARNING, on=(evaluate.UnexpandedSubstitution,)),
+    Entry("LL216", "evaluation-bound", "args.evaluation_bound", WARNING, on=(evaluate.EvaluationBound,)),
+    Entry("LL301", "duplicate-node-name", "nodes.duplicate_node_name", ERROR, on=(evaluate.DuplicateNode,)),
+    Entry("LL302", "invalid-node-name", "nodes.invalid_node_name", ERROR, on=(evaluate.InvalidNodeName,)),
     Entry("LL303", "unknown-package", "nodes.unknown_package", ERROR, view="launch"),
     Entry("LL304", "unknown-executable", "nodes.unknown_executable", ERROR, view="graph"),
     Entry("LL305", "not-executable", "nodes.not_executable", ERROR, view="launch"),
-    Entry("LL306", "unknown-machine", "nodes.unknown_machine", ERROR, view="launch", on=("unknown-machine",)),
-    Entry("LL307", "machine-conflict", "nodes.machine_conflict", ERROR, on=("machine-conflict",)),
+    Entry("LL306", "unknown-machine", "nodes.unknown_machine", ERROR, view="launch", on=(evaluate.UnknownMachine,)),
+    Entry("LL307", "machine-conflict", "nodes.machine_conflict", ERROR, on=(evaluate.MachineConflict,)),
     Entry("LL308", "nodelet-manager-missing", "nodes.nodelet_manager_missing", ERROR, view="launch"),
     Entry("LL309", "unknown-nodelet-class", "nodes.unknown_nodelet_class", ERROR, view="graph"),
-    Entry("LL310", "test-without-name", "nodes.test_without_name", ERROR, on=("missing-attribute", "conflicting-attributes")),
+    Entry("LL310", "test-without-name", "nodes.test_without_name", ERROR, on=(syntax.MissingAttribute, syntax.ConflictingAttributes)),
     Entry("LL311", "duplicate-test-name", "nodes.duplicate_test_name", WARNING, view="launch"),
     Entry("LL312", "anon-reuse", "nodes.anon_reuse", WARNING, view="file"),
     Entry("LL313", "test-shadows-node", "nodes.test_shadows_node", WARNING, view="launch"),
-    Entry("LL314", "invalid-namespace", "nodes.invalid_namespace", ERROR, on=("invalid-namespace",)),
+    Entry("LL314", "invalid-namespace", "nodes.invalid_namespace", ERROR, on=(evaluate.InvalidNamespace,)),
     Entry("LL315", "env-without-node", "nodes.env_without_node", WARNING, view="launch"),
-    Entry("LL401", "include-not-found", "includes.include_not_found", ERROR, on=("include-not-found", "include-not-loadable")),
-    Entry("LL402", "include-cycle", "includes.include_cycle", ERROR, on=("include-cycle",)),
-    Entry("LL403", "include-undeclared-arg", "includes.include_undeclared_arg", ERROR, on=("include-undeclared-arg",)),
-    Entry("LL404", "include-missing-arg", "includes.include_missing_arg", ERROR, on=("include-missing-arg",)),
-    Entry("LL405", "pass-all-args-hides-typo", "includes.pass_all_args_hides_typo", WARNING, on=("pass-all-hides-typo",)),
+    Entry("LL401", "include-not-found", "includes.include_not_found", ERROR, on=(evaluate.IncludeNotFound, evaluate.IncludeNotLoadable)),
+    Entry("LL402", "include-cycle", "includes.include_cycle", ERROR, on=(evaluate.IncludeCycle,)),
+    Entry("LL403", "include-undeclared-arg", "includes.include_undeclared_arg", ERROR, on=(evaluate.IncludeUndeclaredArg,)),
+    Entry("LL404", "include-missing-arg", "includes.include_missing_arg", ERROR, on=(evaluate.IncludeMissingArg,)),
+    Entry("LL405", "pass-all-args-hides-typo", "includes.pass_all_args_hides_typo", WARNING, on=(evaluate.PassAllHidesTypo,)),
     Entry("LL406", "non-portable-path", "includes.non_portable_path", WARNING, view="file"),
     Entry("LL407", "broken-caller", "includes.broken_caller", ERROR, view="run"),
-    Entry("LL408", "deprecated-include", "includes.deprecated_include", WARNING, on=("deprecated-include",)),
+    Entry("LL408", "deprecated-include", "includes.deprecated_include", WARNING, on=(evaluate.DeprecatedInclude,)),
     Entry("LL409", "orphan-launch-file", "includes.orphan_launch_file", INFO, view="run", default=False),
     Entry("LL410", "repeated-include", "includes.repeated_include", WARNING, view="file"),
     Entry("LL411", "named-file-missing", "includes.named_file_missing", WARNING, view="launch"),
-    Entry("LL501", "param-value-type", "params.param_value_type", ERROR, on=("param-value-type",)),
-    Entry("LL502", "param-file-missing", "params.param_file_missing", ERROR, on=("param-file-missing",)),
-    Entry("LL503", "param-yaml-invalid", "params.param_yaml_invalid", ERROR, on=("param-yaml-invalid",)),
+    Entry("LL501", "param-value-type", "params.param_value_type", ERROR, on=(evaluate.ParamValueType,)),
+    Entry("LL502", "param-file-missing", "params.param_file_missing", ERROR, on=(evaluate.ParamFileMissing,)),
+    Entry("LL503", "param-yaml-invalid", "params.param_yaml_invalid", ERROR, on=(evaluate.ParamYamlInvalid,)),
     Entry("LL504", "param-overwritten", "params.param_overwritten", WARNING, view="launch"),
     Entry("LL505", "param-parent-conflict", "params.param_parent_conflict", WARNING, view="launch"),
     Entry("LL506", "private-param-unused", "params.private_param_unused", WARNING, view="launch"),
@@ -106,18 +109,18 @@ RULES: tuple[Entry, ...] = (
     Entry("LL508", "param-wrong-type", "params.param_wrong_type", WARNING, view="graph"),
     Entry("LL509", "hard-coded-secret", "params.hard_coded_secret", WARNING, view="file"),
     Entry("LL510", "invalid-param-name", "params.invalid_param_name", WARNING, view="graph"),
-    Entry("LL511", "global-param-in-node", "params.global_param_in_node", WARNING, on=("global-param-in-node",)),
+    Entry("LL511", "global-param-in-node", "params.global_param_in_node", WARNING, on=(evaluate.GlobalParamInNode,)),
     Entry("LL512", "suspicious-param-value", "params.suspicious_param_value", WARNING, view="graph"),
-    Entry("LL513", "duplicate-yaml-key", "params.duplicate_yaml_key", WARNING, on=("yaml-duplicate-key",)),
+    Entry("LL513", "duplicate-yaml-key", "params.duplicate_yaml_key", WARNING, on=(evaluate.YamlDuplicateKey,)),
     Entry("LL514", "param-repeated", "params.param_repeated", INFO, view="launch"),
-    Entry("LL515", "ros2-parameter-file", "params.ros2_parameter_file", WARNING, on=("ros2-parameters",)),
+    Entry("LL515", "ros2-parameter-file", "params.ros2_parameter_file", WARNING, on=(evaluate.Ros2Parameters,)),
     Entry("LL601", "remap-matches-nothing", "remaps.remap_matches_nothing", WARNING, view="graph"),
     Entry("LL602", "remap-after-node", "remaps.remap_after_node", WARNING, view="launch"),
     Entry("LL603", "remap-out-of-effect", "remaps.remap_out_of_effect", WARNING, view="launch"),
     Entry("LL604", "remap-duplicate", "remaps.remap_duplicate", WARNING, view="launch"),
     Entry("LL605", "remap-identity", "remaps.remap_identity", INFO, view="file"),
     Entry("LL606", "remap-chain", "remaps.remap_chain", WARNING, view="graph"),
-    Entry("LL607", "invalid-remap-name", "remaps.invalid_remap_name", ERROR, on=("invalid-remap-name", "doubled-slash")),
+    Entry("LL607", "invalid-remap-name", "remaps.invalid_remap_name", ERROR, on=(evaluate.InvalidRemapName, evaluate.DoubledSlash)),
     Entry("LL611", "type-mismatch", "connections.type_mismatch", ERROR, view="graph"),
     Entry("LL612", "no-publisher", "connections.no_publisher", WARNING, view="graph"),
     Entry("LL613", "no-subscriber", "connections.no_subscriber", INFO, view="graph"),
@@ -154,15 +157,15 @@ def find(word: str) -> Entry | None:
     return _BY_WORD.get(key if redirect is None else redirect.lower())
 
 
-def by_kind() -> dict[str, tuple[Entry, ...]]:
-    """Problem kind → the rules that speak about it."""
-    kinds: dict[str, tuple[Entry, ...]] = {}
+def by_kind() -> dict[type[Problem], tuple[Entry, ...]]:
+    """Kind of problem → the rules that speak about it."""
+    kinds: dict[type[Problem], tuple[Entry, ...]] = {}
     for entry in RULES:
         for kind in entry.on:
             kinds[kind] = (*kinds.get(kind, ()), entry)
     return kinds
 
 
-def rule_of(kind: str) -> str:
-    """ID of the first rule that speaks about a problem kind; ``LL000`` where none does."""
+def rule_of(kind: type[Problem]) -> str:
+    """ID of the first rule that speaks about a kind of problem; ``LL000`` where none does."""
     return next((entry.id for entry in RULES if kind in entry.on), "LL000")

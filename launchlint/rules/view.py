@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from launchlint.suppression import Suppression
 
     T = TypeVar("T")
+    Kind = TypeVar("Kind", bound=Problem)
 
 
 class FileView(NamedTuple):
@@ -67,10 +68,10 @@ class LaunchView:
         return " ".join(f"{name}:={value}" for name, value in launch.given if name in steered and name in free)
 
     @cached_property
-    def _problems(self) -> Mapping[tuple[str, Place], list[Problem]]:
-        found: dict[tuple[str, Place], list[Problem]] = {}
+    def _problems(self) -> Mapping[Place, list[Problem]]:
+        found: dict[Place, list[Problem]] = {}
         for problem in self.launch.problems:
-            found.setdefault((problem.kind, problem.place), []).append(problem)
+            found.setdefault(problem.place, []).append(problem)
         return found
 
     @cached_property
@@ -82,9 +83,9 @@ class LaunchView:
                 found.setdefault(each.origin.place.source, set()).add(posixpath.abspath(each.source.file))
         return {source: frozenset(files) for source, files in found.items()}
 
-    def beside(self, problem: Problem) -> list[Problem]:
+    def beside(self, problem: Kind) -> list[Kind]:
         """The problems of the same kind and origin, in order; ``problem`` is one of them."""
-        return [each for each in self._problems.get((problem.kind, problem.place), ()) if each.origin == problem.origin]
+        return [each for each in self._problems.get(problem.place, ()) if isinstance(each, type(problem)) and each.origin == problem.origin]
 
     @cached_property
     def started_in(self) -> Mapping[tuple[str, int], bool]:

@@ -9,28 +9,29 @@ from __future__ import annotations
 import pyexpat as expat
 import re
 
-from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Span
 from launchlint.syntax.badtoken import bad_token
 from launchlint.syntax.decode import Decoded
+from launchlint.syntax.problems import MalformedXml
 from launchlint.syntax.tags import CONFLICT, NAME, Verdict, Written, attributes_of, conflict_verdict, token_at
 from launchlint.syntax.tree import Document, Element
 from launchlint.syntax.unclosed import mismatch, never_closed
 
 
-def diagnose(document: Document, decoded: Decoded, code: str | int, offset: int, opened: list[Element], last_end: int) -> Problem:
-    """The one ``malformed-xml`` problem of a file.
+def diagnose(document: Document, decoded: Decoded, code: str | int, offset: int, opened: list[Element], last_end: int) -> MalformedXml:
+    """What is wrong with a file that is not well-formed.
 
     ``code`` is expat's error (number or name), ``offset`` where expat stopped, ``opened`` the elements open there,
-    outermost first, ``last_end`` the end of the last piece that was read without error. Facts: ``message`` (plain words), ``code`` (expat's
-    name, or ``RecursionError``), ``hint`` (may be empty), ``opened`` and ``closed`` (tag names, empty where it is not about tags).
+    outermost first, ``last_end`` the end of the last piece that was read without error.
     """
     name = code if isinstance(code, str) else _code_name(code)
     offset = min(max(offset, 0), len(decoded.text))
     verdict = _judge(name, decoded, offset, opened, document, last_end)
-    facts = {"message": verdict.message, "code": name, "hint": verdict.hint, "opened": verdict.opened, "closed": verdict.closed}
     related: tuple[tuple[Place, str], ...] = tuple((document.place(span), label) for span, label in verdict.related)
-    return Problem("malformed-xml", Origin(document.place(verdict.span)), facts, refused=True, related=related)
+    return MalformedXml(
+        origin=Origin(document.place(verdict.span)), refused=True, related=related,
+        message=verdict.message, code=name, hint=verdict.hint, opened=verdict.opened, closed=verdict.closed,
+    )  # fmt: skip
 
 
 def _code_name(code: int) -> str:

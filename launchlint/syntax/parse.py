@@ -9,15 +9,15 @@ from __future__ import annotations
 import pyexpat as expat
 import re
 
-from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.decode import Decoded, decode
 from launchlint.syntax.entities import MAX_EXPANSION, expansion
+from launchlint.syntax.problems import RootNotLaunch, UnreadableFile
 from launchlint.syntax.tree import Attribute, Comment, Document, Element, Text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    pass
 
 MAX_BYTES = 32 * 1024 * 1024
 """Files larger than this are not read: the largest launch file met in the wild has 0.2 MB."""
@@ -326,7 +326,7 @@ def _xmlns(prefix: str | None) -> str:
 
 
 def _unreadable(document: Document, reason: str) -> Document:
-    document.problems.append(Problem("unreadable-file", Origin(document.place(Span(0, 0))), {"reason": reason}))
+    document.problems.append(UnreadableFile(origin=Origin(document.place(Span(0, 0))), reason=reason))
     return document
 
 
@@ -350,12 +350,12 @@ def _find_launch(document: Document, decoded: Decoded) -> None:
     root = document.root
     if root is None:  # expat refuses a document without an element
         return
-    facts: dict[str, Any] = {"tag": root.tag, "count": len(found)}
+    tag, count = root.tag, len(found)
     if len(found) == 1:
         document.launch = found[0]
         if found[0] is not root:
             inside = ((document.place(found[0].name_span), "what roslaunch looks at"),)
-            document.problems.append(Problem("root-not-launch", Origin(document.place(root.name_span)), facts, related=inside))
+            document.problems.append(RootNotLaunch(origin=Origin(document.place(root.name_span)), related=inside, tag=tag, count=count))
         return
     if found:
         related: tuple[tuple[Place, str], ...] = ((document.place(found[0].name_span), "the first <launch>"),)
@@ -363,4 +363,5 @@ def _find_launch(document: Document, decoded: Decoded) -> None:
     else:
         related = ()
         where = root.name_span
-    document.problems.append(Problem("root-not-launch", Origin(document.place(where)), facts, refused=True, related=related))
+    origin = Origin(document.place(where))
+    document.problems.append(RootNotLaunch(origin=origin, refused=True, related=related, tag=tag, count=count))

@@ -21,6 +21,7 @@ from typing import NamedTuple
 
 from launchlint.evaluate.configurations import configurations
 from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.problems import RequiredArgUnset
 from launchlint.evaluate.session import Session
 from launchlint.export.flatten import flatten
 from launchlint.export.plain import plain
@@ -66,7 +67,7 @@ def session_for(file: str, directory: Path) -> Session:
 def required(session: Session, file: str) -> Pairs:
     """A value for each arg that the file needs."""
     launch = evaluate(session, file).launch
-    return tuple((problem.facts["name"], "1") for problem in launch.problems if problem.kind == "required-arg-unset")
+    return tuple((problem.name, "1") for problem in launch.noticed(RequiredArgUnset))
 
 
 def outcomes(files: Sequence[str], directory: Path, mode: str, scratch: Path) -> Iterator[Outcome]:

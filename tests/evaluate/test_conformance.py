@@ -120,7 +120,7 @@ def refusals(file: Path, workspaces: list[Path]) -> tuple[str, ...]:
     session = Session(Packages([str(each) for each in workspaces], VARIABLES, explicit=True), VARIABLES, str(file.parent))
     with inside(file.parent):
         launch = evaluate(session, str(file), GIVEN.get(file.name, ())).launch
-    return tuple(rule_of(problem.kind) for problem in launch.problems if problem.refused)
+    return tuple(rule_of(type(problem)) for problem in launch.problems if problem.refused)
 
 
 @pytest.mark.corpus

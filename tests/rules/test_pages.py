@@ -49,7 +49,9 @@ def test_registry_and_rule_agree(entry: Entry) -> None:
     assert (rule.id, rule.name, rule.severity, rule.default) == (entry.id, entry.name, entry.severity, entry.default)
     assert module.__name__.rpartition(".")[2] == entry.name.replace("-", "_")
     assert entry.on or entry.view != "problem"
-    assert not entry.on or callable(module.tell)
+    if entry.on:
+        problem = module.tell.__annotations__["problem"]
+        assert sorted(problem.split(" | ")) == sorted(kind.__name__ for kind in entry.on)
     assert entry.view == "problem" or callable(module.check)
 
 

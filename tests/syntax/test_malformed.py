@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from launchlint.syntax.parse import parse
+from tests.syntax.fields import own_fields
 
 # what is written; line:column and text of the place; message; hint; related
 CASES: dict[str, tuple[str, str, str, str, list[str]]] = {
@@ -286,16 +287,16 @@ def test_one_problem(name: str) -> None:
         return f"{at.line}:{at.column} {document.source.text[span.start : span.end]}"
 
     assert (problem.kind, problem.refused) == ("malformed-xml", True)
-    assert (show(problem.place), problem.facts["message"], problem.facts["hint"]) == (place, message, hint)
+    assert (show(problem.place), problem.message, problem.hint) == (place, message, hint)
     assert [f"{show(where)}: {label}" for where, label in problem.related] == related
-    assert problem.facts["code"].startswith("XML_ERROR_")
+    assert problem.code.startswith("XML_ERROR_")
     assert document.launch is None
 
 
 def test_bad_byte() -> None:
     document = parse(b"<launch>\n<!-- ok -->\n<!-- caf\xe9 -->\n</launch>", "a.launch")
     (problem,) = document.problems
-    assert problem.facts == {
+    assert own_fields(problem) == {
         "message": "the byte 0xE9 is not valid UTF-8",
         "code": "XML_ERROR_INVALID_TOKEN",
         "hint": 'save the file as UTF-8, or declare its encoding, for example encoding="ISO-8859-1"',
@@ -307,10 +308,10 @@ def test_bad_byte() -> None:
     assert [comment.text for comment in document.comments] == [" ok "]  # what was read until there is kept
 
 
-def test_tags_in_the_facts() -> None:
+def test_tags_are_named() -> None:
     document = parse(b"<launch>\n<node>\n</launch>", "a.launch")
     (problem,) = document.problems
-    assert problem.facts == {
+    assert own_fields(problem) == {
         "message": "<node> is never closed",
         "code": "XML_ERROR_TAG_MISMATCH",
         "hint": "end it with /> or add </node>",
@@ -320,17 +321,17 @@ def test_tags_in_the_facts() -> None:
 
 
 @pytest.mark.parametrize(
-    ("written", "place", "facts", "related"),
+    ("written", "place", "fields", "related"),
     [
         ("<lauch><node/></lauch>", "lauch", {"tag": "lauch", "count": 0}, []),
         ("<launch><group><launch/></group></launch>", "launch", {"tag": "launch", "count": 2}, ["the first <launch>"]),
         ("<robot><launch/><launch/><launch/></robot>", "launch", {"tag": "robot", "count": 3}, ["the first <launch>"]),
     ],
 )
-def test_root(written: str, place: str, facts: dict[str, object], related: list[str]) -> None:
+def test_root(written: str, place: str, fields: dict[str, object], related: list[str]) -> None:
     document = parse(written.encode(), "a.launch")
     (problem,) = document.problems
-    assert (problem.kind, problem.facts, problem.refused, problem.place.text) == ("root-not-launch", facts, True, place)
+    assert (problem.kind, own_fields(problem), problem.refused, problem.place.text) == ("root-not-launch", fields, True, place)
     assert [label for _, label in problem.related] == related
     assert document.launch is None
 

@@ -10,6 +10,15 @@ from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 
 from launchlint.evaluate.block import Block, Effect, LocalBranch, Value
+from launchlint.evaluate.problems import (
+    ArgOutOfScope,
+    ConditionNotBoolean,
+    EvaluationBound,
+    RequiredArgUnset,
+    UndeclaredArg,
+    UnexpandedSubstitution,
+    UsedBeforeDeclaration,
+)
 from launchlint.evaluate.ros1.arg_uses import args_needed
 from launchlint.evaluate.ros1.scope import ActiveSetting, Context, Missing
 from launchlint.evaluate.ros1.substitution import ANONYMOUS_FOLD, OUTSIDE, SHORT, absolute_directory, never_boolean, resolve
@@ -17,6 +26,7 @@ from launchlint.evaluate.session import Session
 from launchlint.model import Condition, ScopedSetting, Unknown
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Span
+from launchlint.syntax.problems import InvalidValue
 from launchlint.syntax.ros1.domains import parse_condition, parse_flag
 from launchlint.syntax.ros1.problems import if_and_unless, missing_attribute
 from launchlint.syntax.ros1.substitutions import EXTRA, is_plain, only_arg, parse, parts_of, slip
@@ -108,31 +118,17 @@ class FileEvaluation:
         """``span`` of this file as a place."""
         return Place(self.document.source, span)
 
+    def at(self, span: Span) -> Origin:
+        """``span`` of this file as where something comes from."""
+        return Origin(self.place(span))
+
     def effect(self, effect: Effect) -> None:
         """Add to what this file contributes."""
         self.block.effects.append(effect)
 
-    def problem(
-        self,
-        kind: str,
-        span: Span,
-        *,
-        refused: bool = False,
-        related: tuple[tuple[Place, str], ...] = (),
-        **facts: Any,
-    ) -> None:
-        """Record that something is wrong at ``span``."""
-        self.record(Problem(kind, Origin(self.place(span)), facts, refused, related))
-
     def record(self, problem: Problem) -> None:
         """Record ``problem``; under a condition of unknown value it may never come to pass, so that it refuses nothing."""
-        self.block.effects.append(problem._replace(assumed=True, refused=False) if self.assumed else problem)
-
-    def record_at(
-        self, place: Place, kind: str, *, refused: bool = False, related: tuple[tuple[Place, str], ...] = (), **facts: Any
-    ) -> None:
-        """Record that something is wrong at a place that may lie in another file, such as a YAML file."""
-        self.record(Problem(kind, Origin(place), facts, refused, related))
+        self.block.effects.append(problem.but(assumed=True, refused=False) if self.assumed else problem)
 
     def look_at(self, element: Element) -> None:
         """Count one element against the bound of the whole evaluation. Raises Exhausted."""
@@ -144,7 +140,7 @@ class FileEvaluation:
         """Count work at ``span`` that is worth that many elements. Raises Exhausted, at the bound of the whole evaluation."""
         self.progress.looked_at += elements
         if self.progress.looked_at > LARGEST_EVALUATION:
-            raise Exhausted(Problem("evaluation-bound", Origin(self.place(span)), {"elements": LARGEST_EVALUATION}))
+            raise Exhausted(EvaluationBound(origin=self.at(span), elements=LARGEST_EVALUATION))
 
     def spend_characters(self, count: int, span: Span) -> None:
         """Count a text of ``count`` characters that is made at ``span``: args that double in every include grow without end. Raises
@@ -186,7 +182,8 @@ class FileEvaluation:
         found = slip(parts)
         if found is not None and parts.refused is None and not any(parts.substitutions("eval")):
             words = tuple(word.text for word in found.words)
-            self.problem("unexpanded-substitution", where(found.start, found.end), text=found.text, extra=found.kind == EXTRA, words=words)
+            origin, extra = self.at(where(found.start, found.end)), found.kind == EXTRA
+            self.record(UnexpandedSubstitution(origin=origin, text=found.text, extra=extra, words=words))
 
     def optional(self, element: Element, name: str, context: Context) -> Value | None:
         """The resolved value of an attribute that may be absent."""
@@ -225,15 +222,8 @@ class FileEvaluation:
 
     def invalid(self, element: Element, name: str, value: str, expected: str) -> None:
         """Record that the resolved ``value`` is none that attribute ``name`` takes; roslaunch refuses the file."""
-        self.problem(
-            "invalid-value",
-            element.attributes[name].shown_span,
-            refused=True,
-            tag=element.tag,
-            attribute=name,
-            value=value,
-            expected=expected,
-        )
+        origin = self.at(element.attributes[name].shown_span)
+        self.record(InvalidValue(origin=origin, refused=True, tag=element.tag, attribute=name, value=value, expected=expected))
 
     # -- what substitutions ask for ----------------------------------------------------------------------------
 
@@ -300,7 +290,7 @@ class FileEvaluation:
         if declared is not None:
             if self.is_entry:
                 related = ((self.place(span), "read here"),)
-                self.record(Problem("required-arg-unset", Origin(declared), {"name": name}, True, related))
+                self.record(RequiredArgUnset(origin=Origin(declared), refused=True, related=related, name=name))
             else:
                 self.block.missing.setdefault(name, (declared, self.place(span)))
             return
@@ -310,12 +300,14 @@ class FileEvaluation:
         outer = [element for element in elements if element.parent is self.document.launch]
         if outer and outer[0].start_span.end > span.start:
             related = ((self._declared_at(outer[0]), "declared here"),)
-            self.problem("used-before-declaration", span, refused=True, related=related, name=name, cycle=self._cycle(name, span))
+            cycle = self._cycle(name, span)
+            self.record(UsedBeforeDeclaration(origin=self.at(span), refused=True, related=related, name=name, cycle=cycle))
         elif elements and not outer:
-            self.problem("arg-out-of-scope", span, refused=True, name=name, declaration=self._declared_at(elements[0]))
+            declaration = self._declared_at(elements[0])
+            self.record(ArgOutOfScope(origin=self.at(span), refused=True, name=name, declaration=declaration))
         else:
             skipped = tuple(self._declared_at(element) for element in outer)
-            self.problem("undeclared-arg", span, refused=True, name=name, known=known, entry=self.is_entry, skipped=skipped)
+            self.record(UndeclaredArg(origin=self.at(span), refused=True, name=name, known=known, entry=self.is_entry, skipped=skipped))
 
     def declarations(self) -> dict[str, list[Element]]:
         """All ``<arg>`` elements of this file outside includes, by name as written."""
@@ -403,11 +395,9 @@ class FileEvaluation:
             try:
                 truth = parse_condition(value)
             except ValueError as error:
-                facts: dict[str, Any] = {"attribute": name, "value": value, "text": attribute.value, "reason": str(error)}
-                self.problem("condition-not-boolean", span, refused=True, **facts)
+                self.not_boolean(attribute, value, str(error))
         elif never_boolean(parts_of(attribute)):
-            facts = {"attribute": name, "value": attribute.value, "text": attribute.value, "reason": value.reason}
-            self.problem("condition-not-boolean", span, refused=True, **facts)
+            self.not_boolean(attribute, attribute.value, value.reason)
         taken = (True if truth is None else truth) is (name == "if")
         origin = Origin(self.place(span))
         outcome = None if truth is None else taken
@@ -418,6 +408,11 @@ class FileEvaluation:
             self.condition_reads |= reads
             self.assumed = self.assumed or truth is None
         return taken
+
+    def not_boolean(self, condition: Attribute, value: str, reason: str) -> None:
+        """Record that ``condition`` comes to ``value``, which is no truth value."""
+        origin, name, text = self.at(condition.shown_span), condition.name, condition.value
+        self.record(ConditionNotBoolean(origin=origin, refused=True, attribute=name, value=value, text=text, reason=reason))
 
     def traced(self, work: Callable[[], T]) -> tuple[T, frozenset[str]]:
         """The result of ``work`` and the args it read; ``$`` stands for anything outside the launch files, such as the environment."""

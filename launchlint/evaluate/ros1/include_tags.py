@@ -5,14 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from launchlint.evaluate.block import Block, Call, Clear, Value
+from launchlint.evaluate.problems import (
+    ArgOverrideRefused,
+    ArgRedeclared,
+    DeprecatedInclude,
+    IncludeCycle,
+    IncludeMissingArg,
+    IncludeNotFound,
+    IncludeNotLoadable,
+    IncludeUndeclaredArg,
+    PassAllHidesTypo,
+)
 from launchlint.evaluate.ros1.entering import Entering
 from launchlint.evaluate.ros1.file import DEEPEST_INCLUDE, Exhausted, FileEvaluation, Progress
 from launchlint.evaluate.ros1.scope import Context, set_private
 from launchlint.evaluate.ros1.scope_tags import clear_without_namespace, env, scope_namespace
 from launchlint.evaluate.session import Read, Session
 from launchlint.model import Argument, EnvironmentSetting, Include, Scope, Unknown
-from launchlint.problem import Problem
 from launchlint.source import Origin, Place
+from launchlint.syntax.problems import MalformedXml
 from launchlint.syntax.ros1.problems import arg_value_and_default, missing_attribute
 from launchlint.syntax.tree import Document, Element
 
@@ -124,7 +135,7 @@ def _passed(
             file.record(arg_value_and_default(file.document, child))
             default = None
         if name in explicit and not pass_all:
-            file.problem("arg-redeclared", place.span, refused=True, related=((explicit[name], "the first one"),), name=name)
+            file.record(ArgRedeclared(origin=Origin(place), refused=True, related=((explicit[name], "the first one"),), name=name))
         explicit[name] = place
         chosen = value if value is not None else passed.get(name, default)
         if chosen is None and name not in passed:
@@ -140,20 +151,20 @@ def _passed(
 def _open(file: FileEvaluation, element: Element, name: str, *, from_environment: bool) -> Document | None:
     document = file.session.document(name)
     attribute = element.attributes["file"]
-    span = attribute.value_or_name_span
+    origin = file.at(attribute.value_or_name_span)
     if isinstance(document, Read):
-        file.problem("include-not-found", span, refused=True, file=name, written=attribute.value, reason=document.reason,
-                     environment=from_environment)  # fmt: skip
+        file.record(IncludeNotFound(origin=origin, refused=True, file=name, written=attribute.value, reason=document.reason,
+                                    environment=from_environment))  # fmt: skip
         return None
     if document.launch is None:
-        malformed = any(problem.kind == "malformed-xml" for problem in document.problems)
+        malformed = any(isinstance(problem, MalformedXml) for problem in document.problems)
         reason = "it is not well-formed XML" if malformed else "it is not a launch file"
-        file.problem("include-not-loadable", span, refused=True, file=name, reason=reason, environment=from_environment,
-                     malformed=malformed)  # fmt: skip
+        file.record(IncludeNotLoadable(origin=origin, refused=True, file=name, reason=reason, environment=from_environment,
+                                       malformed=malformed))  # fmt: skip
     else:
         deprecated = document.launch.get("deprecated")
         if deprecated:
-            file.problem("deprecated-include", span, file=name, text=deprecated)
+            file.record(DeprecatedInclude(origin=origin, file=name, text=deprecated))
     return document
 
 
@@ -165,8 +176,7 @@ def _cycle(file: FileEvaluation, element: Element, name: str, entering: tuple[An
     attribute = element.attributes["file"]
     cycle = [file.session.shown(step) for step in (*files[start:], name)]
     shown = tuple(cycle if len(cycle) <= 12 else [*cycle[:6], "…", *cycle[-5:]])
-    facts = {"cycle": shown, "endless": endless, "depth": len(files)}
-    problem = Problem("include-cycle", Origin(file.place(attribute.value_span)), facts, True)
+    problem = IncludeCycle(origin=file.at(attribute.value_span), refused=True, cycle=shown, endless=endless, depth=len(files))
     if not endless:
         raise Exhausted(problem)
     file.block.cycle_floor = min(file.block.cycle_floor, start)
@@ -186,25 +196,25 @@ def _check_arguments(
     for name, place in explicit.items():
         if name in block.refused_overrides:
             fixed = ((block.refused_overrides[name], "its value is fixed here"),)
-            file.problem("arg-override-refused", place.span, refused=True, related=fixed, name=name, by_include=True, file=path)
+            file.record(ArgOverrideRefused(origin=Origin(place), refused=True, related=fixed, name=name, by_include=True, file=path))
         elif name not in block.declared and not block.assumed_declarations:
-            facts: dict[str, Any] = {
-                "name": name,
-                "file": path,
-                "known": tuple(sorted(block.open_arguments)),
-                "target": document.source.file,
-                "all": undeclared,
-            }
             lost = True
-            file.problem("include-undeclared-arg" if not pass_all else "pass-all-hides-typo", place.span, refused=not pass_all, **facts)
+            kind = PassAllHidesTypo if pass_all else IncludeUndeclaredArg
+            known, target = tuple(sorted(block.open_arguments)), document.source.file
+            file.record(
+                kind(origin=Origin(place), refused=not pass_all, name=name, file=path, known=known, target=target, undeclared=undeclared)
+            )
     for name, declaration in block.refused_overrides.items():
         if name not in explicit:  # passed by pass_all_args, and fixed in a group there: only at file level the fixed value wins
             fixed = ((declaration, "its value is fixed here"),)
-            span = element.attributes["pass_all_args"].value_span
-            file.problem("arg-override-refused", span, refused=True, related=fixed, name=name, by_include=True, file=path)
+            origin = file.at(element.attributes["pass_all_args"].value_span)
+            file.record(ArgOverrideRefused(origin=origin, refused=True, related=fixed, name=name, by_include=True, file=path))
     for name, (declaration, read) in block.missing.items():
-        facts = {"name": name, "file": path, "passed": tuple(sorted(explicit)), "target": document.source.file, "pass_all": pass_all}
         related = ((declaration, "declared here without a default"), (read, "read here"))
-        span = element.attributes["file"].value_span
-        file.record(Problem("include-missing-arg", Origin(file.place(span)), facts, True, related))
+        file.record(
+            IncludeMissingArg(
+                origin=file.at(element.attributes["file"].value_span), refused=True, related=related,
+                name=name, file=path, passed=tuple(sorted(explicit)), target=document.source.file, pass_all=pass_all,
+            )
+        )  # fmt: skip
     return lost

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from launchlint.evaluate.block import NO_CYCLE, Block, Clear
+from launchlint.evaluate.problems import ArgOverrideRefused, ArgRedeclared, ConditionOnLaunch
 from launchlint.evaluate.ros1.entering import Entering
 from launchlint.evaluate.ros1.file import FileEvaluation, Progress
 from launchlint.evaluate.ros1.include_tags import include
@@ -15,7 +16,6 @@ from launchlint.evaluate.ros1.scope import Context
 from launchlint.evaluate.ros1.scope_tags import clear_without_namespace, env, remap, scope_namespace
 from launchlint.evaluate.session import Session
 from launchlint.model import Argument, Scope, Unknown
-from launchlint.problem import Problem
 from launchlint.source import Origin
 from launchlint.syntax.ros1.domains import parse_condition
 from launchlint.syntax.ros1.problems import arg_value_and_default, if_and_unless
@@ -37,13 +37,12 @@ def launch_tag(file: FileEvaluation, launch: Element) -> None:
         if attribute is None:
             continue
         if "$" in attribute.value:
-            file.problem("condition-on-launch", attribute.value_span, refused=True, attribute=name, text=attribute.value)
+            file.record(ConditionOnLaunch(origin=file.at(attribute.value_span), refused=True, attribute=name, text=attribute.value))
             continue
         try:
             parse_condition(attribute.value)
         except ValueError as error:
-            file.problem("condition-not-boolean", attribute.shown_span, refused=True, attribute=name,
-                         value=attribute.value, text=attribute.value, reason=str(error))  # fmt: skip
+            file.not_boolean(attribute, attribute.value, str(error))
 
 
 def enter(session: Session, document: Document, entering: Entering, entry: str, progress: Progress) -> Block:
@@ -180,15 +179,15 @@ def arg(file: FileEvaluation, element: Element, context: Context) -> None:
         if not in_group:
             file.block.declared[name] = place
     elif not context.lenient:
-        problem = Problem("arg-redeclared", Origin(place), {"name": name}, True, ((earlier, "the first declaration"),))
+        problem = ArgRedeclared(origin=Origin(place), refused=True, related=((earlier, "the first declaration"),), name=name)
         # The earlier one may stand under a condition of unknown value, and the two exclude each other.
-        file.record(problem._replace(refused=False, assumed=True) if file.block.assumed_declarations else problem)
+        file.record(problem.but(refused=False, assumed=True) if file.block.assumed_declarations else problem)
         return
     block = file.block
     if value is not None:
         if context.has_value(name) and not context.lenient:
             if file.is_entry:
-                file.problem("arg-override-refused", place.span, refused=True, name=name, by_include=False)
+                file.record(ArgOverrideRefused(origin=Origin(place), refused=True, name=name, by_include=False))
             else:
                 block.refused_overrides.setdefault(name, place)
         context.arguments[name] = value

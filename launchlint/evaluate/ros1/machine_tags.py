@@ -7,6 +7,7 @@ from launchlint.evaluate.ros1.file import FileEvaluation
 from launchlint.evaluate.ros1.scope import Context
 from launchlint.model import Machine, Unknown
 from launchlint.source import Origin
+from launchlint.syntax.ros1.problems import deprecated_construct
 from launchlint.syntax.tree import Element
 
 PRE_FUERTE = ("ros-root", "ros-package-path", "ros-ip", "ros-hostname")
@@ -20,7 +21,7 @@ def machine(file: FileEvaluation, element: Element, context: Context) -> str | N
     for name in PRE_FUERTE:
         if file.optional(element, name, context):
             span = element.attributes[name].name_span
-            file.problem("deprecated-construct", span, refused=True, construct=f"machine {name}", instead="env-loader")
+            file.record(deprecated_construct(file.document, span, f"machine {name}", "env-loader", refused=True))
     name_value, address = file.required(element, "name", context), file.required(element, "address", context)
     loader, user, password = (file.optional(element, attribute, context) for attribute in ("env-loader", "user", "password"))
     port = _port(file, element, context)
@@ -33,7 +34,7 @@ def machine(file: FileEvaluation, element: Element, context: Context) -> str | N
             file.invalid(element, "default", default, "true, false or never")
     for child in element.children:
         if child.tag == "env":
-            file.problem("deprecated-construct", child.name_span, refused=True, construct="machine env", instead="env-loader")
+            file.record(deprecated_construct(file.document, child.name_span, "machine env", "env-loader", refused=True))
     timeout = _timeout(file, element, context)
     if isinstance(name_value, Unknown):
         file.block.unknown_machines.add("")

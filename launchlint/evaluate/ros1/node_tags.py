@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from launchlint.evaluate.block import Clear, NodeEffect, PrivateParameter, Value
 from launchlint.evaluate.names import as_namespace, join
+from launchlint.evaluate.problems import InvalidNodeName, RemapReplaced
 from launchlint.evaluate.ros1.file import FileEvaluation
 from launchlint.evaluate.ros1.parameter_tags import private_param, rosparam
 from launchlint.evaluate.ros1.scope import Context, overlay
@@ -16,6 +17,10 @@ from launchlint.source import Origin, Span
 from launchlint.syntax.ros1.dialect import ROLES
 from launchlint.syntax.ros1.problems import conflicting_attributes
 from launchlint.syntax.tree import Element
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.problems import NameFault
 
 CHILD_TAGS = frozenset({"remap", "param", "rosparam", "env"})
 TEXT_ATTRIBUTES = ("pkg", "type", "machine", "args", "launch-prefix")
@@ -130,7 +135,7 @@ def _private_namespace(file: FileEvaluation, element: Element, namespace: str, n
     if not name:
         return namespace
     if name.startswith("~"):
-        file.problem("invalid-node-name", _name_span(element), refused=True, name=name, reason="private")
+        file.record(InvalidNodeName(origin=file.at(_name_span(element)), refused=True, name=name, reason="private"))
         return join(namespace, name[1:]) + "/"
     return as_namespace(join(namespace, name))
 
@@ -176,8 +181,8 @@ def _children(
                 if replaced is not None and rule.source:
                     related = ((replaced.origin.place, "the first one"),)
                     always = conditions[rule.source].issuperset(file.conditions)
-                    file.problem("remap-replaced", rule.origin.place.span, related=related, key=rule.source, old=replaced.target,
-                                 new=rule.target, always=always)  # fmt: skip
+                    file.record(RemapReplaced(origin=rule.origin, related=related, key=rule.source, old=replaced.target,
+                                              new=rule.target, always=always))  # fmt: skip
                 conditions[rule.source] = frozenset(file.conditions)
         elif tag == "env":
             setting = env(file, child, inside)
@@ -195,12 +200,16 @@ def _check_name(
 ) -> None:
     if "name" in unknown or name.startswith("~"):
         return
+    reason: NameFault
     if "/" in name:
-        file.problem("invalid-node-name", _name_span(element), refused=True, name=name, reason="slash")
+        reason = "slash"
     elif not name and not is_test and given is not None:
-        file.problem("invalid-node-name", _name_span(element), name=name, reason="empty")
+        reason = "empty"
     elif name and re.fullmatch(r"[A-Za-z]\w*", name) is None:
-        file.problem("invalid-node-name", _name_span(element), name=name, reason="characters")
+        reason = "characters"
+    else:
+        return
+    file.record(InvalidNodeName(origin=file.at(_name_span(element)), refused=reason == "slash", name=name, reason=reason))
 
 
 def _name_span(element: Element) -> Span:

@@ -7,6 +7,16 @@ from collections.abc import Callable
 
 from launchlint.evaluate.block import MoreParameters, PrivateParameter, RunStep, Value
 from launchlint.evaluate.names import canonical, join
+from launchlint.evaluate.problems import (
+    GlobalParamInNode,
+    InvalidParamName,
+    ParamReplaced,
+    ParamValueType,
+    ParamYamlInvalid,
+    Ros2Parameters,
+    UnexpandedSubstitution,
+    YamlDuplicateKey,
+)
 from launchlint.evaluate.ros1.file import FileEvaluation
 from launchlint.evaluate.ros1.missing_file import missing_file
 from launchlint.evaluate.ros1.scope import Context, set_private
@@ -22,7 +32,7 @@ from launchlint.syntax.tree import Attribute, Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from typing import Any, Literal
 
     from launchlint.evaluate.ros1.rosparam import Loaded
     from launchlint.evaluate.session import Session
@@ -58,15 +68,16 @@ def private_param(file: FileEvaluation, element: Element, values: Context, own: 
         return
     name, value = read
     if name.startswith("/"):
-        file.problem("global-param-in-node", element.attributes["name"].value_span, name=name, namespace=values.namespace)
+        origin = file.at(element.attributes["name"].value_span)
+        file.record(GlobalParamInNode(origin=origin, name=name, namespace=values.namespace))
     else:
         _notice_name(file, element, name)
     setting = _setting(file, canonical(name), value, element, "param")
     replaced = set_private(own, PrivateParameter(setting.name, setting))
     if replaced is not None:
         old = replaced.setting
-        file.problem("param-replaced", setting.origin.place.span, related=((old.origin.place, "set here first"),), name=name,
-                     always=set(file.conditions) <= set(old.conditions), old=old.value, new=value)  # fmt: skip
+        file.record(ParamReplaced(origin=setting.origin, related=((old.origin.place, "set here first"),), name=name,
+                                  always=set(file.conditions) <= set(old.conditions), old=old.value, new=value))  # fmt: skip
 
 
 def _notice_name(file: FileEvaluation, element: Element, name: str) -> None:
@@ -75,8 +86,7 @@ def _notice_name(file: FileEvaluation, element: Element, name: str) -> None:
     legal = all(part.replace("_", "a").isalnum() and part.isascii() for part in name.strip("~/").split("/") if part)
     bare = name.lstrip("~/")
     if not legal or not bare or not (bare[0].isalpha() or bare[0] == "_"):
-        span = written.value_or_name_span
-        file.problem("invalid-param-name", span, name=name)
+        file.record(InvalidParamName(origin=file.at(written.value_or_name_span), name=name))
 
 
 def _setting(file: FileEvaluation, name: str, value: Any, element: Element, tag: str) -> ParameterSetting:
@@ -139,10 +149,9 @@ def _command(file: FileEvaluation, element: Element, line: str, type_: str) -> C
 
 
 def _missing(file: FileEvaluation, element: Element, attribute: str, name: str, reason: str, reads: frozenset[str]) -> None:
-    """Record a file that cannot be read; ``environment`` says that its name is made from an environment variable."""
-    span = element.attributes[attribute].shown_span
-    facts = missing_file(file.session, name, reason)
-    file.problem("param-file-missing", span, refused=True, attribute=attribute, environment=file.from_environment(reads), **facts)
+    """Record a file that cannot be read."""
+    written = element.attributes[attribute]
+    file.record(missing_file(file.session, file.at(written.shown_span), attribute, name, reason, environment=file.from_environment(reads)))
 
 
 def _convert(file: FileEvaluation, attribute: Attribute, text: str, type_: str, element: Element) -> Any:
@@ -152,8 +161,8 @@ def _convert(file: FileEvaluation, attribute: Attribute, text: str, type_: str, 
         written = element.attributes.get("type")
         known = type_ in PARAMETER_TYPES
         at = attribute if known or written is None else written
-        file.problem("param-value-type", at.value_or_name_span, refused=True, value=text[:200], type=type_,
-                     known=known, reason=str(error))  # fmt: skip
+        file.record(ParamValueType(origin=file.at(at.value_or_name_span), refused=True, value=text[:200], type=type_,
+                                   known=known, reason=str(error)))  # fmt: skip
         return Unknown(text, "the value does not fit its type")
     except UnknownValue as unknown:
         return Unknown(text[:200], str(unknown))
@@ -204,7 +213,7 @@ def _notice_unsubstituted(file: FileEvaluation, element: Element, text: str) -> 
         line = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
         if re.search(r"(?:^|\s)#", line) is None:  # else it stands in a comment of the YAML
             span = _in_text(element, None)(*match.span())
-            file.problem("unexpanded-substitution", span, text=match[0], extra=False, rosparam=True)
+            file.record(UnexpandedSubstitution(origin=file.at(span), text=match[0], extra=False, rosparam=True))
             return
 
 
@@ -240,7 +249,6 @@ def _yaml_text(file: FileEvaluation, element: Element, name: str | None, reads: 
     if name is None:
         return element.text, None
     attribute = element.attributes["file"]
-    span = attribute.value_or_name_span
     content = file.session.read(name)
     if content.data is None:
         _missing(file, element, "file", name, content.reason, reads)
@@ -249,7 +257,8 @@ def _yaml_text(file: FileEvaluation, element: Element, name: str | None, reads: 
         text = content.data.decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
         reason = f"it is not UTF-8 text (byte {error.start})"
-        file.problem("param-yaml-invalid", span, refused=True, file=name, reason=reason, in_file=True, hint="")
+        origin = file.at(attribute.value_or_name_span)
+        file.record(ParamYamlInvalid(origin=origin, refused=True, file=name, reason=reason, in_file=True, hint=""))
         return None
     source = file.session.sources.get(name)
     if source is None or source.text != text:
@@ -291,6 +300,11 @@ def _load(
             return file.place(element.start_span)
         return file.place(_in_text(element, None)(start, end))
 
+    def invalid(at: Place, reason: str, hint: Literal["", "colon", "scalar"], related: tuple[tuple[Place, str], ...] = ()) -> None:
+        named = "" if source is None else source.path
+        file.record(ParamYamlInvalid(origin=Origin(at), refused=True, related=related, reason=reason, hint=hint,
+                                     in_file=source is not None, file=named))  # fmt: skip
+
     try:
         loaded = _loaded(file.session, content)
     except YamlUnknown as unknown:
@@ -304,22 +318,19 @@ def _load(
         related: tuple[tuple[Place, str], ...] = ()
         if source is not None and named is not None:
             related = ((file.place(named.value_span), "loaded here"),)
-        file.record_at(at, "param-yaml-invalid", refused=True, related=related, reason=str(error), in_file=source is not None,
-                       hint="colon" if error.kind == "colon" else "", file="" if source is None else source.path)  # fmt: skip
+        invalid(at, str(error), "colon" if error.kind == "colon" else "", related)
         return
-    loaded_from: dict[str, Any] = {"file": "" if source is None else source.path, "in_file": source is not None}
     is_dictionary = isinstance(loaded.data, dict) or loaded.data is None
     if (not below or full == "/") and not is_dictionary:
-        hint = "colon" if loaded.scalar_colon else "scalar"
         at = place(*loaded.scalar_colon[0]) if loaded.scalar_colon else file.place(element.name_span)
         reason = "a value that is no dictionary needs the param attribute to say which parameter it is for"
-        file.record_at(at, "param-yaml-invalid", refused=True, reason=reason, hint=hint, **loaded_from)
+        invalid(at, reason, "colon" if loaded.scalar_colon else "scalar")
         return
     for duplicate in loaded.duplicates:
         first, second = (_line(written, content, *span) or place(*span) for span in (duplicate.first, duplicate.second))
         related = ((first, "the first one"),)
         key = "/".join(map(str, duplicate.path))
-        file.record_at(second, "yaml-duplicate-key", related=related, key=key, same=duplicate.same_value)
+        file.record(YamlDuplicateKey(origin=Origin(second), related=related, key=key, same=duplicate.same_value))
     _notice_ros2(file, element, loaded, content, full, place)
     same = (file.document, element.index, "" if source is None else source.path, content, full, file.conditions)
     known = file.session.settings.get(same)
@@ -333,7 +344,7 @@ def _load(
             target = join(target, step)
         if target == "/":
             reason = "an empty key in the global namespace names no parameter"
-            file.record_at(place(key_start, key_end), "param-yaml-invalid", refused=True, reason=reason, hint="", **loaded_from)
+            invalid(place(key_start, key_end), reason, "")
             continue
         if isinstance(value, UnknownValue):
             value = Unknown("", str(value))
@@ -361,4 +372,4 @@ def _notice_ros2(
     written = element.attributes.get("file")
     related = () if written is None else ((file.place(written.value_span), "loaded here"),)
     at = place(start, start + len(ROS2_KEY)) if start >= 0 else place(first.key_start, first.key_end)
-    file.record_at(at, "ros2-parameters", related=related, name=canonical(name), count=len(below))
+    file.record(Ros2Parameters(origin=Origin(at), related=related, name=canonical(name), count=len(below)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from launchlint.evaluate.block import Value
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE, canonical, child_namespace, is_legal, is_portable, join
+from launchlint.evaluate.problems import DoubledSlash, InvalidNamespace, InvalidRemapName, UnbalancedQuotes
 from launchlint.evaluate.ros1.file import FileEvaluation
 from launchlint.evaluate.ros1.scope import Context
 from launchlint.model import EnvironmentSetting, Remap, Unknown
@@ -25,17 +26,16 @@ def scope_namespace(file: FileEvaluation, element: Element, context: Context) ->
     if isinstance(value, Unknown):
         return join(context.namespace, UNKNOWN_NAMESPACE) + "/", None
     if not value:
-        problem = conflicting_attributes(file.document, element, "empty-ns", ("ns",))
-        file.record(problem._replace(facts={**problem.facts, "environment": file.from_environment(reads)}))
+        file.record(conflicting_attributes(file.document, element, "empty-ns", ("ns",), environment=file.from_environment(reads)))
         return join(context.namespace, UNKNOWN_NAMESPACE) + "/", None
     file.spend_characters(len(context.namespace) + len(value), attribute.value_span)
     try:
         namespace = child_namespace(context.namespace, value)
     except ValueError:
-        file.problem("invalid-namespace", attribute.value_span, refused=True, namespace=value, private=True)
+        file.record(InvalidNamespace(origin=file.at(attribute.value_span), refused=True, namespace=value, private=True))
         return join(context.namespace, UNKNOWN_NAMESPACE) + "/", True
     if not (is_legal(value) and is_portable(value)) and "//" not in value:
-        file.problem("invalid-namespace", attribute.value_span, namespace=value, private=False)
+        file.record(InvalidNamespace(origin=file.at(attribute.value_span), namespace=value, private=False))
     return namespace, True
 
 
@@ -57,17 +57,15 @@ def remap(file: FileEvaluation, element: Element, context: Context) -> Remap | N
         if written is not None and "//" in written.value and parts_of(written).expression is None:
             start = written.value.index("//")
             end = start + len(written.value[start:]) - len(written.value[start:].lstrip("/"))
-            file.problem("doubled-slash", written.span_of(start, end), attribute=attribute, value=written.value)
+            file.record(DoubledSlash(origin=file.at(written.span_of(start, end)), attribute=attribute, value=written.value))
         if written is None or isinstance(value, Unknown):
             continue
         name = canonical(value)
-        span = written.value_or_name_span
-        if not name:
-            file.problem("invalid-remap-name", span, refused=True, attribute=attribute, value=value, reason="empty")
-        elif not is_legal(name):
-            file.problem("invalid-remap-name", span, refused=True, attribute=attribute, value=value, reason="illegal")
-        else:
+        if name and is_legal(name):
             names.append(name)
+        else:
+            file.record(InvalidRemapName(origin=file.at(written.value_or_name_span), refused=True, attribute=attribute, value=value,
+                                         reason="illegal" if name else "empty"))  # fmt: skip
     if any(isinstance(value, Unknown) for value in values):
         source, target = (value.pattern if isinstance(value, Unknown) else canonical(value) for value in values)
         return Remap("", "", origin, (source, target))
@@ -96,5 +94,5 @@ def check_quotes(file: FileEvaluation, element: Element, attribute: str, text: s
     try:
         split_words(text)
     except ValueError as error:
-        span = element.attributes[attribute].value_span
-        file.problem("unbalanced-quotes", span, refused=True, attribute=attribute, reason=str(error).lower())
+        origin = file.at(element.attributes[attribute].value_span)
+        file.record(UnbalancedQuotes(origin=origin, refused=True, attribute=attribute, reason=str(error).lower()))

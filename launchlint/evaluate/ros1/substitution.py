@@ -12,6 +12,7 @@ import re
 from collections.abc import Callable
 
 from launchlint.evaluate.block import Value
+from launchlint.evaluate.problems import BadSubstitution, EnvUnset, EvalError, EvalNeverEqual, EvalNotCovered, PackageNotFound
 from launchlint.evaluate.ros1.scope import Context
 from launchlint.evaluate.ros1.values import UnknownValue
 from launchlint.late import late
@@ -81,8 +82,8 @@ def resolve(evaluation: FileEvaluation, parts: Parts, where: Where, context: Con
             where, parts = _through(text, first, where), parse_again(first)
         return _replace(evaluation, parts, where, context, finds=True)
     except _Bad as bad:
-        text = parts.text
-        evaluation.problem("bad-substitution", where(bad.start, bad.end), refused=True, reason=bad.reason, text=text[bad.start : bad.end])
+        origin, written = evaluation.at(where(bad.start, bad.end)), parts.text[bad.start : bad.end]
+        evaluation.record(BadSubstitution(origin=origin, refused=True, reason=bad.reason, text=written))
         return Unknown(text, bad.reason)
     except _NotKnown as unknown:
         return Unknown(text, unknown.reason, unknown.pattern)
@@ -168,7 +169,7 @@ def _argument(evaluation: FileEvaluation, name: str, span: Span, context: Contex
 def _environment(evaluation: FileEvaluation, name: str, span: Span, context: Context) -> str:
     value = evaluation.session.variable(name)
     if value is None:
-        evaluation.problem("env-unset", span, refused=True, variable=name)
+        evaluation.record(EnvUnset(origin=evaluation.at(span), refused=True, variable=name))
         raise _NotKnown(f"the environment variable {name} is not set here")
     evaluation.reads.add(OUTSIDE)
     return value
@@ -187,7 +188,7 @@ def _find(evaluation: FileEvaluation, text: str, part: Substitution, span: Span,
 def _package(evaluation: FileEvaluation, name: str, span: Span, context: Context) -> str:
     directory = evaluation.package(name)
     if directory is None:
-        evaluation.problem("package-not-found", span, refused=True, package=name, near=evaluation.entry)
+        evaluation.record(PackageNotFound(origin=evaluation.at(span), refused=True, package=name, near=evaluation.entry))
         raise _NotKnown(f"the package {name} is not here")
     return directory
 
@@ -249,23 +250,24 @@ def _evaluate(evaluation: FileEvaluation, part: Expression, where: Where, contex
     evaluation.reads.update(arguments_read(expression))
     if "= '" in expression or "='" in expression or '="' in expression or '= "' in expression:
         for start, end, name, literal in never_equal(expression):
-            evaluation.problem("eval-never-equal", where(at + start, at + end), name=name, literal=literal)
+            evaluation.record(EvalNeverEqual(origin=evaluation.at(where(at + start, at + end)), name=name, literal=literal))
     try:
         return evaluate(expression, _Names(evaluation, where(0, len(text)), context))
     except UnknownValue as unknown:
         if not isinstance(unknown, AlreadyTold):
-            evaluation.problem("eval-not-covered", where(at, len(text) - 1), reason=str(unknown))
+            evaluation.record(EvalNotCovered(origin=evaluation.at(where(at, len(text) - 1)), reason=str(unknown)))
         return Unknown(text, str(unknown))
     except ExpressionError as error:
         span = where(at + error.start, at + max(error.end, error.start + 1))
         if error.undefined_arg is not None:
             evaluation.missing_argument(error.undefined_arg, span, context)
         elif error.unset_env is not None:
-            evaluation.problem("env-unset", span, refused=True, variable=error.unset_env)
+            evaluation.record(EnvUnset(origin=evaluation.at(span), refused=True, variable=error.unset_env))
         else:
             evaluation.spend_on_scope(context, span)
             known = tuple(sorted(filter(context.has_value, context.arguments)))
-            evaluation.problem("eval-error", span, refused=True, reason=str(error), expression=expression, known=known)
+            origin, reason = evaluation.at(span), str(error)
+            evaluation.record(EvalError(origin=origin, refused=True, reason=reason, expression=expression, known=known))
         return Unknown(text, "its $(eval …) fails")
 
 

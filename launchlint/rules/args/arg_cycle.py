@@ -37,8 +37,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import UsedBeforeDeclaration
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, move_before, spot
 from launchlint.rules.rule import Rule
 from launchlint.source import Place
@@ -46,10 +46,10 @@ from launchlint.source import Place
 RULE = Rule("LL205", "arg-cycle", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Show the circle, or the declaration that comes too late; facts: ``name``, ``cycle`` (name and place of each arg in it)."""
-    name = problem.facts["name"]
-    cycle: tuple[tuple[str, Place], ...] = problem.facts["cycle"]
+def tell(problem: UsedBeforeDeclaration, view: object) -> Iterator[Finding]:
+    """Show the circle, or the declaration that comes too late."""
+    name = problem.name
+    cycle: tuple[tuple[str, Place], ...] = problem.cycle
     related = problem.related
     if len(cycle) == 1:
         message, advice, related = f"the arg {name} is made from itself", "write its value out, or use an arg of another name", ()
@@ -72,7 +72,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     )
 
 
-def _fix(problem: Problem, view: object) -> Fix | None:
+def _fix(problem: UsedBeforeDeclaration, view: object) -> Fix | None:
     """The declaration moves up, above what stands in ``<launch>`` around the place that reads it."""
     reader, declared = spot(view, problem.place), spot(view, problem.related[0][0]) if problem.related else None
     if reader is None or declared is None or declared.document is not reader.document:
@@ -80,4 +80,4 @@ def _fix(problem: Problem, view: object) -> Fix | None:
     above = reader.element
     while above.parent is not None and above.parent is not declared.element.parent:
         above = above.parent
-    return fix(f"move the declaration of {problem.facts['name']} up", move_before(declared, above), safe=True, changes=LOADS)
+    return fix(f"move the declaration of {problem.name} up", move_before(declared, above), safe=True, changes=LOADS)

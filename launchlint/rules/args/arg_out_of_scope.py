@@ -32,8 +32,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from launchlint.evaluate.problems import ArgOutOfScope
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import spot
 from launchlint.rules.joined import joined
 from launchlint.rules.rule import Rule
@@ -43,10 +43,10 @@ RULE = Rule("LL211", "arg-out-of-scope", Severity.ERROR, roslaunch="refuses")
 MOST_NAMED = 4
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Point at the declaration; facts: ``name``, ``declaration`` (a place)."""
-    name = problem.facts["name"]
-    declaration: Place = problem.facts["declaration"]
+def tell(problem: ArgOutOfScope, view: object) -> Iterator[Finding]:
+    """Point at the declaration."""
+    name = problem.name
+    declaration: Place = problem.declaration
     at = spot(view, declaration)
     group = None if at is None else at.element.parent
     yield RULE.at(

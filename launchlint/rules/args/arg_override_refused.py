@@ -46,18 +46,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import ArgOverrideRefused
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 
 RULE = Rule("LL212", "arg-override-refused", Severity.ERROR, roslaunch="refuses")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Point at who gives and who fixes it; facts: ``name``, ``by_include``, and ``file`` where an include gives it."""
-    name = problem.facts["name"]
-    if problem.facts["by_include"]:
-        message, label = f"the arg {name} cannot be passed: {problem.facts['file']} fixes its value", "refused"
+def tell(problem: ArgOverrideRefused, view: object) -> Iterator[Finding]:
+    """Point at who gives and who fixes it."""
+    name = problem.name
+    if problem.by_include:
+        message, label = f"the arg {name} cannot be passed: {problem.file} fixes its value", "refused"
         advice = f"remove this, or write default instead of value where {name} is declared"
     else:
         message, label = f"the arg {name} is given on the command line, and its value is fixed here", "fixed"

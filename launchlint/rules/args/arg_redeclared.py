@@ -37,19 +37,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import ArgRedeclared
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, remove_element, spot
 from launchlint.rules.rule import Rule
 
 RULE = Rule("LL203", "arg-redeclared", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Point at both; facts: ``name``. Silent where it depends on a condition of unknown value: the two may exclude each other."""
+def tell(problem: ArgRedeclared, view: object) -> Iterator[Finding]:
+    """Point at both. Silent where it depends on a condition of unknown value: the two may exclude each other."""
     if problem.assumed:
         return
-    name = problem.facts["name"]
+    name = problem.name
     yield RULE.at(
         problem.origin,
         f"the arg {name} is declared twice",
@@ -62,7 +62,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     )
 
 
-def _fix(problem: Problem, view: object) -> Fix | None:
+def _fix(problem: ArgRedeclared, view: object) -> Fix | None:
     """Of two declarations that say the same, the second goes."""
     second = spot(view, problem.place)
     first = spot(view, problem.related[0][0]) if problem.related else None

@@ -34,16 +34,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, remove_attribute, spot
 from launchlint.rules.rule import Rule
+from launchlint.syntax.problems import ArgValueAndDefault
 
 RULE = Rule("LL204", "arg-value-and-default", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Point at both; facts: ``name``."""
-    name = problem.facts["name"]
+def tell(problem: ArgValueAndDefault, view: object) -> Iterator[Finding]:
+    """Point at both."""
+    name = problem.name
     yield RULE.at(
         problem.origin,
         f"the arg {name} has both value and default",
@@ -56,7 +56,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     )
 
 
-def _fix(problem: Problem, view: object) -> Fix | None:
+def _fix(problem: ArgValueAndDefault, view: object) -> Fix | None:
     """Where both say the same, the value goes: then others may change the arg, as its default says."""
     at = spot(view, problem.place)
     if at is None or at.element.get("value") != at.element.get("default") or "value" not in at.element.attributes:

@@ -34,9 +34,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import BadSubstitution
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.late import late
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, replace, spot
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely
@@ -51,9 +51,9 @@ _NAME = late(r"[A-Za-z][\w-]*")
 EVAL_ALONE = "$(eval …) must be the whole value: write the text around it as strings in the expression"
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say what is wrong with it; facts: ``reason``, ``text``. What ROS 2 has is LL112's."""
-    reason, text = problem.facts["reason"], problem.facts["text"]
+def tell(problem: BadSubstitution, view: object) -> Iterator[Finding]:
+    """Say what is wrong with it. What ROS 2 has is LL112's."""
+    reason, text = problem.reason, problem.text
     words = text.removeprefix("$(").rstrip(")").split()
     command = words[0] if words else ""
     if command in ROS2_SUBSTITUTIONS:
@@ -71,7 +71,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     )
 
 
-def _fix(problem: Problem, view: object, command: str, words: list[str]) -> Fix | None:
+def _fix(problem: BadSubstitution, view: object, command: str, words: list[str]) -> Fix | None:
     """A misspelt command becomes the only one that it is a slip for, and a shell's way to find a package that of roslaunch."""
     meant = surely(command, COMMANDS)
     text = problem.place.text

@@ -36,24 +36,24 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import ConditionNotBoolean
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely
+from launchlint.syntax.problems import InvalidValue
 
 RULE = Rule("LL214", "condition-not-boolean", Severity.ERROR, roslaunch="refuses", fixable="safe")
 WORDS = {"yes": "true", "on": "true", "enabled": "true", "y": "true", "no": "false", "off": "false", "disabled": "false", "n": "false"}
 COMPUTED = re.compile(r"[=!<>]=|[<>]|\b(?:and|or|not|in)\b")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Show the value; facts: ``attribute``, ``value``, ``text``. What is told of the file alone comes as ``invalid-value``."""
-    facts = problem.facts
-    name, value = facts["attribute"], facts["value"]
-    if problem.kind == "invalid-value" and (name not in ("if", "unless") or "$" in value):
+def tell(problem: ConditionNotBoolean | InvalidValue, view: object) -> Iterator[Finding]:
+    """Show the value. What is told of the file alone comes as :class:`InvalidValue`."""
+    name, value = problem.attribute, problem.value
+    if isinstance(problem, InvalidValue) and (name not in ("if", "unless") or "$" in value):
         return
-    text = facts.get("text", value)
+    text = value if isinstance(problem, InvalidValue) else problem.text
     made = f" (from {text[:60]})" if text != value else ""
     shown = "is empty" if not value.strip() else f"comes to {value[:60]!r}{made}" if made else f"is {value[:60]!r}"
     note = f"roslaunch stops with: Value error: {value.lower().strip()[:60]} is not a 'bool' type".replace(":  is", ": is")
@@ -73,7 +73,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     )
 
 
-def _fix(problem: Problem, view: object, value: str) -> Fix | None:
+def _fix(problem: ConditionNotBoolean | InvalidValue, view: object, value: str) -> Fix | None:
     word = value.strip().lower()
     meant = WORDS.get(word) or surely(word, ("true", "false"))
     if meant is None or not is_literal(problem.place, value):

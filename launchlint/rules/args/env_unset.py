@@ -31,8 +31,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from launchlint.evaluate.problems import EnvUnset
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.first_of_file import all_but_first
 from launchlint.rules.joined import joined
 from launchlint.rules.other_file import root_of, shown
@@ -54,12 +54,12 @@ OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE"
 
 def check(view: LaunchView) -> Iterator[Fine]:
     """Tell of each variable once in a file."""
-    return all_but_first(RULE, view.launch, "env-unset", "variable")
+    return all_but_first(RULE, ((each, each.variable) for each in view.launch.noticed(EnvUnset)))
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
-    """Suggest a default; facts: ``variable``."""
-    name = problem.facts["variable"]
+def tell(problem: EnvUnset, view: LaunchView) -> Iterator[Finding]:
+    """Suggest a default."""
+    name = problem.variable
     if _is_set(name, view):
         return
     slip = slip_of(name)
@@ -109,14 +109,14 @@ def slip_of(name: str) -> str | None:
     return one_slip(name, (*USUAL, *OPTIONAL))
 
 
-def _elsewhere(name: str, problem: Problem, view: LaunchView) -> str:
+def _elsewhere(name: str, problem: EnvUnset, view: LaunchView) -> str:
     """Where the project itself sets or reads the variable, for people; empty where it does not. Launch files are not looked at here."""
     own = view.packages.own_variables().get(name)
     return "" if own is None else f"{shown(own, root_of(problem.place.source))} sets or reads it, too"
 
 
-def _like(problem: Problem, view: LaunchView) -> list[str]:
+def _like(problem: EnvUnset, view: LaunchView) -> list[str]:
     """The variables of the same file that nothing says are set."""
     path = problem.place.source.path
-    names = {each.facts["variable"] for each in view.launch.problems if each.kind == problem.kind and each.place.source.path == path}
+    names = {each.variable for each in view.launch.noticed(EnvUnset) if each.place.source.path == path}
     return sorted(name for name in names if not _is_set(name, view) and slip_of(name) is None and not _elsewhere(name, problem, view))

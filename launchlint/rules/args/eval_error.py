@@ -34,8 +34,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import EvalError, EvalNeverEqual, EvalNotCovered
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import closest
@@ -43,13 +43,13 @@ from launchlint.spelling import closest
 RULE = Rule("LL208", "eval-error", Severity.ERROR, roslaunch="refuses")
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
-    """Say why; facts: ``reason``, for an error also ``expression`` and ``known`` (args with a value)."""
-    if problem.kind == "eval-never-equal":
+def tell(problem: EvalError | EvalNotCovered | EvalNeverEqual, view: LaunchView) -> Iterator[Finding]:
+    """Say why."""
+    if isinstance(problem, EvalNeverEqual):
         yield _never_equal(problem)
         return
-    reason: str = problem.facts["reason"]
-    if problem.kind == "eval-not-covered":
+    reason = problem.reason
+    if isinstance(problem, EvalNotCovered):
         yield RULE.at(
             problem.origin,
             f"launchlint does not compute this $(eval …): {reason}",
@@ -57,18 +57,17 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
             notes=("what depends on it is not checked any further",),
         )
         return
-    expression: str = problem.facts["expression"]
     yield RULE.at(
         problem.origin,
         f"$(eval …) fails: {reason}",
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         notes=("roslaunch stops with the same error of Python's",),
-        help=_advice(reason, expression, problem.place.text, problem.facts["known"]),
+        help=_advice(reason, problem.expression, problem.place.text, problem.known),
     )
 
 
-def _never_equal(problem: Problem) -> Finding:
-    name, literal = problem.facts["name"], problem.facts["literal"]
+def _never_equal(problem: EvalNeverEqual) -> Finding:
+    name, literal = problem.name, problem.literal
     truth = literal.lower() in ("true", "false")
     value = literal.capitalize() if truth else literal
     outcome = "true" if "!=" in problem.place.text else "false"

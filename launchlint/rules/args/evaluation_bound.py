@@ -35,18 +35,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import EvaluationBound
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 
 RULE = Rule("LL216", "evaluation-bound", Severity.WARNING)
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say where it was given up; facts: ``elements``."""
+def tell(problem: EvaluationBound, view: object) -> Iterator[Finding]:
+    """Say where it was given up."""
     yield RULE.at(
         problem.origin,
-        f"given up after {problem.facts['elements']:,} elements: this launch file amounts to more than can be checked",
+        f"given up after {problem.elements:,} elements: this launch file amounts to more than can be checked",
         label="got as far as this",
         help="look for files that include each other again and again",
     )

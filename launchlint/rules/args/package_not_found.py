@@ -56,8 +56,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import PackageNotFound
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.first_of_file import all_but_first
 from launchlint.rules.missing_package import cause, judge
 from launchlint.rules.rule import Fine, Rule
@@ -68,12 +68,12 @@ RULE = Rule("LL210", "package-not-found", Severity.ERROR, roslaunch="refuses")
 
 def check(view: LaunchView) -> Iterator[Fine]:
     """Tell of each package once in a file."""
-    return all_but_first(RULE, view.launch, "package-not-found", "package")
+    return all_but_first(RULE, ((each, each.package) for each in view.launch.noticed(PackageNotFound)))
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
-    """Judge the name; facts: ``package``, ``near`` (the entry file)."""
-    name = problem.facts["package"]
+def tell(problem: PackageNotFound, view: LaunchView) -> Iterator[Finding]:
+    """Judge the name."""
+    name = problem.package
     judgement = judge(name, view.packages, problem.place.source.file, problem.place.source.text)
     if judgement is None:
         return

@@ -34,19 +34,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import RequiredArgUnset
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 
 RULE = Rule("LL202", "required-arg-unset", Severity.INFO, roslaunch="refuses")
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
-    """Point at the declaration; facts: ``name``, ``empty`` (there is a default, with nothing in it). An error where the configuration file
-    names this entry and gives no value.
-    """
-    name, empty = problem.facts["name"], problem.facts.get("empty", False)
+def tell(problem: RequiredArgUnset, view: LaunchView) -> Iterator[Finding]:
+    """Point at the declaration. An error where the configuration file names this entry and gives no value."""
+    name, empty = problem.name, problem.empty
     path = view.launch.entry.path
     if view.declared_entry:
         severity, message = Severity.ERROR, f"the configuration starts {path} without the arg {name}, which it requires"

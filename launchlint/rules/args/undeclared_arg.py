@@ -41,8 +41,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import UndeclaredArg
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, replace, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -51,9 +51,9 @@ from launchlint.spelling import closest, surely
 RULE = Rule("LL201", "undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
-    """Name the arg that was meant, or say who has to give it; facts: ``name``, ``known`` (args in scope), ``skipped``."""
-    name, known = problem.facts["name"], problem.facts["known"]
+def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
+    """Name the arg that was meant, or say who has to give it."""
+    name, known = problem.name, problem.known
     declare = f'declare it above: <arg name="{name}" default="…"/>'
     meant = surely(name, known)
     near = meant or closest(name, known)
@@ -91,9 +91,9 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     )
 
 
-def _switches(problem: Problem, view: LaunchView) -> tuple[str, ...]:
+def _switches(problem: UndeclaredArg, view: LaunchView) -> tuple[str, ...]:
     """The args of the entry file that the conditions of the declarations of the arg hang on; ``skipped`` are their places."""
-    starts = {(place.source.path, place.span.start) for place in problem.facts["skipped"]}
+    starts = {(place.source.path, place.span.start) for place in problem.skipped}
     if not starts:
         return ()
     names: set[str] = set()
@@ -104,27 +104,27 @@ def _switches(problem: Problem, view: LaunchView) -> tuple[str, ...]:
     return tuple(sorted(names))
 
 
-def _under_conditions(problem: Problem, switches: tuple[str, ...]) -> Finding:
+def _under_conditions(problem: UndeclaredArg, switches: tuple[str, ...]) -> Finding:
     """The arg has declarations, and a configuration in which none of them counts."""
-    name = problem.facts["name"]
+    name = problem.name
     return RULE.at(
         problem.origin,
         f"the arg {name} is declared under conditions only, and none of them holds",
         severity=Severity.INFO,
-        related=(*problem.related, *((place, "declared here, under a condition") for place in problem.facts["skipped"])),
+        related=(*problem.related, *((place, "declared here, under a condition") for place in problem.skipped)),
         notes=(f"without it roslaunch stops here; what declares it hangs on {' and '.join(switches)}",),
         help=f"declare {name} for the other cases too, or say in the doc of {switches[0]} what has to be chosen",
         topic=name,
     )
 
 
-def _entered_without(problem: Problem, view: LaunchView) -> bool:
+def _entered_without(problem: UndeclaredArg, view: LaunchView) -> bool:
     """Whether an include on the way here keeps the arg out; through ``pass_all_args`` it can still come from the command line."""
     passing = {include.origin.place: include.pass_all_args for include in view.launch.includes}
     return any(not passing.get(place, False) for place in problem.origin.chain)
 
 
-def _fix(problem: Problem, view: object, name: str, near: str) -> Fix | None:
+def _fix(problem: UndeclaredArg, view: object, name: str, near: str) -> Fix | None:
     """The arg with the near name is read instead, where the place is the name or a substitution with it."""
     text = problem.place.text
     if text.count(name) != 1:

@@ -39,8 +39,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import UnexpandedSubstitution
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import fix, replace, spot
 from launchlint.rules.left_over import cause_at
 from launchlint.rules.rule import Rule
@@ -50,12 +50,12 @@ _NEARLY = re.compile(r"\$\s*(?:[({\[]\s*)?(arg|find|env|anon)(?:\s+|\(\s*)([\w.-
 RULE = Rule("LL215", "unexpanded-substitution", Severity.WARNING, fixable="unsafe")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say what it lacks; facts: ``text``, ``extra`` (a parenthesis too many), maybe ``rosparam``."""
-    text: str = problem.facts["text"]
-    if problem.facts["extra"]:
+def tell(problem: UnexpandedSubstitution, view: object) -> Iterator[Finding]:
+    """Say what it lacks."""
+    text = problem.text
+    if problem.extra:
         message, advice = "a ) too many: it stays in the value", "remove it"
-    elif problem.facts.get("rosparam"):
+    elif problem.rosparam:
         message = f"{text[:60]} is not replaced in this <rosparam>"
         advice = 'add subst_value="true"'
     else:
@@ -64,12 +64,12 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     yield RULE.at(problem.origin, message, label="plain text", help=advice, fix=_fix(problem, view), shared_cause=cause_at(problem))
 
 
-def _fix(problem: Problem, view: object) -> Fix | None:
+def _fix(problem: UnexpandedSubstitution, view: object) -> Fix | None:
     """What is nearly a substitution of an arg, a package or a variable becomes one; a parenthesis too many goes."""
     place, at = problem.place, spot(view, problem.place)
-    if problem.facts.get("rosparam"):
+    if problem.rosparam:
         return None
-    if problem.facts["extra"]:
+    if problem.extra:
         return fix("remove it", replace(at, place, ""), safe=False, changes="the ) is no longer part of the value")
     match = _NEARLY.fullmatch(place.text.strip())
     if match is None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
+from launchlint.evaluate.problems import IncludeNotFound
 from launchlint.late import late
-from launchlint.problem import Problem
 from launchlint.rules.edits import Spot
 from launchlint.rules.view import LaunchView
 
@@ -26,7 +26,7 @@ def has_arg(written: str) -> bool:
     return "$(arg" in written or "$(eval" in written
 
 
-def correction(problem: Problem, written: str, meant: str, view: LaunchView) -> Correction | None:
+def correction(problem: IncludeNotFound, written: str, meant: str, view: LaunchView) -> Correction | None:
     """What to give the only arg of ``written`` so that it becomes ``meant``; ``problem`` names the file that is not there."""
     args = list(_ARG.finditer(written))
     if len(args) != 1 or "$(eval" in written:
@@ -42,5 +42,5 @@ def correction(problem: Problem, written: str, meant: str, view: LaunchView) -> 
     if document is None or default is None or "$" in default.value:
         return Correction(name, found[1], None)
     filled = f"{written[:start].rpartition(')')[2]}{default.value}{written[end:]}"
-    is_it = problem.facts["file"].endswith(filled)
+    is_it = problem.file.endswith(filled)
     return Correction(name, found[1], Spot(document, declared[0], default) if is_it else None)

@@ -40,8 +40,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import DeprecatedInclude
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -49,10 +49,10 @@ from launchlint.rules.view import LaunchView
 RULE = Rule("LL408", "deprecated-include", Severity.WARNING, roslaunch="reports")
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: DeprecatedInclude, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``deprecated-include`` (roslaunch.xmlloader._launch_tag)."""
-    path = shown(problem.facts["file"], root_of(problem.place.source))
-    text = " ".join(problem.facts["text"].split())
+    path = shown(problem.file, root_of(problem.place.source))
+    text = " ".join(problem.text.split())
     yield RULE.at(
         problem.origin,
         f"the included file {path} is deprecated: {text}",

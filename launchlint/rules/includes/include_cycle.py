@@ -40,20 +40,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import IncludeCycle
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 
 RULE = Rule("LL402", "include-cycle", Severity.ERROR, roslaunch="refuses")
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: IncludeCycle, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``include-cycle``: the same file entered again in the same way, or includes too deep for roslaunch."""
-    cycle: tuple[str, ...] = problem.facts["cycle"]
+    cycle: tuple[str, ...] = problem.cycle
     stops = "roslaunch stops with: maximum recursion depth exceeded"
     way = " → ".join(cycle)
-    if problem.facts["endless"]:
+    if problem.endless:
         message = f"{cycle[-1]} includes itself" if len(cycle) < 3 else f"{cycle[-1]} includes itself through {cycle[-2]}"
         yield RULE.at(
             problem.origin, message, label="this closes the circle", notes=(f"the includes go {way}", stops),
@@ -61,7 +61,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         )  # fmt: skip
         return
     yield RULE.at(
-        problem.origin, f"includes are nested {problem.facts['depth']} deep here", label="too deep",
+        problem.origin, f"includes are nested {problem.depth} deep here", label="too deep",
         notes=(f"the includes go {way}", stops),
         help="does a file include itself with other args each time? Give that include a condition that ends",
     )  # fmt: skip

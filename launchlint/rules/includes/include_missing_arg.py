@@ -54,8 +54,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import IncludeMissingArg
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, append_child, fix, spot
 from launchlint.rules.includes.broken_call import broken_call
 from launchlint.rules.rule import Rule
@@ -66,24 +66,23 @@ from launchlint.spelling import closest
 RULE = Rule("LL404", "include-missing-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: IncludeMissingArg, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``include-missing-arg`` (roslaunch.xmlloader._include_tag)."""
-    file, passed = problem.facts["file"], problem.facts["passed"]
+    file, passed = problem.file, problem.passed
     together = view.beside(problem)
-    names = list(dict.fromkeys(each.facts["name"] for each in together)) or [problem.facts["name"]]
-    if problem.facts["name"] != names[0]:
+    names = list(dict.fromkeys(each.name for each in together)) or [problem.name]
+    if problem.name != names[0]:
         return  # told with the first
     if len(names) > 1:
         yield _several(names, together, view)
         return
     name = names[0]
-    empty = problem.facts.get("empty", False)
     near = closest(name, passed)
     help = f'add <arg name="{name}" value="…"/> inside the include, or give it a default in {file}'
     notes = [f"roslaunch stops with: included file [{file}] requires the '{name}' arg to be set"]
-    if empty:
+    if problem.empty:
         notes = [f"roslaunch refuses {file} with the empty default of {name}"]
-    given = problem.facts["pass_all"] and not view.declared_entry and _all_pass_on(problem.origin, view)
+    given = problem.pass_all and not view.declared_entry and _all_pass_on(problem.origin, view)
     if given:
         notes.append(f"pass_all_args passes it on where it is given on the command line: {name}:=…")
     yield RULE.at(
@@ -100,13 +99,13 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     )
 
 
-def _several(names: list[str], problems: list[Problem], view: LaunchView) -> Finding:
+def _several(names: list[str], problems: list[IncludeMissingArg], view: LaunchView) -> Finding:
     """All that one include leaves out."""
     first = problems[0]
-    file, passed = first.facts["file"], first.facts["passed"]
+    file, passed = first.file, first.passed
     listed = ", ".join(names)
     slips = [f"{near} to be {name}" for name in names if (near := closest(name, passed)) is not None]
-    given = first.facts["pass_all"] and not view.declared_entry and _all_pass_on(first.origin, view)
+    given = first.pass_all and not view.declared_entry and _all_pass_on(first.origin, view)
     add = f'add <arg name="…" value="…"/> for each inside the include, or give them defaults in {file}'
     return RULE.at(
         first.origin,
@@ -121,7 +120,7 @@ def _several(names: list[str], problems: list[Problem], view: LaunchView) -> Fin
     )
 
 
-def _fix(problem: Problem, view: LaunchView, name: str) -> Fix | None:
+def _fix(problem: IncludeMissingArg, view: LaunchView, name: str) -> Fix | None:
     """An arg of the same name in the including file is passed on."""
     source, step = problem.place.source, problem.origin.step
     own = (each for each in view.launch.declared if each.name == name and not each.passed and not each.in_group)

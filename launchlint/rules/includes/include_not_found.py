@@ -56,8 +56,8 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator, Sequence
 
+from launchlint.evaluate.problems import IncludeNotFound, IncludeNotLoadable
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import fix, set_value, spot
 from launchlint.rules.includes.default_to_correct import correction, has_arg
 from launchlint.rules.includes.takes_args import is_alike, passed_at, takes
@@ -84,28 +84,28 @@ _MOST_NAMED = 3
 _CORRECT = "correct the name, or create the file"
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``include-not-found`` and ``include-not-loadable`` (roslaunch.xmlloader._include_tag)."""
-    file = problem.facts["file"]
+    file = problem.file
     source = problem.place.source
     root = root_of(source)
-    environment = problem.facts["environment"]
+    environment = problem.environment
     if has_placeholder(file):
         return
-    if problem.kind == "include-not-loadable":
+    if isinstance(problem, IncludeNotLoadable):
         if has_placeholder(source.text):
             return
         yield RULE.at(
-            problem.origin, f"the included file {shown(file, root)} cannot be loaded: {problem.facts['reason']}",
+            problem.origin, f"the included file {shown(file, root)} cannot be loaded: {problem.reason}",
             severity=Severity.INFO if environment else None, label="included here",
             notes=("roslaunch stops with: Invalid roslaunch XML syntax",), help="mend that file, or include another one",
-            shared_cause="" if environment or not problem.facts["malformed"] else malformed(file),
+            shared_cause="" if environment or not problem.malformed else malformed(file),
         )  # fmt: skip
         return
-    reason = problem.facts["reason"]
+    reason = problem.reason
     relative = not posixpath.isabs(file)
     beside = relative and is_file(posixpath.join(posixpath.dirname(posixpath.abspath(source.file)), file))
-    written = problem.facts["written"]
+    written = problem.written
     outside = written.startswith("/") and not is_inside(file, (*view.packages.workspaces, root or "/nowhere"))
     named = shown(file, root) if file and not relative else file
     notes = [f"roslaunch stops with: Invalid roslaunch XML syntax: [Errno 2] No such file or directory: '{named}'"]
@@ -164,7 +164,7 @@ def _keeps_args(written: str, meant: str) -> bool:
     return "$(eval" not in written and all(f"$(arg{part.partition(')')[0]})" in meant for part in written.split("$(arg")[1:])
 
 
-def _correct_arg(problem: Problem, written: str, meant: str, view: LaunchView) -> tuple[str, Fix | None]:
+def _correct_arg(problem: IncludeNotFound, written: str, meant: str, view: LaunchView) -> tuple[str, Fix | None]:
     """Help and fix where the name is made from args: the value is mended at its place, never what other callers fill in otherwise."""
     right = correction(problem, written, meant, view)
     if right is None:
@@ -179,14 +179,14 @@ def _correct_arg(problem: Problem, written: str, meant: str, view: LaunchView) -
     )
 
 
-def _fix(problem: Problem, view: LaunchView, written: str, name: str, *, sure: bool) -> Fix | None:
+def _fix(problem: IncludeNotFound, view: LaunchView, written: str, name: str, *, sure: bool) -> Fix | None:
     if not name or problem.place.text != written or (sure and "$" in written):
         return None
     changes = "roslaunch finds it wherever it is started" if sure else f"{name} is included"
     return fix(f'write file="{name}"', set_value(spot(view, problem.place), name), safe=sure, changes=changes)
 
 
-def _suggestion(file: str, problem: Problem, written: str, view: LaunchView, root: str) -> str:
+def _suggestion(file: str, problem: IncludeNotFound, written: str, view: LaunchView, root: str) -> str:
     """A launch file of that or a similar name: in the same directory, else in the same package; else one of that name elsewhere.
 
     Not one that the same file includes anyhow, nor one that was put aside, nor one that refuses the args that are passed.

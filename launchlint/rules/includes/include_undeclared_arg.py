@@ -57,8 +57,8 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
+from launchlint.evaluate.problems import IncludeUndeclaredArg
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, passed_under
 from launchlint.rules.includes.broken_call import broken_call
 from launchlint.rules.rule import Rule
@@ -71,10 +71,10 @@ RULE = Rule("LL403", "include-undeclared-arg", Severity.ERROR, roslaunch="refuse
 _MOST_NAMED = 8
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: IncludeUndeclaredArg, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``include-undeclared-arg`` (roslaunch.loader.LoaderContext, ``post_process_include_args``)."""
-    name, file, known = problem.facts["name"], problem.facts["file"], problem.facts["known"]
-    undeclared: tuple[str, ...] = problem.facts["all"]
+    name, file, known = problem.name, problem.file, problem.known
+    undeclared: tuple[str, ...] = problem.undeclared
     several = len(undeclared) > 1
     elsewhere = {each: place for each in undeclared if (place := _declared_elsewhere(each, file, view)) is not None}
     has = ", ".join(known[:_MOST_NAMED]) + (" …" if len(known) > _MOST_NAMED else "")

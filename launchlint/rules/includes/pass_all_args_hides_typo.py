@@ -56,9 +56,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import PassAllHidesTypo
 from launchlint.finding import Finding, Severity
 from launchlint.model import Include
-from launchlint.problem import Problem
 from launchlint.rules.edits import passed_under
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -68,9 +68,9 @@ from launchlint.spelling import closest, did_you_mean
 RULE = Rule("LL405", "pass-all-args-hides-typo", Severity.WARNING, fixable="unsafe")
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: PassAllHidesTypo, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``pass-all-hides-typo`` (roslaunch.loader.LoaderContext.include_child, ``pass_all_args``)."""
-    name, file, known = problem.facts["name"], problem.facts["file"], problem.facts["known"]
+    name, file, known = problem.name, problem.file, problem.known
     include = _include_around(problem.origin, view)
     if include is None:
         return

@@ -53,9 +53,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE
+from launchlint.evaluate.problems import DuplicateNode
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Node
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, is_literal, remove_element, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -65,11 +65,11 @@ from launchlint.syntax.tree import Element
 RULE = Rule("LL301", "duplicate-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: DuplicateNode, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``duplicate-node`` (roslaunch.config.ROSLaunchConfig.add_node)."""
-    name = problem.facts["name"].replace(UNKNOWN_NAMESPACE, "…")
+    name = problem.name.replace(UNKNOWN_NAMESPACE, "…")
     stops = f"roslaunch stops with: roslaunch file contains multiple nodes named [{name}]"
-    if problem.facts["core"]:
+    if problem.core:
         if problem.place.source.path.rpartition("/")[2] == "roscore.xml":
             return
         yield RULE.at(
@@ -77,8 +77,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
             help="give the node another name, or put it into a namespace",
         )  # fmt: skip
         return
-    first: Node = problem.facts["first"]
-    second: Node = problem.facts["second"]
+    first: Node = problem.first
+    second: Node = problem.second
     related = _way_to(first, second)
     tried = view.tried
     notes = (stops,) if not tried else (stops, f"only with {tried}, which is not what this launch file does by itself")

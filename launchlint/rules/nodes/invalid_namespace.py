@@ -39,8 +39,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import InvalidNamespace
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -48,10 +48,10 @@ from launchlint.rules.view import LaunchView
 RULE = Rule("LL314", "invalid-namespace", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: InvalidNamespace, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``invalid-namespace`` (rosgraph.names.make_global_ns, roscpp's names::validate)."""
-    namespace = problem.facts["namespace"]
-    if problem.facts["private"]:
+    namespace = problem.namespace
+    if problem.private:
         base = namespace.lstrip("~/")
         yield RULE.at(
             problem.origin, f"the namespace {namespace} is private", label="~ stands for a node's own namespace",
@@ -86,7 +86,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     )  # fmt: skip
 
 
-def _started_in(problem: Problem, view: LaunchView) -> bool | None:
+def _started_in(problem: InvalidNamespace, view: LaunchView) -> bool | None:
     """Whether anything but Python nodes may be started in the namespace that ``problem`` is about; None where nothing is."""
     at = spot(view, problem.place)
     if at is None:
@@ -94,7 +94,7 @@ def _started_in(problem: Problem, view: LaunchView) -> bool | None:
     return view.started_in.get((at.source.path, at.element.span.start))
 
 
-def _fix(problem: Problem, view: LaunchView, namespace: str, changes: str) -> Fix | None:
-    if not namespace or not is_literal(problem.place, problem.facts["namespace"]):
+def _fix(problem: InvalidNamespace, view: LaunchView, namespace: str, changes: str) -> Fix | None:
+    if not namespace or not is_literal(problem.place, problem.namespace):
         return None
     return fix(f'write ns="{namespace}"', set_value(spot(view, problem.place), namespace), safe=False, changes=changes)

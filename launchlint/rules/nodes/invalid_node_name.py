@@ -35,8 +35,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import InvalidNodeName
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, add_attribute, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -44,9 +44,9 @@ from launchlint.rules.view import LaunchView
 RULE = Rule("LL302", "invalid-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``invalid-node-name`` (roslaunch.core.Node, roslaunch.xmlloader._node_tag, roscpp's this_node)."""
-    name, reason = problem.facts["name"], problem.facts["reason"]
+    name, reason = problem.name, problem.reason
     if reason == "slash":
         namespace, _, base = name.strip("/").rpartition("/")
         yield RULE.at(
@@ -84,7 +84,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         )
 
 
-def _split(problem: Problem, view: LaunchView, name: str, base: str, namespace: str) -> Fix | None:
+def _split(problem: InvalidNodeName, view: LaunchView, name: str, base: str, namespace: str) -> Fix | None:
     """The namespace moves from the name to ``ns``, which the node has not got yet."""
     at = spot(view, problem.place)
     if at is None or not base or not namespace or not is_literal(problem.place, name) or "ns" in at.element.attributes:
@@ -94,13 +94,13 @@ def _split(problem: Problem, view: LaunchView, name: str, base: str, namespace: 
     return fix(f'write name="{base}" ns="{namespace}"', edits, safe=False, changes=LOADS)
 
 
-def _rename(problem: Problem, view: LaunchView, name: str, good: str) -> Fix | None:
+def _rename(problem: InvalidNodeName, view: LaunchView, name: str, good: str) -> Fix | None:
     if not is_literal(problem.place, name):
         return None
     return fix(f"write {good}", set_value(spot(view, problem.place), good), safe=False, changes=f"the node is {good}")
 
 
-def _is_own_name(problem: Problem) -> bool:
+def _is_own_name(problem: InvalidNodeName) -> bool:
     """Whether the name comes from ``name``; a test without it takes its ``test-name``."""
     source, span = problem.place
     before = source.text[max(0, span.start - 200) : span.start]

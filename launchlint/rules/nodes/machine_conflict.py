@@ -29,8 +29,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import MachineConflict
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 
@@ -40,10 +40,10 @@ _WRITTEN = {"env_loader": "env-loader", "ssh_port": "ssh-port", "assignable": "d
 """Field of a machine → the attribute it comes from, where that is spelled otherwise."""
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: MachineConflict, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``machine-conflict`` (roslaunch.config.ROSLaunchConfig.add_machine)."""
-    name = problem.facts["name"]
-    fields = " and ".join(_WRITTEN.get(field, field) for field in problem.facts["fields"])
+    name = problem.name
+    fields = " and ".join(_WRITTEN.get(field, field) for field in problem.fields)
     yield RULE.at(
         problem.origin,
         f"the machine {name} is defined twice, with another {fields}",

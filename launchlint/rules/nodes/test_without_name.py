@@ -33,25 +33,25 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, remove_attribute, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, LaunchView
+from launchlint.syntax.problems import ConflictingAttributes, MissingAttribute
 
 RULE = Rule("LL310", "test-without-name", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
-def tell(problem: Problem, view: FileView | LaunchView) -> Iterator[Finding]:
+def tell(problem: MissingAttribute | ConflictingAttributes, view: FileView | LaunchView) -> Iterator[Finding]:
     """Speak about ``missing-attribute`` and ``conflicting-attributes`` of tests (roslaunch.xmlloader._node_tag)."""
-    if problem.kind == "missing-attribute":
-        if problem.facts["tag"] == "test" and problem.facts["attribute"] == "test-name":
+    if isinstance(problem, MissingAttribute):
+        if problem.tag == "test" and problem.attribute == "test-name":
             yield RULE.at(
                 problem.origin, "the test has no test-name", label="test-name is missing",
                 notes=("roslaunch stops with: <test> tag is missing required attribute: 'test-name'",),
                 help='add test-name="…": its results are filed under that name',
             )  # fmt: skip
-    elif problem.facts["reason"] == "test-attribute":
-        name = problem.facts["attributes"][-1]
+    elif problem.reason == "test-attribute":
+        name = problem.attributes[-1]
         yield RULE.at(
             problem.origin, f"a test cannot have {name}", label="not allowed here",
             notes=(f"roslaunch stops with: <test> tags cannot have '{name}' attribute",),

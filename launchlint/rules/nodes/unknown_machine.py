@@ -36,9 +36,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import UnknownMachine
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Launch
-from launchlint.problem import Problem
 from launchlint.rules.edits import fix, is_literal, set_value, spot
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
@@ -54,16 +54,16 @@ def check(view: LaunchView) -> Iterator[Fine]:
     launch = view.launch
     told: set[Place] = set()
     if not _may_be_elsewhere(launch):
-        told.update(problem.place for problem in launch.problems if problem.kind == "unknown-machine")
+        told.update(problem.place for problem in launch.noticed(UnknownMachine))
     for node in (*launch.nodes, *launch.tests):
         place = node.places.get("machine")
         if place is not None and place not in told:
             yield RULE.fine(place)
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: UnknownMachine, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``unknown-machine`` (roslaunch.config.ROSLaunchConfig._select_machine)."""
-    name, known = problem.facts["name"], problem.facts["known"]
+    name, known = problem.name, problem.known
     if _may_be_elsewhere(view.launch):
         return
     fragment = view.launch.entry.path.endswith(".xml")
@@ -82,7 +82,7 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     )
 
 
-def _fix(problem: Problem, view: LaunchView, name: str, near: str | None) -> Fix | None:
+def _fix(problem: UnknownMachine, view: LaunchView, name: str, near: str | None) -> Fix | None:
     if near is None or not is_literal(problem.place, name):
         return None
     return fix(f"write {near}", set_value(spot(view, problem.place), near), safe=False, changes=f"the node runs on {near}")

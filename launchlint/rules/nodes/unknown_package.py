@@ -55,6 +55,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import PackageNotFound
 from launchlint.finding import Finding, Severity
 from launchlint.rules.missing_package import cause, judge
 from launchlint.rules.rule import Fine, Rule
@@ -75,7 +76,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
     """
     launch = view.launch
     told = {
-        (problem.place.source.path, problem.facts["package"]) for problem in launch.problems if problem.kind == "package-not-found"
+        (problem.place.source.path, problem.package) for problem in launch.noticed(PackageNotFound)
     }  # by LL210, of which roslaunch takes notice first
     missing: dict[tuple[str, str], list[Node]] = {}
     for node in (*launch.nodes, *launch.tests):

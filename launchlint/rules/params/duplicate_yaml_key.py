@@ -42,16 +42,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import YamlDuplicateKey
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 
 RULE = Rule("LL513", "duplicate-yaml-key", Severity.WARNING)
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Show both keys; facts: ``key`` (the path, with ``/``), ``same``."""
-    key, same = problem.facts["key"], problem.facts["same"]
+def tell(problem: YamlDuplicateKey, view: object) -> Iterator[Finding]:
+    """Show both keys."""
+    key, same = problem.key, problem.same
     places = (problem.place, *(place for place, _ in problem.related))  # in a copy of the file the same
     yield RULE.at(
         problem.origin,

@@ -34,8 +34,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE, canonical
+from launchlint.evaluate.problems import GlobalParamInNode
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 
@@ -46,9 +46,9 @@ WELL_KNOWN = frozenset(
 )  # fmt: skip
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
-    """Say which parameter is set instead; facts: ``name``, ``namespace``."""
-    name, namespace = problem.facts["name"], problem.facts["namespace"]
+def tell(problem: GlobalParamInNode, view: LaunchView) -> Iterator[Finding]:
+    """Say which parameter is set instead."""
+    name, namespace = problem.name, problem.namespace
     private = canonical(namespace + name)
     becomes = "a private name" if UNKNOWN_NAMESPACE in namespace else private
     everybodys = canonical(name) in WELL_KNOWN or canonical(name) in view.launch.parameters

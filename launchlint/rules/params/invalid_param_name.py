@@ -39,10 +39,10 @@ from bisect import bisect_right
 from collections.abc import Iterator
 
 from launchlint.evaluate.names import is_legal
+from launchlint.evaluate.problems import InvalidParamName
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
 from launchlint.model import ParameterSetting
-from launchlint.problem import Problem
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 
@@ -57,12 +57,12 @@ _ILLEGAL = re.compile(r"[^A-Za-z0-9_/~]+", re.ASCII)
 
 def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look at every ``<param>`` of such a name (ros::names::validate; rospy's get_param takes any)."""
-    problems = [problem for problem in view.launch.problems if problem.kind == "invalid-param-name"]
+    problems = [*view.launch.noticed(InvalidParamName)]
     if not problems:
         return
     settings, clients = _Settings(view.graph), _Clients(view.graph)
     for problem in problems:
-        name = problem.facts["name"]
+        name = problem.name
         bare = name.lstrip("~/")
         if bare and name.startswith("/") and _ILLEGAL.search(name) is None:
             continue  # only the first character of what is written may not be a digit
@@ -84,7 +84,7 @@ class _Settings:
                 self._by_file.setdefault(source.path, {}).setdefault(span.start, []).append(setting)
         self._starts = {path: sorted(settings) for path, settings in self._by_file.items()}
 
-    def made_at(self, problem: Problem) -> list[ParameterSetting]:
+    def made_at(self, problem: InvalidParamName) -> list[ParameterSetting]:
         """What the element sets in whose start tag the problem lies."""
         source, span = problem.place
         starts = self._starts.get(source.path, [])
@@ -117,7 +117,7 @@ def _client(instance: Instance, *, reads: bool, name: str) -> str:
     return client if client != "rospy" or reads or may else ""
 
 
-def _finding(problem: Problem, name: str, bare: str, *, sure: bool) -> Finding:
+def _finding(problem: InvalidParamName, name: str, bare: str, *, sure: bool) -> Finding:
     found = _ILLEGAL.search(name)
     if not bare:
         message, help_ = "the parameter has no name", "give it a name"

@@ -40,11 +40,10 @@ radius: 0.1
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Iterator, Sequence
 
+from launchlint.evaluate.problems import ParamFileMissing
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.installed import installed_from
 from launchlint.rules.joined import led_by
 from launchlint.rules.left_over import left_over_in
@@ -60,36 +59,34 @@ SENTINELS = ("true", "false", "none")
 """What people write as the default of an arg for a path to say that there is none; the condition in front of it hangs on another arg."""
 
 
-def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
-    """Say why it cannot be read and which file is near; facts: see evaluate.ros1.missing_file, and ``environment``."""
-    facts = problem.facts
-    path, missing = facts["shown"], facts["missing"]
+def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
+    """Say why it cannot be read and which file is near."""
+    path, missing = problem.shown, problem.missing
     if path in SENTINELS:
         return
     notes = [f"roslaunch stops, since it finds no file {path}" if missing else "roslaunch refuses the launch file"]
-    if facts["relative"]:
+    if problem.relative:
         notes.append("a relative path is looked up where roslaunch is started, not beside this file")
-    elif facts["environment"]:
+    elif problem.environment:
         notes.append("the path is made from an environment variable, which may be another one on the robot")
-    elif facts["elsewhere"]:
+    elif problem.elsewhere:
         notes.append("it is in no package that is here, so that it may be there on the robot")
     name = path.rpartition("/")[2] or path
     severity = None
-    elsewhere = installed_from(facts["file"], view.packages) if missing and not facts["relative"] else None
-    look = missing and not facts["relative"] and not facts["environment"] and elsewhere is None
-    maker = made(facts["file"], view, root_of(problem.place.source)) if look else None
-    if path and facts["environment"]:
+    elsewhere = installed_from(problem.file, view.packages) if missing and not problem.relative else None
+    look = missing and not problem.relative and not problem.environment and elsewhere is None
+    maker = made(problem.file, view, root_of(problem.place.source)) if look else None
+    if path and problem.environment:
         severity = Severity.INFO
     elif elsewhere is not None:
         severity = Severity.WARNING
         notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")
-        facts = {**facts, "near": shown(elsewhere, root_of(problem.place.source))}
     elif maker is not None:
         severity = Severity.INFO
         notes.append(maker.why)
-    elif path and (facts["relative"] or facts["elsewhere"]):
+    elif path and (problem.relative or problem.elsewhere):
         severity = Severity.WARNING
-    robots = missing and maker is None and look and is_robots(facts["file"], view.packages, root_of(problem.place.source))
+    robots = missing and maker is None and look and is_robots(problem.file, view.packages, root_of(problem.place.source))
     if robots:
         severity = Severity.INFO
     placeholder = missing and is_path_to_fill_in(path)
@@ -99,12 +96,12 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
     if not path:
         message = "the name of the file is empty"
     else:
-        message = f"the file {name} does not exist" if missing else f"the file {name} cannot be read: {facts['reason']}"
+        message = f"the file {name} does not exist" if missing else f"the file {name} cannot be read: {problem.reason}"
     yield RULE.at(
         problem.origin,
         message,
         severity=severity,
-        label=f"no file {name}" if missing and facts["no_directory"] else "no such file" if missing else "",
+        label=f"no file {name}" if missing and problem.no_directory else "no such file" if missing else "",
         related=problem.related,
         notes=tuple(notes),
         help="fill in the path, or make it an arg without a default"
@@ -113,8 +110,8 @@ def tell(problem: Problem, view: LaunchView) -> Iterator[Finding]:
         if maker is not None
         else advice(path)
         if robots
-        else _advice(facts),
-        shared_cause=left_over_in(facts["file"], view) or (cause_of(facts["file"], maker) if look and path and not placeholder else ""),
+        else _advice(problem, problem.near if elsewhere is None else shown(elsewhere, root_of(problem.place.source))),
+        shared_cause=left_over_in(problem.file, view) or (cause_of(problem.file, maker) if look and path and not placeholder else ""),
     )
 
 
@@ -123,15 +120,15 @@ def together(findings: Sequence[Finding]) -> Finding:
     return led_by(findings, "LL215")
 
 
-def _advice(facts: Mapping[str, Any]) -> str:
-    if facts["environment"]:
+def _advice(problem: ParamFileMissing, near: str | None) -> str:
+    if problem.environment:
         return "give the variable the value it has on the robot, under env: in .launchlint.yaml, or correct the path"
-    if facts["near"] is not None:
-        return f"did you mean {facts['near']}?"
-    if facts["relative"]:
+    if near is not None:
+        return f"did you mean {near}?"
+    if problem.relative:
         return "start the path with $(find PACKAGE) or $(dirname)"
-    if not facts["missing"]:
+    if not problem.missing:
         return "give the path of a text file in UTF-8"
-    if facts["no_directory"]:
-        return f"correct the path: there is no directory {facts['no_directory']} either"
+    if problem.no_directory:
+        return f"correct the path: there is no directory {problem.no_directory} either"
     return "correct the path, or add the file"

@@ -41,8 +41,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import ParamValueType
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import is_to_fill_in
@@ -60,10 +60,10 @@ ALSO_KNOWN_AS = {
 }  # fmt: skip
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say which type it would fit; facts: ``value``, ``type``, ``known``, ``reason``."""
-    value, type_, reason = problem.facts["value"], problem.facts["type"], problem.facts["reason"]
-    if not problem.facts["known"]:
+def tell(problem: ParamValueType, view: object) -> Iterator[Finding]:
+    """Say which type it would fit."""
+    value, type_, reason = problem.value, problem.type, problem.reason
+    if not problem.known:
         instead = ALSO_KNOWN_AS.get(type_) or closest(type_, TYPES)
         yield RULE.at(
             problem.origin,
@@ -92,7 +92,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     )
 
 
-def _fix_type(problem: Problem, view: object, type_: str, *, sure: bool) -> Fix | None:
+def _fix_type(problem: ParamValueType, view: object, type_: str, *, sure: bool) -> Fix | None:
     at = spot(view, problem.place)
     attribute = None if at is None else at.element.attributes.get("type")
     if at is None or attribute is None or "$" in attribute.raw:
@@ -100,7 +100,7 @@ def _fix_type(problem: Problem, view: object, type_: str, *, sure: bool) -> Fix 
     return fix(f"write type={type_!r}", set_value(at, type_, attribute), safe=sure, changes=LOADS)
 
 
-def _fix_boolean(problem: Problem, view: object, value: str) -> Fix | None:
+def _fix_boolean(problem: ParamValueType, view: object, value: str) -> Fix | None:
     meant = WORDS.get(value.strip().lower())
     if meant is None or not is_literal(problem.place, value):
         return None

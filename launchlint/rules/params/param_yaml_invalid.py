@@ -32,19 +32,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import ParamYamlInvalid
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.source import Place
 
 RULE = Rule("LL503", "param-yaml-invalid", Severity.ERROR, roslaunch="refuses")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say what is wrong and what was meant; facts: ``reason``, ``hint``, ``in_file``, ``file``."""
-    facts, place = problem.facts, problem.place
-    reason, hint = facts["reason"], facts["hint"]
-    name = facts["file"].rpartition("/")[2] if facts["in_file"] else ""
+def tell(problem: ParamYamlInvalid, view: object) -> Iterator[Finding]:
+    """Say what is wrong and what was meant."""
+    reason, hint, place = problem.reason, problem.hint, problem.place
+    name = problem.file.rpartition("/")[2] if problem.in_file else ""
     what = f"the YAML file {name}" if name else "this <rosparam>"
     note = "roslaunch refuses the launch file"
     if hint == "scalar" or (hint == "colon" and reason.startswith("a value that is no dictionary")):

@@ -39,16 +39,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import Ros2Parameters
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 
 RULE = Rule("LL515", "ros2-parameter-file", Severity.WARNING)
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say what its parameters become; facts: ``name`` of one of them, ``count``."""
-    name, count = problem.facts["name"], problem.facts["count"]
+def tell(problem: Ros2Parameters, view: object) -> Iterator[Finding]:
+    """Say what its parameters become."""
+    name, count = problem.name, problem.count
     yield RULE.at(
         problem.origin,
         "this is a parameter file of ROS 2, loaded in ROS 1",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from launchlint.evaluate.problems import ParamReplaced
 from launchlint.model import Launch, ParameterSetting
 from launchlint.rules.params.values import is_certain, is_known
 from launchlint.source import Origin
@@ -41,12 +42,10 @@ def set_again(launch: Launch) -> Iterator[SetAgain]:
         if is_certain(earlier) and is_certain(setting) and set(setting.conditions) <= set(earlier.conditions):
             yield SetAgain(setting.name, earlier.origin, setting.origin, earlier.value, setting.value, (earlier, setting))
     yield from _in_one_scope(launch)
-    for problem in launch.problems:
-        if problem.kind == "param-replaced" and problem.facts["always"] and not problem.assumed:
-            old, new = problem.facts["old"], problem.facts["new"]
-            if is_known(old) and is_known(new):
-                first = Origin(problem.related[0][0], problem.origin.step)
-                yield SetAgain(problem.facts["name"], first, problem.origin, old, new)
+    for problem in launch.noticed(ParamReplaced):
+        if problem.always and not problem.assumed and is_known(problem.old) and is_known(problem.new):
+            first = Origin(problem.related[0][0], problem.origin.step)
+            yield SetAgain(problem.name, first, problem.origin, problem.old, problem.new)
 
 
 def _key(origin: Origin) -> tuple[str, int]:

@@ -38,18 +38,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import DoubledSlash, InvalidRemapName
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, is_literal, replace, set_value, spot
 from launchlint.rules.rule import Rule
 
 RULE = Rule("LL607", "invalid-remap-name", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Name the character at fault; facts: ``attribute``, ``value``, ``reason`` (``empty`` or ``illegal``; none for two slashes)."""
-    attribute, value = problem.facts["attribute"], problem.facts["value"]
-    if problem.kind == "doubled-slash":
+def tell(problem: InvalidRemapName | DoubledSlash, view: object) -> Iterator[Finding]:
+    """Name the character at fault."""
+    attribute, value = problem.attribute, problem.value
+    if isinstance(problem, DoubledSlash):
         yield RULE.at(
             problem.origin,
             f"{value[:60]!r} has two slashes in a row: roslaunch reads them as one",
@@ -59,7 +59,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
             fix=fix("write one /", replace(spot(view, problem.place), problem.place, "/"), safe=True, changes=""),
         )
         return
-    if problem.facts["reason"] == "empty":
+    if problem.reason == "empty":
         yield RULE.at(
             problem.origin,
             f"the attribute {attribute} of this remap is empty",
@@ -80,7 +80,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     )
 
 
-def _fix(problem: Problem, view: object, value: str, help_: str) -> Fix | None:
+def _fix(problem: InvalidRemapName, view: object, value: str, help_: str) -> Fix | None:
     name = help_.removeprefix("write ")
     if name == help_ or " " in name or not is_literal(problem.place, value):
         return None

@@ -39,6 +39,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import RemapReplaced
 from launchlint.finding import Finding, Severity
 from launchlint.model import Remap
 from launchlint.rules.edits import fix, remove_element, spot
@@ -53,11 +54,10 @@ RULE = Rule("LL604", "remap-duplicate", Severity.WARNING, fixable="safe")
 def check(view: LaunchView) -> Iterator[Finding]:
     """Look into nodes, into scopes, and for two spellings of one name."""
     launch = view.launch
-    for problem in launch.problems:
-        if problem.kind == "remap-replaced" and problem.facts["always"] and not problem.assumed:
+    for problem in launch.noticed(RemapReplaced):
+        if problem.always and not problem.assumed:
             first = problem.related[0][0]
-            facts = problem.facts
-            yield _finding(facts["key"], problem.origin, first, facts["old"], facts["new"], view)
+            yield _finding(problem.key, problem.origin, first, problem.old, problem.new, view)
     yield from _in_one_scope(view)
     for node in (*launch.nodes, *launch.tests):
         if len(node.remaps) < 2 or not has_known_name(node) or any(condition.assumed for condition in node.conditions):

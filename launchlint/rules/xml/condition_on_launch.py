@@ -33,18 +33,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import ConditionOnLaunch
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
+from launchlint.syntax.problems import InvalidValue
 
 RULE = Rule("LL114", "condition-on-launch", Severity.ERROR, roslaunch="refuses")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Point at the condition; facts: ``attribute``. From the file alone it comes as the ``invalid-value`` of a ``<launch>``."""
-    facts = problem.facts
-    name = facts["attribute"]
-    if problem.kind == "invalid-value" and not (facts["tag"] == "launch" and "$" in facts["value"]):
+def tell(problem: ConditionOnLaunch | InvalidValue, view: object) -> Iterator[Finding]:
+    """Point at the condition. From the file alone it comes as the :class:`InvalidValue` of a ``<launch>``."""
+    name = problem.attribute
+    if isinstance(problem, InvalidValue) and not (problem.tag == "launch" and "$" in problem.value):
         return
     yield RULE.at(
         problem.origin,

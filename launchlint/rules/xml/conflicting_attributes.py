@@ -35,9 +35,9 @@ import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, remove_attribute, spot
 from launchlint.rules.rule import Rule
+from launchlint.syntax.problems import ConflictingAttributes
 
 RULE = Rule("LL110", "conflicting-attributes", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -67,10 +67,10 @@ WORDS = {
 }
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say which attributes exclude each other; facts: ``tag``, ``attributes``, ``reason``. ``test-attribute`` is LL310's."""
-    reason, tag = problem.facts["reason"], problem.facts["tag"]
-    attributes: tuple[str, ...] = problem.facts["attributes"]
+def tell(problem: ConflictingAttributes, view: object) -> Iterator[Finding]:
+    """Say which attributes exclude each other. ``test-attribute`` is LL310's."""
+    reason, tag = problem.reason, problem.tag
+    attributes: tuple[str, ...] = problem.attributes
     if reason == "test-attribute":
         return
     if reason == "param-sources":
@@ -85,7 +85,7 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         names = args[0] if len(args) == 1 else f"{', '.join(args[:-1])} or {args[-1]}"
         advice = f"give the arg {names} a value, also by default, that is not empty (/ stands for the root)"
     notes: tuple[str, ...] = (f"roslaunch stops with: {stops}",)
-    from_environment = problem.facts.get("environment", False)
+    from_environment = problem.environment
     if from_environment:  # whoever starts it has the variable
         notes = ("it is made from an environment variable that is not set here", *notes)
         advice = "give $(optenv …) a default, or the variable a value under env: in .launchlint.yaml if it is always set"
@@ -101,9 +101,9 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     )
 
 
-def _fix(problem: Problem, view: object) -> Fix | None:
+def _fix(problem: ConflictingAttributes, view: object) -> Fix | None:
     """An ``ns`` with nothing in it goes; what else excludes each other, only its author can tell."""
     at = spot(view, problem.place)
-    if problem.facts["reason"] != "empty-ns" or at is None or at.attribute is None or at.attribute.raw:
+    if problem.reason != "empty-ns" or at is None or at.attribute is None or at.attribute.raw:
         return None
     return fix("remove ns", remove_attribute(at), safe=False, changes=LOADS)

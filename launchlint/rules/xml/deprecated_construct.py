@@ -44,13 +44,13 @@ from collections.abc import Iterator, Mapping
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import Instance, Reading
 from launchlint.model import Role
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, is_literal, remove_attribute, remove_element, rename_attribute, replace, set_value, spot
 from launchlint.rules.other_file import is_inside
 from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, GraphView, LaunchView
 from launchlint.source import Origin, Place
+from launchlint.syntax.problems import DeprecatedConstruct
 from launchlint.workspace.packages import SYSTEM_SHARE, Packages
 from launchlint.workspace.releases import never_released
 
@@ -187,9 +187,9 @@ def _of(node: str, view: GraphView) -> str:
     return next((instance.program for instance in view.graph.instances if instance.name == node), node)
 
 
-def tell(problem: Problem, view: FileView | LaunchView) -> Iterator[Finding]:
-    """Say what has taken its place; facts: ``construct``, ``instead``."""
-    construct: str = problem.facts["construct"]
+def tell(problem: DeprecatedConstruct, view: FileView | LaunchView) -> Iterator[Finding]:
+    """Say what has taken its place."""
+    construct: str = problem.construct
     attribute = construct.partition(" ")[2]
     machine = (f"<machine> takes no {attribute} any more", STOPS.format("ros-* attributes are"), SCRIPT)
     message, note, advice = WORDS.get(construct, machine)
@@ -211,7 +211,7 @@ def tell(problem: Problem, view: FileView | LaunchView) -> Iterator[Finding]:
     )
 
 
-def _fix(construct: str, problem: Problem, view: object, *, is_there: bool) -> Fix | None:
+def _fix(construct: str, problem: DeprecatedConstruct, view: object, *, is_there: bool) -> Fix | None:
     """The change; it is safe if what is written instead ``is_there`` in every distribution that may be meant."""
     at = spot(view, problem.place)
     if construct == "<master>":

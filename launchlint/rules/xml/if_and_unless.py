@@ -32,17 +32,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
+from launchlint.syntax.problems import IfAndUnless
 
 RULE = Rule("LL108", "if-and-unless", Severity.ERROR, roslaunch="refuses")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Point at the second of the two; facts: ``tag``."""
+def tell(problem: IfAndUnless, view: object) -> Iterator[Finding]:
+    """Point at the second of the two."""
     yield RULE.at(
         problem.origin,
-        f"<{problem.facts['tag']}> has both if and unless",
+        f"<{problem.tag}> has both if and unless",
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         label="one condition too many",
         related=problem.related,

@@ -36,9 +36,9 @@ import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import Spot, fix, remove_attribute, remove_element, spot
 from launchlint.rules.rule import Rule
+from launchlint.syntax.problems import IneffectiveAttribute
 
 RULE = Rule("LL113", "ineffective-attribute", Severity.WARNING, fixable="safe")
 
@@ -70,14 +70,12 @@ WORDS = {
 }
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say why it does nothing; facts: ``tag``, ``attribute``, ``reason``."""
+def tell(problem: IneffectiveAttribute, view: object) -> Iterator[Finding]:
+    """Say why it does nothing."""
     at = spot(view, problem.place)
-    reason: str = problem.facts["reason"]
+    reason: str = problem.reason
     kept = reason == "empty-group" and _is_commented_out(at)
-    message, label, advice = (
-        words.format(attribute=problem.facts["attribute"]) for words in WORDS["commented-out-group" if kept else reason]
-    )
+    message, label, advice = (words.format(attribute=problem.attribute) for words in WORDS["commented-out-group" if kept else reason])
     yield RULE.at(
         problem.origin,
         message,

@@ -36,11 +36,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import UnbalancedQuotes
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely
+from launchlint.syntax.problems import InvalidValue
 from launchlint.syntax.ros1.dialect import TAGS
 
 RULE = Rule("LL109", "invalid-value", Severity.ERROR, roslaunch="refuses", fixable="safe")
@@ -49,18 +50,14 @@ MEANT = {"1": "true", "yes": "true", "on": "true", "0": "false", "no": "false", 
 """Words of other formats, and what is meant where the attribute takes that."""
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Name what the attribute takes; facts: ``tag``, ``attribute``, ``value``, ``expected``.
-
-    ``unbalanced-quotes`` has ``attribute`` and ``reason``. Conditions belong to LL214 and LL114.
-    """
-    facts = problem.facts
+def tell(problem: InvalidValue | UnbalancedQuotes, view: object) -> Iterator[Finding]:
+    """Name what the attribute takes. Conditions belong to LL214 and LL114."""
     severity = Severity.ERROR if problem.refused else Severity.WARNING
-    name = facts["attribute"]
-    if problem.kind == "unbalanced-quotes":
+    name = problem.attribute
+    if isinstance(problem, UnbalancedQuotes):
         yield RULE.at(
             problem.origin,
-            f"the quotes in {name} do not match ({facts['reason']})",
+            f"the quotes in {name} do not match ({problem.reason})",
             severity=severity,
             notes=(f"roslaunch splits {name} as a shell does; it fails on this when it starts the node, and then stops all others",),
             help="close the quote; write \\' or \\\" for a quote that is meant as such",
@@ -68,9 +65,9 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
         return
     if name in ("if", "unless"):
         return
-    value = facts["value"]
-    rule = TAGS[facts["tag"].lower()].attribute(name)
-    expected, choices = (facts["expected"], ()) if rule is None else (rule.domain.expected, rule.domain.choices)
+    value = problem.value
+    rule = TAGS[problem.tag.lower()].attribute(name)
+    expected, choices = (problem.expected, ()) if rule is None else (rule.domain.expected, rule.domain.choices)
     meant = next((each for each in choices if MEANT.get(value.strip().lower()) == each), None) or surely(value.strip(), choices)
     near = meant or closest(value.strip(), choices)
     problem_text = f"{name} is empty" if not value else f"{name}={value[:60]!r} is not {expected}"
@@ -84,8 +81,8 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     )
 
 
-def _fix(problem: Problem, view: object, near: str, *, sure: bool) -> Fix | None:
-    if not is_literal(problem.place, problem.facts["value"]):
+def _fix(problem: InvalidValue, view: object, near: str, *, sure: bool) -> Fix | None:
+    if not is_literal(problem.place, problem.value):
         return None
     at = spot(view, problem.place)
     return fix(f"write {near}", set_value(at, near), safe=sure, changes=LOADS)

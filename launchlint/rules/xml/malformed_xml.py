@@ -37,26 +37,25 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.made_file import malformed
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import has_placeholder
+from launchlint.syntax.problems import MalformedXml
 
 RULE = Rule("LL101", "malformed-xml", Severity.ERROR, roslaunch="refuses")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say what is wrong with the XML; facts: ``message``, ``hint``, ``code``."""
-    facts = problem.facts
+def tell(problem: MalformedXml, view: object) -> Iterator[Finding]:
+    """Say what is wrong with the XML."""
     source, span = problem.place
     template = has_placeholder(source.line(source.position(span.start).line))
     notes: tuple[str, ...] = ("roslaunch stops with: Invalid roslaunch XML syntax",)
     yield RULE.at(
         problem.origin,
-        f"not well-formed XML: {facts['message']}",
+        f"not well-formed XML: {problem.message}",
         severity=Severity.INFO if template else None,
         related=problem.related,
         notes=(*notes, "it looks like a template that is filled in before anybody launches it") if template else notes,
-        help=facts["hint"],
+        help=problem.hint,
         shared_cause=malformed(source.file),
     )

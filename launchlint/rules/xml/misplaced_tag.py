@@ -47,9 +47,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.joined import joined
 from launchlint.rules.rule import Rule
+from launchlint.syntax.problems import MisplacedTag
 from launchlint.syntax.ros1.dialect import TAGS
 
 RULE = Rule("LL106", "misplaced-tag", Severity.WARNING, roslaunch="reports")
@@ -57,19 +57,19 @@ SKIPPED = "skipped"
 MOST_NAMED = 6
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say where the tag belongs; facts: ``tag``, ``name``, ``parent``, ``within``, ``reported`` (roslaunch warns)."""
-    tag, parent = problem.facts["tag"], problem.facts["parent"]
-    reported: bool = problem.facts["reported"]
+def tell(problem: MisplacedTag, view: object) -> Iterator[Finding]:
+    """Say where the tag belongs."""
+    tag, parent = problem.tag, problem.parent
+    reported: bool = problem.reported
     said = "roslaunch prints a warning and skips it, with all that it contains" if reported else "roslaunch skips it without a word"
     yield RULE.at(
         problem.origin,
         f"<{tag}> has no effect inside <{parent}>",
         severity=Severity.ERROR if problem.refused else None,
-        label=f"<{tag}> {problem.facts['name']} is {SKIPPED}" if problem.facts["name"] else SKIPPED,
+        label=f"<{tag}> {problem.name} is {SKIPPED}" if problem.name else SKIPPED,
         notes=(said,),
         help=_advice(tag, parent),
-        cause=f"{problem.place.source.path}:{problem.facts['within']} {problem.refused}",
+        cause=f"{problem.place.source.path}:{problem.within} {problem.refused}",
     )
 
 

@@ -30,8 +30,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
+from launchlint.syntax.problems import MissingAttribute
 
 RULE = Rule("LL105", "missing-attribute", Severity.ERROR, roslaunch="refuses")
 STOPS = {
@@ -41,9 +41,9 @@ STOPS = {
 }
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Name the missing attribute; facts: ``tag``, ``attribute``. ``test-name`` is LL310's."""
-    tag, name = problem.facts["tag"], problem.facts["attribute"]
+def tell(problem: MissingAttribute, view: object) -> Iterator[Finding]:
+    """Name the missing attribute. ``test-name`` is LL310's."""
+    tag, name = problem.tag, problem.attribute
     if name == "test-name":
         return
     notes: tuple[str, ...]

@@ -38,17 +38,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest
+from launchlint.syntax.problems import RootNotLaunch
 
 RULE = Rule("LL102", "root-not-launch", Severity.ERROR, roslaunch="refuses")
 STOPS = "roslaunch stops with: Invalid roslaunch XML syntax: no root <launch> tag"
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Say what stands there instead; facts: ``tag`` of the root, ``count`` of ``<launch>`` elements."""
-    tag, count = problem.facts.get("tag", ""), problem.facts.get("count", 0)
+def tell(problem: RootNotLaunch, view: object) -> Iterator[Finding]:
+    """Say what stands there instead."""
+    tag, count = problem.tag, problem.count
     if count and tag != "launch":
         alone = count == 1
         yield RULE.at(

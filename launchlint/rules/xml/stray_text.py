@@ -37,22 +37,22 @@ import posixpath
 from collections.abc import Iterator
 
 from launchlint.finding import Edit, Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import has_placeholder
 from launchlint.source import Place
+from launchlint.syntax.problems import StrayText
 
 RULE = Rule("LL107", "stray-text", Severity.WARNING, fixable="safe")
 
 _QUOTES = ('"', "'")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
+def tell(problem: StrayText, view: object) -> Iterator[Finding]:
     """Show the text, unless it is the placeholder of a template.
 
     Facts: ``text``, ``parent``, ``because`` (``tag``, or what makes a rosparam ignore its text).
     """
-    text, parent, because = problem.facts["text"], problem.facts["parent"], problem.facts["because"]
+    text, parent, because = problem.text, problem.parent, problem.because
     words = " ".join(text.split())
     if has_placeholder(words):
         return

@@ -38,21 +38,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import Spot, fix, rename_attribute, spot
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely, switched_off
+from launchlint.syntax.problems import UnknownAttribute
 from launchlint.syntax.ros1.dialect import TAGS
 
 RULE = Rule("LL104", "unknown-attribute", Severity.WARNING, roslaunch="reports", fixable="safe")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Name the attribute that was meant; facts: ``tag``, ``attribute``, ``known`` (not given yet), ``owners``, ``silent``."""
-    facts = problem.facts
-    tag, name, owners = facts["tag"], facts["attribute"], facts["owners"]
-    silent: bool = facts["silent"]
-    off = None if owners else _switched_off(tag, name, facts["known"])
+def tell(problem: UnknownAttribute, view: object) -> Iterator[Finding]:
+    """Name the attribute that was meant."""
+    tag, name, owners = problem.tag, problem.attribute, problem.owners
+    silent: bool = problem.silent
+    off = None if owners else _switched_off(tag, name, problem.known)
     if off is not None:
         yield RULE.at(
             problem.origin,
@@ -62,8 +61,8 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
             help=f"if that is meant, remove it, or put it into a comment; else write {off}",
         )
         return
-    near = closest(name, facts["known"])
-    sure = near is not None and not owners and surely(name, facts["known"]) == near
+    near = closest(name, problem.known)
+    sure = near is not None and not owners and surely(name, problem.known) == near
     # An attribute of somebody's own stands in many files for one reason, a slip of the pen in one.
     cause = f"{tag} {name}" if near is None else f"{problem.place.source.path} {tag} {name} {near} {sure}"
     belongs = f"{name} belongs to {_tags(owners)}" if owners else ""

@@ -40,11 +40,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import Spot, fix, rename_tag, spot
 from launchlint.rules.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely, switched_off
+from launchlint.syntax.problems import UnknownTag
 from launchlint.syntax.ros1.dialect import TAGS
 from launchlint.syntax.tree import Element
 
@@ -54,10 +54,10 @@ _CUSTOM = 3
 """Launch files in which a tag of nobody's is no slip any more."""
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Name the tag that was meant; facts: ``tag``, ``parent``, ``known`` (what may stand there), ``ignored`` (without a word)."""
-    tag, parent, known = problem.facts["tag"], problem.facts["parent"], problem.facts["known"]
-    ignored: bool = problem.facts["ignored"]
+def tell(problem: UnknownTag, view: object) -> Iterator[Finding]:
+    """Name the tag that was meant."""
+    tag, parent, known = problem.tag, problem.parent, problem.known
+    ignored: bool = problem.ignored
     off = switched_off(tag, known)
     if off is not None:
         yield RULE.at(

@@ -44,15 +44,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.problem import Problem
 from launchlint.rules.rule import Rule
+from launchlint.syntax.problems import UnreadableFile
 
 RULE = Rule("LL100", "unreadable-file", Severity.ERROR, roslaunch="refuses")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
+def tell(problem: UnreadableFile, view: object) -> Iterator[Finding]:
     """Say why the file cannot be read."""
-    reason = problem.facts["reason"]
+    reason = problem.reason
     notes = (
         () if problem.refused else ("roslaunch may be able to load it; launchlint does not try, since such files can exhaust a machine",)
     )

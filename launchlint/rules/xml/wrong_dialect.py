@@ -38,19 +38,18 @@ import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.problem import Problem
 from launchlint.rules.edits import LOADS, fix, rename_attribute, replace, spot
 from launchlint.rules.rule import Rule
+from launchlint.syntax.problems import WrongDialect
 
 _SAME = re.compile(r"\$\(\s*(var|find-pkg-share)\s+([\w-]+)\s*\)")
 
 RULE = Rule("LL112", "wrong-dialect", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
-def tell(problem: Problem, view: object) -> Iterator[Finding]:
-    """Give the way of ROS 1; facts: ``tag``, ``what`` (tag, attribute or substitution), ``construct``, ``instead``."""
-    facts = problem.facts
-    what, construct, instead = facts["what"], facts["construct"], facts["instead"]
+def tell(problem: WrongDialect, view: object) -> Iterator[Finding]:
+    """Give the way of ROS 1."""
+    what, construct, instead = problem.what, problem.construct, problem.instead
     if what == "tag":
         message, note = f"<{construct}> is a tag of ROS 2", "roslaunch (ROS 1) prints a warning and skips it, with all that it contains"
     elif what == "attribute":
@@ -70,9 +69,9 @@ def tell(problem: Problem, view: object) -> Iterator[Finding]:
     )
 
 
-def _fix(problem: Problem, view: object) -> Fix | None:
+def _fix(problem: WrongDialect, view: object) -> Fix | None:
     """What has another name in ROS 1 and means the same gets that."""
-    what, instead, place = problem.facts["what"], problem.facts["instead"], problem.place
+    what, instead, place = problem.what, problem.instead, problem.place
     at = spot(view, place)
     if what == "attribute" and instead.isidentifier():
         return fix(f"write {instead}", rename_attribute(at, instead), safe=False, changes=LOADS)

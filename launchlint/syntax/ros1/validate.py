@@ -12,6 +12,20 @@ from collections.abc import Mapping
 from launchlint.late import late
 from launchlint.problem import Problem
 from launchlint.source import Span
+from launchlint.syntax.problems import (
+    ArgValueAndDefault,
+    ConflictingAttributes,
+    DeprecatedConstruct,
+    IfAndUnless,
+    IneffectiveAttribute,
+    InvalidValue,
+    MisplacedTag,
+    MissingAttribute,
+    StrayText,
+    UnknownAttribute,
+    UnknownTag,
+    WrongDialect,
+)
 from launchlint.syntax.ros1.dialect import (
     PARAM_SOURCES,
     ROS2_ATTRIBUTES,
@@ -42,18 +56,18 @@ from launchlint.syntax.tree import Attribute, Document, Element
 __all__ = ["KINDS", "validate"]
 
 KINDS = (
-    "unknown-tag",
-    "unknown-attribute",
-    "missing-attribute",
-    "misplaced-tag",
-    "stray-text",
-    "if-and-unless",
-    "invalid-value",
-    "conflicting-attributes",
-    "arg-value-and-default",
-    "ineffective-attribute",
-    "deprecated-construct",
-    "wrong-dialect",
+    UnknownTag,
+    UnknownAttribute,
+    MissingAttribute,
+    MisplacedTag,
+    StrayText,
+    IfAndUnless,
+    InvalidValue,
+    ConflictingAttributes,
+    ArgValueAndDefault,
+    IneffectiveAttribute,
+    DeprecatedConstruct,
+    WrongDialect,
 )
 """Every kind of problem :func:`validate` can make."""
 
@@ -65,7 +79,7 @@ _NO_DOLLAR = Domain("fixed-condition", "true, false, 1 or 0 (no $(…) on <launc
 def validate(document: Document) -> list[Problem]:
     """The problems of ``document.launch`` and all below it, in document order.
 
-    Kinds: :data:`KINDS`; their facts: :mod:`launchlint.syntax.ros1.problems`.
+    They are of the :data:`KINDS`.
     """
     launch = document.launch
     if launch is None:
@@ -98,7 +112,7 @@ class _Validator:
             below.reverse()
             stack.extend(below)
             if dead:
-                problems[before:] = [problem._replace(refused=False) for problem in problems[before:]]
+                problems[before:] = [problem.but(refused=False) for problem in problems[before:]]
         problems.sort(key=lambda problem: problem.origin.place.span)
         return problems
 
@@ -111,9 +125,9 @@ class _Validator:
         if rule is not None and rule.tag in parent_rule.children:
             if rule.status != "defunct":
                 return rule
-            self._problems.append(deprecated_construct(document, child, child.name_span, f"<{rule.tag}>", rule.instead))
+            self._problems.append(deprecated_construct(document, child.name_span, f"<{rule.tag}>", rule.instead))
         elif parent_rule.tag == "machine" and child.tag == "env":
-            self._problems.append(deprecated_construct(document, child, child.name_span, "machine env", "env-loader", refused=True))
+            self._problems.append(deprecated_construct(document, child.name_span, "machine env", "env-loader", refused=True))
         elif rule is not None:
             self._problems.append(misplaced_tag(document, child, parent_rule.tag, parent_rule.children_noticed))
         elif child.tag in ROS2_TAGS:
@@ -161,8 +175,9 @@ class _Validator:
         foreign_node = ros2 and ("exec" in attributes or rule.tag == "param")
         if foreign_node:
             # roslaunch misses the attributes that ROS 2 spells differently: that is said already.
-            at = next(index for index in range(len(problems) - 1, -1, -1) if problems[index].facts.get("construct") in ("exec", "from"))
-            problems[at] = problems[at]._replace(refused=True)
+            at, foreigner = next((index, each) for index, each in reversed([*enumerate(problems)])
+                                 if isinstance(each, WrongDialect) and each.construct in ("exec", "from"))  # fmt: skip
+            problems[at] = foreigner.but(refused=True)
             return
         for name in rule.required:
             if name not in attributes:
@@ -194,15 +209,15 @@ class _Validator:
                 problems.append(conflicting_attributes(document, element, "test-attribute", (known.name,)))
             else:
                 construct = f"{rule.tag} {known.name}"
-                problems.append(deprecated_construct(document, element, attribute.name_span, construct, known.instead, refused=bool(value)))
+                problems.append(deprecated_construct(document, attribute.name_span, construct, known.instead, refused=bool(value)))
         elif known.status == "deprecated":
-            problems.append(deprecated_construct(document, element, attribute.name_span, f"{rule.tag} {known.name}", known.instead))
+            problems.append(deprecated_construct(document, attribute.name_span, f"{rule.tag} {known.name}", known.instead))
         elif known.status == "ineffective" and rule.tag == "test":
-            problems.append(ineffective_attribute(document, element, f"{known.name}-on-test", known.name))
+            problems.append(ineffective_attribute(document, element, "required-on-test", known.name))
         if "xacro.py" in value and rule.tag in ("param", "arg"):
             for match in _XACRO.finditer(value):
                 span = attribute.span_of(*match.span())
-                problems.append(deprecated_construct(document, element, span, "xacro.py", "xacro (ROS Noetic has no xacro.py any more)"))
+                problems.append(deprecated_construct(document, span, "xacro.py", "xacro (ROS Noetic has no xacro.py any more)"))
 
     def _substitutions(self, element: Element, attribute: Attribute) -> None:
         value = attribute.value

@@ -1,4 +1,4 @@
-"""What one element and its parent tell: input, kind, place and facts side by side."""
+"""What one element and its parent tell: input, kind, place and fields side by side."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import pytest
 from launchlint.problem import Problem
 from launchlint.syntax.parse import parse
 from launchlint.syntax.ros1.validate import KINDS, validate
+from tests.syntax.fields import own_fields
 
 
 def problems(content: str) -> list[Problem]:
@@ -18,8 +19,9 @@ def problems(content: str) -> list[Problem]:
 
 
 def shown(problem: Problem) -> tuple[Any, ...]:
-    facts = {name: value for name, value in problem.facts.items() if name not in ("known", "owners", "choices", "instead")}
-    return (problem.kind, problem.place.text, "refused" if problem.refused else "accepted", facts)
+    hidden = ("known", "owners", "choices", "instead", "environment")
+    fields = {name: value for name, value in own_fields(problem).items() if name not in hidden}
+    return (problem.kind, problem.place.text, "refused" if problem.refused else "accepted", fields)
 
 
 NODE = '<node name="n" pkg="p" type="t"{}/>'
@@ -60,23 +62,23 @@ CASES: list[tuple[str, list[tuple[Any, ...]]]] = [
     (
         '<machine name="m" address="a"><env/><Env/></machine>',
         [
-            ("deprecated-construct", "env", "refused", {"tag": "env", "construct": "machine env"}),
+            ("deprecated-construct", "env", "refused", {"construct": "machine env"}),
             ("unknown-tag", "Env", "accepted", {"tag": "Env", "parent": "machine", "ignored": False}),
         ],
     ),
     (
         '<machine name="m" address="a" ros-root="/r" ros-ip=""/>',
         [
-            ("deprecated-construct", "ros-root", "refused", {"tag": "machine", "construct": "machine ros-root"}),
-            ("deprecated-construct", "ros-ip", "accepted", {"tag": "machine", "construct": "machine ros-ip"}),
+            ("deprecated-construct", "ros-root", "refused", {"construct": "machine ros-root"}),
+            ("deprecated-construct", "ros-ip", "accepted", {"construct": "machine ros-ip"}),
         ],
     ),
     (
         '<master auto="start"/><rosparam ns="a">b: 1</rosparam><param name="r" command="$(find xacro)/xacro.py a.xacro"/>',
         [
-            ("deprecated-construct", "master", "accepted", {"tag": "master", "construct": "<master>"}),
-            ("deprecated-construct", "ns", "accepted", {"tag": "rosparam", "construct": "rosparam ns"}),
-            ("deprecated-construct", "xacro.py", "accepted", {"tag": "param", "construct": "xacro.py"}),
+            ("deprecated-construct", "master", "accepted", {"construct": "<master>"}),
+            ("deprecated-construct", "ns", "accepted", {"construct": "rosparam ns"}),
+            ("deprecated-construct", "xacro.py", "accepted", {"construct": "xacro.py"}),
         ],
     ),
     (
@@ -276,15 +278,15 @@ def test_on_launch(attributes: str, expected: list[tuple[Any, ...]]) -> None:
 
 def test_what_is_known_and_who_has_it() -> None:
     (tag,) = problems("<grup/>")
-    assert tag.facts["known"] == ("arg", "group", "include", "machine", "node", "test", "param", "rosparam", "remap", "env", "master")
+    assert tag.known == ("arg", "group", "include", "machine", "node", "test", "param", "rosparam", "remap", "env", "master")
     (attribute,) = problems('<group ns="a" file="x"><arg name="a"/></group>')
-    assert (attribute.facts["known"], attribute.facts["owners"]) == (("if", "unless", "clear_params"), ("rosparam", "include"))
+    assert (attribute.known, attribute.owners) == (("if", "unless", "clear_params"), ("rosparam", "include"))
     (value,) = problems(NODE.format(' output="Screen"'))
-    assert value.facts["choices"] == ("log", "screen")
+    assert value.choices == ("log", "screen")
 
 
 def test_every_kind_is_made_here() -> None:
-    made = {problem.kind for content, _ in CASES for problem in problems(content)}
+    made = {type(problem) for content, _ in CASES for problem in problems(content)}
     assert made == set(KINDS)
 
 
