@@ -9,19 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any, TypeVar
+    from typing import Any, Literal, TypeVar
 
     Kind = TypeVar("Kind", bound=Problem)
-
-Role = Literal["package", "executable", "name", "test_name", "namespace", "arguments", "prefix", "machine", "output", "cwd", "remaps"]
-"""What a part of a node is for, whatever a dialect calls what it is written in (``pkg``, ``ns``, ``args`` …)."""
+    Role = Literal["package", "executable", "name", "test_name", "namespace", "arguments", "prefix", "machine", "output", "cwd", "remaps"]
+    """What a part of a node is for, whatever a dialect calls what it is written in (``pkg``, ``ns``, ``args`` …)."""
+else:
+    Role = str
 
 
 class Unknown:

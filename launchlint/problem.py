@@ -16,25 +16,12 @@ if TYPE_CHECKING:
     from typing import Any
 
     from typing_extensions import Self, dataclass_transform
+
+    @dataclass_transform(kw_only_default=True, frozen_default=True)
+    class _Record:
+        """Its subclasses are frozen dataclasses to type checkers; made by hand, since those of the standard library take long to make."""
 else:
-
-    def dataclass_transform(**_):
-        """What says to type checkers how the fields of a class make its signature; Python has it from 3.11 on."""
-        return lambda class_: class_
-
-
-@dataclass_transform(kw_only_default=True, frozen_default=True)
-class _Record:
-    """Fields by name, which do not change: what type checkers take for a frozen dataclass, at a hundredth of the time to import."""
-
-    def __init__(self, **fields: Any) -> None:
-        object.__setattr__(self, "__dict__", fields)
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"{type(self).__name__} does not change")
-
-    def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in vars(self).items())})"
+    _Record = object
 
 
 class Problem(_Record):
@@ -48,6 +35,15 @@ class Problem(_Record):
     refused: bool = False
     related: tuple[tuple[Place, str], ...] = ()
     assumed: bool = False
+
+    def __init__(self, **fields: Any) -> None:
+        object.__setattr__(self, "__dict__", fields)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"{type(self).__name__} does not change")
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in vars(self).items())})"
 
     @property
     def place(self) -> Place:

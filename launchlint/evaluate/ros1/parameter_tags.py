@@ -18,7 +18,6 @@ from launchlint.evaluate.problems import (
     YamlDuplicateKey,
 )
 from launchlint.evaluate.ros1.file import FileEvaluation
-from launchlint.evaluate.ros1.missing_file import missing_file
 from launchlint.evaluate.ros1.scope import Context, set_private
 from launchlint.evaluate.ros1.scope_tags import check_quotes
 from launchlint.evaluate.ros1.substitution import resolve
@@ -150,6 +149,8 @@ def _command(file: FileEvaluation, element: Element, line: str, type_: str) -> C
 
 def _missing(file: FileEvaluation, element: Element, attribute: str, name: str, reason: str, reads: frozenset[str]) -> None:
     """Record a file that cannot be read."""
+    from launchlint.evaluate.ros1.missing_file import missing_file  # only a file that is not there pays for it
+
     written = element.attributes[attribute]
     file.record(missing_file(file.session, file.at(written.shown_span), attribute, name, reason, environment=file.from_environment(reads)))
 
