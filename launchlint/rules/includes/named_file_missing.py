@@ -5,7 +5,8 @@ workspace. It is an error where roslaunch itself fails because of it: `command` 
 read the file. Files that are there to be written (behind `-o` or `>`, of a recorder) are passed over; logs, bags and the like, too, unless
 a file of nearly that name is there. It is an info where a file is made: by a command of `CMakeLists.txt`, from a template that
 lies beside it, by another node, or by what `.gitignore` keeps out of the repository; where it lies in a git submodule that is not checked
-out; and where the package has no file of that kind at all. What LL401 or LL502 tells is not told again.
+out; and where the package has no file of that kind at all. Silent it is where the name is made from an environment variable, also by way
+of args. What LL401 or LL502 tells is not told again.
 
 ## Why it matters
 
@@ -70,13 +71,15 @@ from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.model import Command
 from launchlint.rules.made_file import cause_of, made
+from launchlint.rules.of_environment import hangs_on_environment
 from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
-from launchlint.spelling import one_slip
+from launchlint.spelling import differs_in_meaning, one_slip
 from launchlint.workspace.looking import exists, names, walk
 from launchlint.workspace.nearby import nearby_file
+from launchlint.workspace.put_aside import is_out_of_use
 
 RULE = Rule("LL411", "named-file-missing", Severity.WARNING)
 
@@ -157,7 +160,7 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
     directory, name = posixpath.split(path)
     package = view.packages.package_of(path)
     written = use.origin.place.text
-    if package is None or (named.doubtful and one_slip(name, names(directory)) is None) or "env " in written or "env(" in written:
+    if package is None or (named.doubtful and one_slip(name, names(directory)) is None) or hangs_on_environment(written, use.origin, view):
         return
     ending = posixpath.splitext(path)[1]
     maker = made(path, view, root)
@@ -168,6 +171,7 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         severity, notes = Severity.INFO, [*notes, maker.why]
     elif near is None and not _has_any(package.directory, ending):
         severity, notes = Severity.INFO, [*notes, f"no {ending} file at all is in {package.name}: it may be made, or come from elsewhere"]
+    near = near or _elsewhere(path, package.directory)
     advice = f"did you mean {near}?" if near is not None else "correct the path, or add the file"
     yield RULE.at(
         use.origin,
@@ -179,6 +183,22 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         topic=path,
         shared_cause=cause_of(path, maker),
     )
+
+
+def _elsewhere(path: str, package: str) -> str | None:
+    """The only file of this name in the package, or else the only one in its directory whose name has more, or fewer, words."""
+    directory, name = posixpath.split(path)
+    same = [posixpath.join(parent, name) for parent, listed in walk(package, _MOST_DIRECTORIES) if name in listed]
+    if len(same) == 1 and not is_out_of_use(same[0], path):
+        return posixpath.relpath(same[0], package)
+    stem, ending = posixpath.splitext(name)
+    others = ((other, other.removesuffix(ending)) for other in names(directory) if other.endswith(ending))
+    longer = [other for other, words in others if _goes_on(words, stem) or _goes_on(stem, words)]
+    return longer[0] if len(longer) == 1 and not differs_in_meaning(longer[0], name) else None
+
+
+def _goes_on(longer: str, stem: str) -> bool:
+    return longer.startswith((f"{stem}_", f"{stem}-"))
 
 
 def _has_any(directory: str, ending: str) -> bool:
