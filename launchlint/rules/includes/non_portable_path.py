@@ -1,11 +1,11 @@
 """A file is named in a way that works on one machine or from one directory only.
 
 What it does: it looks at the files that `<include>`, `<rosparam>`, `textfile` and `binfile` name, as they are written. It speaks about
-absolute paths of includes, about paths below a home directory or a source workspace, about `~`, which roslaunch does not expand, about
-`..` that leads out of the package (an info where it leads just into the package beside it, since packages lie side by side once
-installed, too), and about relative names, which count from the directory roslaunch is started in. Absolute names of system configuration
-(`/etc`, `/dev`, `/tmp` and the like) are passed over, and so is all that begins with a substitution other than `$(find …)` and
-`$(dirname)`.
+absolute paths of includes, about paths below a home directory or a source workspace, about `~`, which roslaunch does not expand, about `..`
+that leads out of the package (an info where it leads just into the package beside it, since packages lie side by side once installed, too,
+and where it begins in a package that is not here: how that lies, its own people know), and about relative names, which count from the
+directory roslaunch is started in. Absolute names of system configuration (`/etc`, `/dev`, `/tmp` and the like) are passed over, and so is
+all that begins with a substitution other than `$(find …)` and `$(dirname)`.
 
 Home directories that the containers of the workspace have (Dockerfiles, compose files, `docker run` in scripts) are passed over.
 
@@ -198,7 +198,9 @@ def _above(value: str, view: FileView) -> _Fault | None:
             if _is_sibling(match, value, view):
                 note = "it works as long as the packages lie side by side, in folders of their names"
                 return _Fault(message, note, _beside(match, view), Severity.INFO)
-            return _Fault(message, "packages lie side by side in a source workspace only, not once installed", _beside(match, view))
+            note = "packages lie side by side in a source workspace only, not once installed"
+            foreign = match[1] is not None and not view.packages.has(match[1])
+            return _Fault(message, note, _beside(match, view), Severity.INFO if foreign else None)
     return None
 
 

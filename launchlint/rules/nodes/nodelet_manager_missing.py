@@ -3,7 +3,8 @@
 What it does: for every `nodelet load CLASS MANAGER` it resolves the manager's name as the node does and looks for a node of that
 full name. It is an error where the name is one slip away from a node of the launch, a warning where the launch has other managers
 or other nodelets spell the name a letter otherwise, and an info where it has none at all: a file may be meant to be included
-beside a manager, or to be started beside one.
+beside a manager, or to be started beside one. It is silent where a launch file includes this one together with files that are not here:
+these may start the manager.
 
 ## Why it matters
 
@@ -61,6 +62,8 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
             yield RULE.fine(place)
             continue
         unsure = not launch.complete or not known or not node.knows("namespace") or any(condition.assumed for condition in node.conditions)
+        if not launch.complete and _slip(full, names - {node.full_name}) is None:
+            yield RULE.fine(place)  # a file that is not here may start it
         if unsure or manager.startswith("~") or _is_remapped(node, full):
             continue
         slip = _slip(full, names - {node.full_name})

@@ -5,13 +5,13 @@ after substitution, and the file has to be readable UTF-8 text (but for `binfile
 
 ## Why it matters
 
-roslaunch refuses the launch file, and with it every launch file that includes it. It is a warning where the file may
-well be there on the robot: a path outside of all packages, a relative one, and one that `CMakeLists.txt` may install. It is
-an info where a system keeps its own files (`/etc`, `/opt`, `/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the
-workspace; where the path is made from an environment variable, whose value here says little; and where the file is made: by a command
-of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, or by what `.gitignore` keeps out of the repository;
-where it lies in a git submodule that is not checked out; and where only the default of an arg leads there that all files which include
-this one override. A directory that is missing is told once, with all files that would be in it.
+roslaunch refuses the launch file, and with it every launch file that includes it. It is a warning where the file may well be there on the
+robot: a path outside of all packages, a relative one, and one that `CMakeLists.txt` may install. It is an info where a system keeps its own
+files (`/etc`, `/opt`, `/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; where an arg gives a relative
+path; where the path is made from an environment variable, whose value here says little; and where the file is made: by a command of
+`CMakeLists.txt`, from a template that lies beside it, by a node that writes it, or by what `.gitignore` keeps out of the repository; where
+it lies in a git submodule that is not checked out; and where only the default of an arg leads there that all files which include this one
+override. A directory that is missing is told once, with all files that would be in it.
 
 ## Example
 
@@ -44,6 +44,7 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import ParamFileMissing
 from launchlint.finding import Finding, Severity
+from launchlint.rules.includes.default_to_correct import has_arg
 from launchlint.rules.installed import installed_from
 from launchlint.rules.joined import led_by
 from launchlint.rules.left_over import left_over_in
@@ -84,6 +85,9 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     elif maker is not None:
         severity = Severity.INFO
         notes.append(maker.why)
+    elif path and problem.relative and has_arg(problem.place.text):
+        severity = Severity.INFO
+        notes.append("an arg says which file, so that this one may stand for any")
     elif path and (problem.relative or problem.elsewhere):
         severity = Severity.WARNING
     robots = missing and maker is None and look and is_robots(problem.file, view.packages, root_of(problem.place.source))
