@@ -85,7 +85,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     elif maker is not None:
         severity = Severity.INFO
         notes.append(maker.why)
-    elif path and problem.relative and has_arg(problem.place.text):
+    elif path and problem.relative and "(" not in path and has_arg(problem.place.text):
         severity = Severity.INFO
         notes.append("an arg says which file, so that this one may stand for any")
     elif path and (problem.relative or problem.elsewhere):
