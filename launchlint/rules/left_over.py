@@ -7,8 +7,10 @@ from launchlint.rules.view import LaunchView
 
 
 def cause_at(problem: UnexpandedSubstitution) -> str:
-    """What LL215 tells of together with all that follows: ``problem`` is its own."""
-    return f"left over {problem.place.source.path} {problem.place.span.start}"
+    """What LL215 tells of together with all that follows: ``problem`` is its own. A slip of several letters is copied as it is."""
+    if problem.extra:
+        return f"left over {problem.place.source.path} {problem.place.span.start}"
+    return f"left over {'in rosparam ' if problem.rosparam else ''}{problem.text.strip()}"
 
 
 def left_over_in(name: str, view: LaunchView) -> str:

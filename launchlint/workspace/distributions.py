@@ -17,10 +17,14 @@ from launchlint.workspace.texts import texts
 _MOST_DIRECTORIES = 400
 _MOST_FILES = 600
 _WORKFLOWS = os.path.join(".github", "workflows")
-_ENDS = (".yml", ".yaml", ".sh", ".bash", ".rosinstall", ".repos", ".dockerfile")
+_ENDS = (".yml", ".yaml", ".sh", ".bash", ".rosinstall", ".repos", ".dockerfile", ".workspace")
 _CMAKE = "CMakeLists.txt"
 # What catkin_create_pkg wrote: links to the documents of the distribution of its day; since Noetic (catkin_pkg 0.4.16) CMake 3.0.2.
-_LINKED = re.compile(r"ros\.org/doc/(groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic)/")
+# Their CMakeLists.txt in src/ is a link into the distribution that built the workspace (a file that names it where links were lost).
+_LINKED = re.compile(
+    r"(?:docs\.ros\.org|ros\.org/doc)/(groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic)/"
+    r"|\A\s*/opt/ros/(groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic)/share/catkin/"
+)
 _NEW_TEMPLATE = re.compile(r"^[ \t]*cmake_minimum_required\s*\(\s*VERSION\s+3\.(?:0\.2|[1-9])", re.MULTILINE | re.IGNORECASE)
 _NAMED = re.compile(r"(?<![A-Za-z])(fuerte|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic)(?![A-Za-z])", re.IGNORECASE)
 
@@ -64,16 +68,17 @@ class Distributions(NamedTuple):
         return bool(self.meant) and max(self.meant) < distribution.lower()
 
 
-def read_distributions(directories: Iterable[str]) -> Distributions:
-    """The distributions that files below ``directories`` name. Bounded; never raises."""
+def read_distributions(directories: Iterable[str], packages: Iterable[str] = ()) -> Distributions:
+    """The distributions that files below ``directories`` name, and those in the directories of ``packages``. Bounded; never raises."""
     looked: set[str] = set()
     found: set[str] = set()
     templates: set[str] = set()
     installs: set[str] = set()
     fetched: dict[str, str] = {}
-    for file, text in texts(_places(directories), _MOST_FILES, looked):
+    for file, text in texts(_places(directories, packages), _MOST_FILES, looked):
         if file.endswith(_CMAKE):
-            templates.update(_LINKED.findall(text), ["noetic"] if _NEW_TEMPLATE.search(text) else [])
+            templates.update(match[1] or match[2] for match in _LINKED.finditer(text))
+            templates.update(["noetic"] if _NEW_TEMPLATE.search(text) else [])
             continue
         found.update(name.lower() for name in _NAMED.findall(text))
         if _INSTALLS.search(text) or (_COLCON.search(text) and not _ROS_2.search(text)):
@@ -85,15 +90,17 @@ def read_distributions(directories: Iterable[str]) -> Distributions:
     return Distributions(frozenset(found), frozenset(looked), frozenset(installs), frozenset(templates), MappingProxyType(fetched))
 
 
-def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
+def _places(directories: Iterable[str], packages: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
+    seen: set[str] = set()
     for top in directories:
         workflows = os.path.join(top, _WORKFLOWS)
         for directory, listed in ((workflows, names(workflows)), (top, names(top)), *walk(top, _MOST_DIRECTORIES)):
-            yield (
-                directory,
-                [
-                    name
-                    for name in listed
-                    if name.lower().startswith(("readme", "dockerfile")) or name.lower().endswith(_ENDS) or name == _CMAKE
-                ],
-            )
+            seen.add(directory)
+            yield directory, [name for name in listed if _is_wanted(name)]
+    for directory in packages:  # what a workspace with too many directories has left
+        if directory not in seen:
+            yield directory, [name for name in names(directory) if _is_wanted(name)]
+
+
+def _is_wanted(name: str) -> bool:
+    return name.lower().startswith(("readme", "dockerfile")) or name.lower().endswith(_ENDS) or name == _CMAKE

@@ -23,6 +23,8 @@ from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.prefixes import Prefix
 
 _SCRIPT_ENDS = (".py", ".sh", ".bash", ".pl", ".rb", ".lua")
+_CONFIGURES = ".cfg"
+"""Descriptions for dynamic_reconfigure are scripts that the build runs."""
 _RELAYED = "catkin_install_python(PROGRAMS)"
 _EXECUTABLE = stat.S_IRUSR | stat.S_IXUSR
 
@@ -80,6 +82,11 @@ class Executables:
     def names(self) -> list[str]:
         """Their names, sorted."""
         return list(self.by_name)
+
+    @property
+    def programs(self) -> list[str]:
+        """Those of the names that people would call programs: what is built, and scripts; any file may have the executable bit."""
+        return [each.name for each in self.by_name.values() if each.how != "file" or _is_program(each.path)]
 
     @property
     def has_runnable_script(self) -> bool:
@@ -231,6 +238,10 @@ class ExecutableIndex:
         if package.directory not in self._made:
             self._made[package.directory] = made_files(package)
         return self._made[package.directory]
+
+
+def _is_program(path: str | None) -> bool:
+    return path is not None and not path.endswith(_CONFIGURES) and start(path) in (b"#!", b"\x7fE")
 
 
 def _is_installed(package: Package) -> bool:

@@ -12,11 +12,14 @@ from launchlint.workspace.texts import texts
 
 _MOST_DIRECTORIES = 2_000
 _MOST_FILES = 1_000
+_OF_DOCUMENTS = frozenset(("doc", "docs", "documentation", "manual", "manuals", "wiki"))
 _DOCUMENT_ENDS = ("", ".md", ".rst", ".txt", ".adoc", ".rdoc")
 _SHORTEST = 6
 # A word with an underscore, or one behind a slash (an address) or within back quotes: other words stand in documents for other reasons.
 _WORD = re.compile(r"(?<![\w-])([A-Za-z]\w*_\w*)(?![\w-])")
 _QUOTED = re.compile(r"(?:(?<=`)|(?<=\w/))([A-Za-z][\w-]{0,200})(?=`|[\s)>.\"']|$)")
+# A variable that people are told to set.
+_EXPORTED = re.compile(r"\bexport[ \t]+([A-Za-z_]\w{0,200})=")
 _INSTALL = re.compile(r"\binstall", re.IGNORECASE)
 # A name alone in its line is a heading: what is documented here, perhaps under a former name.
 _HEADING = re.compile(r"^[# \t]*[\w-]+[ \t\r:]*$", re.MULTILINE)
@@ -34,7 +37,7 @@ class Mentions(NamedTuple):
 
 
 def read_documents(directories: Iterable[str]) -> Mentions:
-    """The names of six letters or more in the ``README*`` below ``directories``, and in documents below a ``doc`` or ``docs``.
+    """The names of six letters or more in the ``README*`` below ``directories``, and in documents below a ``doc``, ``docs`` and the like.
 
     Bounded; never raises.
     """
@@ -44,7 +47,7 @@ def read_documents(directories: Iterable[str]) -> Mentions:
     for file, text in texts(_places(directories), _MOST_FILES, looked):
         installing.update(dict.fromkeys(install_lines(text)))
         text = _HEADING.sub("", text)
-        for match in (*_WORD.finditer(text), *_QUOTED.finditer(text)):
+        for match in (*_WORD.finditer(text), *_QUOTED.finditer(text), *_EXPORTED.finditer(text)):
             if len(match[1]) >= _SHORTEST:
                 found.setdefault(match[1].removesuffix(".git"), file)
     return Mentions(found, frozenset(looked), tuple(installing))
@@ -64,11 +67,11 @@ def says_install(name: str, lines: Iterable[str]) -> bool:
 def _places(directories: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
     for top in directories:
         for directory, listed in walk(top, _MOST_DIRECTORIES):
-            inside = not {"doc", "docs"}.isdisjoint(os.path.relpath(directory, top).lower().split(os.sep))
+            inside = not _OF_DOCUMENTS.isdisjoint(os.path.relpath(directory, top).lower().split(os.sep))
             yield directory, [name for name in listed if _is_document(name, inside=inside)]
 
 
 def _is_document(name: str, *, inside: bool) -> bool:
     """Whether a file is a ``README``, or any text ``inside`` a directory of documents."""
     start, end = os.path.splitext(name.lower())
-    return end in _DOCUMENT_ENDS and (start == "readme" or (inside and bool(end))) and name != "CMakeLists.txt"
+    return end in _DOCUMENT_ENDS and (start.startswith("readme") or (inside and bool(end))) and name != "CMakeLists.txt"

@@ -303,7 +303,8 @@ class Packages:
         from launchlint.workspace.looking import note
 
         if self._distributions is None:
-            self._distributions = read_distributions(self.workspaces)
+            own = (each.directory for place in self.places[: len(self.workspaces)] for each in place.everything)
+            self._distributions = read_distributions(self.workspaces, own)
         note(self._distributions.looked)
         return self._distributions
 

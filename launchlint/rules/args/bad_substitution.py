@@ -27,7 +27,7 @@ roslaunch refuses the file when it gets to the value.
 ## Fix
 
 `--fix` writes the command that the name is one slip away from: `$(args x)` becomes `$(arg x)`. What asks for a package as in a shell,
-`$(rospack find x)`, becomes `$(find x)`.
+`$(rospack find x)`, becomes `$(find x)`. `--unsafe-fixes` closes a `$(eval …` that lacks its last parenthesis.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from collections.abc import Iterator
 from launchlint.evaluate.problems import BadSubstitution
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.late import late
-from launchlint.rules.edits import LOADS, fix, replace, spot
+from launchlint.rules.edits import LOADS, Spot, fix, replace, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely
 from launchlint.syntax.ros1.dialect import ROS2_SUBSTITUTIONS
@@ -58,17 +58,31 @@ def tell(problem: BadSubstitution, view: object) -> Iterator[Finding]:
     command = words[0] if words else ""
     if command in ROS2_SUBSTITUTIONS:
         return
+    at = spot(view, problem.place)
+    open_eval = command == "eval" and at is not None and at.attribute is not None and _lacks_its_end(at.attribute.value)
+    if open_eval:
+        reason = "its last ) is missing"
     unknown = bool(command) and command not in (*COMMANDS, "eval") and "inside" not in reason
     yield RULE.at(
         problem.origin,
         f"{text[:60]}{'' if text.endswith(')') else '…'} cannot be resolved: {reason}",
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         notes=("roslaunch stops when it gets here",),
-        help=_advice(reason, command, words),
-        fix=_fix(problem, view, command, words) if unknown else None,
+        help="close it with ): the last character of the value must be the ) of $(eval" if open_eval else _advice(reason, command, words),
+        fix=_closed(at) if open_eval else _fix(problem, view, command, words) if unknown else None,
         label="not a command" if unknown else "",
         cause=f"{problem.place.source.path} {command if unknown else text} {reason} {problem.refused}",
     )
+
+
+def _lacks_its_end(value: str) -> bool:
+    """Whether all of ``value`` is one ``$(eval`` whose own parenthesis is not there: roslaunch wants it as the last character."""
+    return value.startswith("$(eval ") and value.count("(") == value.count(")") + 1
+
+
+def _closed(at: Spot | None) -> Fix | None:
+    value = "" if at is None or at.attribute is None else at.attribute.value
+    return fix("close it with )", set_value(at, f"{value})"), safe=False, changes=LOADS)
 
 
 def _fix(problem: BadSubstitution, view: object, command: str, words: list[str]) -> Fix | None:

@@ -4,7 +4,9 @@ Variables that every login or ROS installation sets are not told of, nor those t
 (`catkin_add_env_hooks`, `env-hooks/*.sh`), or one of a public package that the launch file, another that it reaches, or its own
 `package.xml` needs. Others may be set on the robot and not where this check runs; `env:` in `.launchlint.yaml` gives them a value for the
 check. The variables of a file are told of together. It is an info where the workspace itself sets or reads the variable elsewhere (a shell
-file, a Dockerfile, a service, `os.environ` or `getenv`), and where three or more launch files read it: it is the project's own.
+file, a Dockerfile, a service, `os.environ` or `getenv`), where a document of it or a comment of the launch file names the variable (then
+people are told to set it), and where three or more launch files read it: it is the project's own.
+
 ## Why it matters
 
 Where the variable is not set roslaunch refuses the file. `$(optenv NAME default)` works everywhere.
@@ -112,7 +114,19 @@ def slip_of(name: str) -> str | None:
 def _elsewhere(name: str, problem: EnvUnset, view: LaunchView) -> str:
     """Where the project itself sets or reads the variable, for people; empty where it does not. Launch files are not looked at here."""
     own = view.packages.own_variables().get(name)
-    return "" if own is None else f"{shown(own, root_of(problem.place.source))} sets or reads it, too"
+    if own is not None:
+        return f"{shown(own, root_of(problem.place.source))} sets or reads it, too"
+    if _in_comment(name, problem, view):
+        return "a comment of this file names it: it is an input of whoever starts this"
+    told = view.packages.documented_in(name)
+    return "" if told is None else f"{shown(told, root_of(problem.place.source))} names it: it is an input of whoever starts this"
+
+
+def _in_comment(name: str, problem: Problem, view: LaunchView) -> bool:
+    """Whether a comment of the file speaks of the variable as such; what is commented out reads it, and tells nothing."""
+    word = re.compile(rf"(?<![\w.-])(?<!env ){re.escape(name)}(?![\w-])")
+    written = (each.comments for each in view.documents.values() if each.source.path == problem.place.source.path)
+    return any(word.search(comment.text) is not None for comments in written for comment in comments)
 
 
 def _like(problem: EnvUnset, view: LaunchView) -> list[str]:

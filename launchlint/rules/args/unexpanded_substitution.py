@@ -2,7 +2,8 @@
 
 `$(arg x` without its closing parenthesis, `$arg x)`, `$arg(x)`, `${arg x}`, `$ (arg x)` and `(arg x)` are plain text for
 roslaunch, and so is every `$(…)` in a `<rosparam>` without `subst_value="true"`. A parenthesis too many behind a substitution
-stays in the value as well. What comes of it is told with it: files that are not found for that reason.
+stays in the value as well. What comes of it is told with it: files that are not found for that reason. The same text in several places is
+told once.
 
 ## Why it matters
 

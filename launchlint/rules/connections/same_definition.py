@@ -7,6 +7,8 @@ ServicePublication::validateHeader, rospy in rospy.impl.tcpros_pubsub and tcpros
 from __future__ import annotations
 
 ANY = "*"
+_TAKES_ANY = ("ShapeShifter", "AnyMsg")
+"""The types of roscpp and rospy whose MD5 sum is ``*``: they take every message (topic_tools::ShapeShifter, rospy.AnyMsg)."""
 
 _ALIKE = (
     ("tf2_msgs/TFMessage", "tf/tfMessage", "tf2_web_republisher/TFArray"),
@@ -55,8 +57,8 @@ def stands_for(name: str) -> str:
 
 
 def is_known(name: str) -> bool:
-    """Whether ``name`` is a type at all, not empty and not the one for any."""
-    return name not in ("", ANY)
+    """Whether ``name`` is a type at all, not empty and not one for any."""
+    return name not in ("", ANY) and name.rpartition("/")[2] not in _TAKES_ANY
 
 
 def may_be_alike(left: str, right: str, left_md5: str = "", right_md5: str = "") -> bool:

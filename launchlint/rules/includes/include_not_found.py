@@ -71,6 +71,7 @@ from launchlint.rules.robot_file import is_robots
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import has_placeholder
 from launchlint.rules.view import LaunchView
+from launchlint.rules.xml.malformed_xml import TEMPLATE
 from launchlint.spelling import closest
 from launchlint.workspace.looking import is_file, names, walk
 from launchlint.workspace.put_aside import is_out_of_use
@@ -148,8 +149,10 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
 def together(findings: Sequence[Finding]) -> Finding:
     """One for all: the mistake in the file, or in its name, is told before the includes that it breaks."""
     broken = next((each for each in findings if each.rule == "LL101"), None)
-    if broken is not None:  # at its own level: a template that is filled in later is no mistake of who includes it
+    if broken is not None and broken.topic == TEMPLATE:  # one that is filled in later is no mistake of who includes it
         return led_by(findings, "LL101")._replace(severity=broken.severity)
+    if broken is not None:
+        return led_by(findings, "LL101")
     return led_by(findings, "LL215")
 
 

@@ -5,8 +5,7 @@ Programs that CMake builds are passed over, and those that `catkin_install_pytho
 the devel space, which runs the script whatever it lacks. It is an info where the first line is missing, since nothing makes up for that
 elsewhere. It is a warning where `install()` gives the script
 the executable bit: it runs from an install space only. It is an info where another command of `CMakeLists.txt` names the
-script, as with `execute_process(COMMAND chmod +x …)`. Each script is told of once; where no script of a package has the bit, the
-package is.
+script, as with `execute_process(COMMAND chmod +x …)`. The scripts of a package that lack the same are told of together.
 
 ## Why it matters
 
@@ -67,10 +66,12 @@ rospy.init_node("teleop")
 
 from __future__ import annotations
 
+import posixpath
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
+from launchlint.rules.joined import joined
 from launchlint.rules.other_file import line_of, root_of, shown
 from launchlint.rules.package_contents import contents
 from launchlint.rules.rule import Rule
@@ -78,6 +79,7 @@ from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
 
 RULE = Rule("LL305", "not-executable", Severity.ERROR, roslaunch="reports")
+_MOST_NAMED = 6
 
 
 def check(view: LaunchView) -> Iterator[Finding]:
@@ -124,8 +126,25 @@ def check(view: LaunchView) -> Iterator[Finding]:
             related=((line_of(flaw.path, root), "its first line"),),
             notes=tuple(notes),
             help=help,
-            cause=f"{package.directory if none_has_it else flaw.path} {made is None} {installed} {wrapped}",
+            topic=path,
+            cause=f"{package.directory} {flaw.lacks_bit} {flaw.lacks_shebang} {made is None} {installed} {wrapped} {doubtful}",
         )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """The scripts of one package that lack the same."""
+    whole = joined(findings)
+    scripts = sorted({finding.topic for finding in findings})
+    if len(scripts) < 2:
+        return whole
+    names = [posixpath.basename(script) for script in scripts]
+    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    wrong = findings[0].message.partition("cannot be run: it has ")[2].partition(" (and at ")[0]
+    helps = list(dict.fromkeys(finding.help for finding in sorted(findings, key=lambda finding: finding.topic)))
+    return whole._replace(
+        message=f"{len(names)} scripts cannot be run: they have {wrong}: {', '.join(names[:_MOST_NAMED])}{more}",
+        help=f"{helps[0]}; the same for the others" if len(helps) > 1 else helps[0],
+    )
 
 
 def _words(path: str, lacks_bit: bool, lacks_shebang: bool) -> tuple[str, str]:

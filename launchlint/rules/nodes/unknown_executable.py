@@ -73,6 +73,7 @@ add_executable(drive_node src/drive.cpp)
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
@@ -109,6 +110,8 @@ def check(view: GraphView) -> Iterator[Finding]:
         if name in known.by_name or known.flaw(name) is not None:
             continue
         slip = _slip(name, known.names)
+        if not known.exhaustive and slip is not None and _ends(slip) != _ends(name):
+            slip = None  # what the build makes need not be a script of the same name
         exhaustive = known.exhaustive and not package.directory.startswith(SYSTEM_SHARE + "/")
         if not exhaustive and slip is None:
             yield from _by_library(node, view, here=True)
@@ -120,7 +123,7 @@ def check(view: GraphView) -> Iterator[Finding]:
         if same in scripts:
             same = f"{same}, which lacks the executable bit"
         near = same or slip or closest(name, known.names)
-        some = _some(known.names)
+        some = _some(known.programs)
         notes = [f"it has: {some}" if some else "it has no executables at all"]
         line = commented_out(package.directory, package.name, name)
         if line is not None:
@@ -195,6 +198,10 @@ def _slip(name: str, names: list[str]) -> str | None:
             return other
     slip = one_slip(name, names)
     return None if slip is None or not _same_digits(slip, name) else slip
+
+
+def _ends(name: str) -> str:
+    return posixpath.splitext(name)[1]
 
 
 def _same_digits(one: str, other: str) -> bool:

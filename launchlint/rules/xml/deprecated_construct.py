@@ -6,9 +6,10 @@ Noetic does not have. So are programs and params of which the library knows that
 (`robot_state_publisher/state_publisher`, `use_gui` of joint_state_publisher), where the package is not in the workspace. A param that is
 set to what was its default is an info: it changed nothing when it was still read. One that is shadowed by the node's own private param is
 left alone. What a distribution removed is an info, too, where the workspace itself (a README, a workflow, an image, a script; where none
-of these names any, the templates of the `CMakeLists.txt`) names older distributions only, and where a launch file of the same package, or
-its `package.xml`, needs a public package that was never released for that distribution. Each such program or param, `<master>` and `ns`
-are told of once, with all places.
+of these names any, the templates of the `CMakeLists.txt`) names older distributions only, where the package is built with rosbuild (it
+has a `manifest.xml`), and where a launch file of the same package, or its `package.xml`, needs a public package that was never released for
+that distribution. Each such program or param, `<master>` and `ns` are told of once, with all places.
+
 ## Why it matters
 
 Some are ignored, some still work, some make roslaunch refuse the file: none does what the author once relied on.
@@ -39,6 +40,7 @@ before Kinetic only `--unsafe-fixes` does so. `--unsafe-fixes` removes attribute
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Mapping
 
 from launchlint.finding import Finding, Fix, Severity
@@ -51,6 +53,7 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, GraphView, LaunchView
 from launchlint.source import Origin, Place
 from launchlint.syntax.problems import DeprecatedConstruct
+from launchlint.workspace.manifest import MANIFEST_FILE
 from launchlint.workspace.packages import SYSTEM_SHARE, Packages
 from launchlint.workspace.releases import never_released
 
@@ -160,6 +163,8 @@ def _for_older(distribution: str, place: Place, packages: Packages) -> tuple[str
     if packages.distributions().are_older_than(distribution):
         return ("the workspace names only older distributions of ROS",)
     home = packages.package_of(place.source.file)
+    if home is not None and posixpath.basename(home.manifest_path) == MANIFEST_FILE:
+        return ("its package is built with rosbuild, as was usual before ROS Groovy",)
     needed = "" if home is None else never_released((name for name in packages.needs(home) if not packages.has(name)), distribution)
     return (f"it needs {needed}, which was never released for ROS {distribution.title()}",) if needed else ()
 

@@ -4,6 +4,10 @@ It names the slip behind the parser's complaint: the element that was never clos
 character that must be escaped. The caret stands where the mistake is, not where the parser noticed it. The includes
 that lead to the file are shown with it.
 
+It is a warning where the file is empty, and an info where it holds nothing but comments, or is a script (`#!/bin/bash`) by another
+name: nobody starts these with roslaunch. A file that another one includes is an error all the same. It is an info where the line holds the
+placeholder of a template.
+
 ## Why it matters
 
 roslaunch stops before it looks at a single tag, with a line number that is often far below the mistake.
@@ -43,19 +47,40 @@ from launchlint.rules.template import has_placeholder
 from launchlint.syntax.problems import MalformedXml
 
 RULE = Rule("LL101", "malformed-xml", Severity.ERROR, roslaunch="refuses")
+TEMPLATE = "template"
 
 
 def tell(problem: MalformedXml, view: object) -> Iterator[Finding]:
     """Say what is wrong with the XML."""
     source, span = problem.place
+    message, advice = f"not well-formed XML: {problem.message}", problem.hint
+    severity: Severity | None = None
+    notes = ["roslaunch stops with: Invalid roslaunch XML syntax"]
+    cause = ""
     template = has_placeholder(source.line(source.position(span.start).line))
-    notes: tuple[str, ...] = ("roslaunch stops with: Invalid roslaunch XML syntax",)
+    if template:
+        severity = Severity.INFO
+        notes.append("it looks like a template that is filled in before anybody launches it")
+    elif source.text.startswith("#!"):
+        severity, cause = Severity.INFO, "a script"
+        message, advice = (
+            f"this is a script and no XML: {_first_line(source.text)}",
+            "give it a name that does not end like that of a launch file",
+        )
+    elif problem.code == "XML_ERROR_NO_ELEMENTS" and not problem.opened:
+        severity = Severity.INFO if source.text.strip() else Severity.WARNING
     yield RULE.at(
         problem.origin,
-        f"not well-formed XML: {problem.message}",
-        severity=Severity.INFO if template else None,
+        message,
+        severity=severity,
         related=problem.related,
-        notes=(*notes, "it looks like a template that is filled in before anybody launches it") if template else notes,
-        help=problem.hint,
-        shared_cause=malformed(source.file),
+        notes=tuple(notes),
+        help=advice,
+        topic=TEMPLATE if template else "",
+        cause=cause,
+        shared_cause="" if cause else malformed(source.file),
     )
+
+
+def _first_line(text: str) -> str:
+    return text.partition("\n")[0].strip()[:60]

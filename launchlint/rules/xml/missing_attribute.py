@@ -2,7 +2,8 @@
 
 A `<node>` needs `name`, `pkg` and `type`; `<include>` needs `file`; `<remap>` needs `from` and `to`; `<env>` needs
 `name` and `value`; `<machine>` needs `name` and `address`; `<arg>` and `<param>` need `name`. An `<arg>` in an
-`<include>` needs a `value` as well. (What a `<test>` needs is told by LL310.)
+`<include>` needs a `value` as well. (What a `<test>` needs is told by LL310.) Where the name of an arg or a param is the attribute itself
+(`<arg speed="2"/>`) the help says so, and LL104 says nothing of it.
 
 ## Why it matters
 
@@ -30,8 +31,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.rules.edits import spot
 from launchlint.rules.rule import Rule
+from launchlint.spelling import closest
 from launchlint.syntax.problems import MissingAttribute
+from launchlint.syntax.ros1.dialect import OWNERS, TAGS
+from launchlint.syntax.tree import Element
 
 RULE = Rule("LL105", "missing-attribute", Severity.ERROR, roslaunch="refuses")
 STOPS = {
@@ -46,6 +51,8 @@ def tell(problem: MissingAttribute, view: object) -> Iterator[Finding]:
     tag, name = problem.tag, problem.attribute
     if name == "test-name":
         return
+    at = spot(view, problem.place)
+    meant = None if at is None or name != "name" else name_instead(at.element)
     notes: tuple[str, ...]
     if tag == "rosparam":
         notes = ("roslaunch loads the file and fails when it runs the rosparam step",)
@@ -61,7 +68,7 @@ def tell(problem: MissingAttribute, view: object) -> Iterator[Finding]:
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         label=f"{name} is missing",
         notes=notes,
-        help=_advice(tag, name),
+        help=_advice(tag, name) if at is None or meant is None else f'write name="{meant}" {_value(at.element, meant)}',
         topic=name,
     )
 
@@ -72,3 +79,23 @@ def _advice(tag: str, name: str) -> str:
     if tag == "arg" and name == "value":
         return 'add value="…": what is passed to an included file must have a value'
     return f'add {name}="…"'
+
+
+def name_instead(element: Element) -> str | None:
+    """The attribute that is the name itself, as in ``<arg speed="2"/>``; ``None`` where there is no such one, or more than one."""
+    if element.tag not in ("arg", "param") or "name" in element.attributes:
+        return None
+    known = TAGS[element.tag].known
+    strange = [each for each in element.attributes if each not in known]
+    if len(strange) != 1 or strange[0] in OWNERS or closest(strange[0], (*known, *OWNERS)) is not None:
+        return None
+    return strange[0]
+
+
+def _value(element: Element, meant: str) -> str:
+    """How the value of the attribute ``meant`` is given to an ``<arg>`` or a ``<param>``."""
+    return f'{"default" if element.tag == "arg" and _is_declaration(element) else "value"}="{element.attributes[meant].value[:60]}"'
+
+
+def _is_declaration(element: Element) -> bool:
+    return element.parent is None or element.parent.tag in ("launch", "group")

@@ -2,7 +2,8 @@
 
 Only `<rosparam>` has a text that means anything, and only where it loads YAML that is written there: not beside
 `file=` and not with `command="delete"` or `"dump"`. Everywhere else text between tags is skipped. Text that begins with `#` or
-`//`, as comments do elsewhere, is an info. The same text in several places of the launch files of a directory is told once.
+`//`, as comments do elsewhere, is an info. The same text in several places is told once. Text that
+reads like attributes (`output="screen">`) shows a `>` too early in the tag before it.
 
 ## Why it matters
 
@@ -33,7 +34,7 @@ a value. Nothing changes for roslaunch, which is proved before it is done.
 
 from __future__ import annotations
 
-import posixpath
+import re
 from collections.abc import Iterator
 
 from launchlint.finding import Edit, Finding, Fix, Severity
@@ -44,6 +45,7 @@ from launchlint.syntax.problems import StrayText
 
 RULE = Rule("LL107", "stray-text", Severity.WARNING, fixable="safe")
 
+_ATTRIBUTES = re.compile(r"""(?:[A-Za-z][\w-]*\s?=\s?(?:"[^"<>]*"|'[^'<>]*')\s?)+/?>?""")
 _QUOTES = ('"', "'")
 
 
@@ -73,6 +75,10 @@ def tell(problem: StrayText, view: object) -> Iterator[Finding]:
     comment = because == "tag" and words.startswith(("#", "//")) and "<" not in words
     of_a_value = because == "tag" and parent in ("param", "env", "arg")
     message = f"this text has no effect: {shown}"
+    attributes = because == "tag" and _ATTRIBUTES.fullmatch(words) is not None
+    if attributes:
+        reason = f"the > before it has ended the start tag of <{parent}>, so that these attributes are text, which roslaunch ignores"
+        advice = "remove that > if they belong to the tag; else remove them"
     if words in _QUOTES and problem.place.source.text[: problem.place.span.start].endswith("/>"):
         message, advice = f"a stray quote stands behind the tag: {words}", "remove it"
     yield RULE.at(
@@ -82,8 +88,8 @@ def tell(problem: StrayText, view: object) -> Iterator[Finding]:
         label="ignored",
         notes=(reason,),
         help=advice,
-        fix=_fix(problem.place, words, comment=comment, of_a_value=of_a_value),
-        cause=f"{posixpath.dirname(problem.place.source.path)} {because} {of_a_value} {words}",
+        fix=None if attributes else _fix(problem.place, words, comment=comment, of_a_value=of_a_value),
+        cause=f"{because} {of_a_value} {parent if attributes else ''} {words}",
     )
 
 

@@ -9,7 +9,8 @@ roslaunch drops the attribute. It says so in a warning that is easy to miss, and
 then runs without the setting that somebody wrote down.
 
 A known attribute with a letter, a mark or a word like `off` put to it (`_if`, `xargs`, `launch-prefix-off`) has been switched off by
-somebody: that is an info, without a fix.
+somebody: that is an info, without a fix. What rosmon reads (`rosmon-name`, `enable-coredumps`), another program that starts launch files,
+is an info, too. An `<arg>` that has its name as an attribute (`<arg speed="2"/>`) is told of by LL105 alone.
 
 ## Example
 
@@ -40,17 +41,33 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import Spot, fix, rename_attribute, spot
 from launchlint.rules.rule import Rule
+from launchlint.rules.xml.missing_attribute import name_instead
 from launchlint.spelling import closest, surely, switched_off
 from launchlint.syntax.problems import UnknownAttribute
 from launchlint.syntax.ros1.dialect import TAGS
 
 RULE = Rule("LL104", "unknown-attribute", Severity.WARNING, roslaunch="reports", fixable="safe")
+_ROSMON = "rosmon-"
+_OF_ROSMON = ("enable-coredumps",)
+"""What rosmon reads beside the attributes that begin with its name (rosmon_core, LaunchConfig::parseNode)."""
 
 
 def tell(problem: UnknownAttribute, view: object) -> Iterator[Finding]:
     """Name the attribute that was meant."""
     tag, name, owners = problem.tag, problem.attribute, problem.owners
     silent: bool = problem.silent
+    if name.startswith(_ROSMON) or name in _OF_ROSMON:
+        yield RULE.at(
+            problem.origin,
+            f"{name} is for rosmon: roslaunch has no such attribute",
+            severity=Severity.INFO,
+            label="dropped by roslaunch",
+            cause=f"{tag} {name}",
+        )
+        return
+    at = spot(view, problem.place)
+    if at is not None and name_instead(at.element) == name:
+        return  # LL105 tells what is meant
     off = None if owners else _switched_off(tag, name, problem.known)
     if off is not None:
         yield RULE.at(
@@ -67,7 +84,7 @@ def tell(problem: UnknownAttribute, view: object) -> Iterator[Finding]:
     cause = f"{tag} {name}" if near is None else f"{problem.place.source.path} {tag} {name} {near} {sure}"
     belongs = f"{name} belongs to {_tags(owners)}" if owners else ""
     advice = f"did you mean {near}?" if near is not None else f"{belongs}: move it there, or remove it" if belongs else "remove it"
-    if tag == "rosparam" and name in ("name", "value") and _is_param(spot(view, problem.place)):
+    if tag == "rosparam" and name in ("name", "value") and _is_param(at):
         near, advice = None, "write <param>: it has a name and a value"
         cause = f"{problem.place.source.path} {problem.place.source.position(problem.place.span.start).line} param"
     said = "roslaunch never looks at it" if silent else "roslaunch prints a warning and drops it"
@@ -79,7 +96,7 @@ def tell(problem: UnknownAttribute, view: object) -> Iterator[Finding]:
         notes=notes,
         help=advice,
         cause=cause,
-        fix=None if near is None else _fix(name, near, sure=sure, at=spot(view, problem.place)),
+        fix=None if near is None else _fix(name, near, sure=sure, at=at),
     )
 
 

@@ -11,7 +11,7 @@ missing on the robot.
 
 A known tag with a letter, a mark or a word like `off` put to it (`<xnode>`, `<_node>`, `<DISABLED_node>`) has been
 switched off by somebody: that is an info, without a fix. A tag that is like no other, holds none that roslaunch knows and stands in three
-launch files or more is a custom of the house, for a program that reads it: one info for all of them.
+places or more is a custom of the house, for a program that reads it (rtmlaunch reads `<rtconnect>`): one info for all of them.
 
 ## Example
 
@@ -51,7 +51,7 @@ from launchlint.syntax.tree import Element
 RULE = Rule("LL103", "unknown-tag", Severity.WARNING, roslaunch="reports", fixable="safe")
 
 _CUSTOM = 3
-"""Launch files in which a tag of nobody's is no slip any more."""
+"""Places in which a tag of nobody's is no slip any more: nobody makes one slip of many letters three times."""
 
 
 def tell(problem: UnknownTag, view: object) -> Iterator[Finding]:
@@ -91,10 +91,10 @@ def tell(problem: UnknownTag, view: object) -> Iterator[Finding]:
 def together(findings: Sequence[Finding]) -> Finding:
     """What one tag without a meaning comes to in several places."""
     told = joined(findings)
-    files = {finding.location.path for finding in findings}
-    if len(files) < _CUSTOM:
+    places = {finding.location for finding in findings}
+    if len(places) < _CUSTOM:
         return told
-    note = f"it stands in {len(files)} launch files: a custom of the house, for a program that reads it"
+    note = f"it stands in {len(places)} places: a custom of the house, for a program that reads it"
     return told._replace(
         severity=Severity.INFO, notes=(*told.notes, note), help="put such words into a comment, which roslaunch skips silently"
     )
