@@ -73,7 +73,6 @@ add_executable(drive_node src/drive.cpp)
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
@@ -86,6 +85,7 @@ from launchlint.rules.view import GraphView
 from launchlint.source import Origin
 from launchlint.spelling import closest, one_slip, same_letters, surely
 from launchlint.workspace.cmake_comments import CMAKE_FILE, commented_out
+from launchlint.workspace.cmake_mentions import may_build
 from launchlint.workspace.packages import SYSTEM_SHARE
 
 RULE = Rule("LL304", "unknown-executable", Severity.ERROR, roslaunch="reports", fixable="unsafe")
@@ -110,8 +110,8 @@ def check(view: GraphView) -> Iterator[Finding]:
         if name in known.by_name or known.flaw(name) is not None:
             continue
         slip = _slip(name, known.names)
-        if not known.exhaustive and slip is not None and _ends(slip) != _ends(name):
-            slip = None  # what the build makes need not be a script of the same name
+        if not known.exhaustive and slip is not None and may_build(package.directory, name):
+            slip = None  # by a list that is included where some variable says so
         exhaustive = known.exhaustive and not package.directory.startswith(SYSTEM_SHARE + "/")
         if not exhaustive and slip is None:
             yield from _by_library(node, view, here=True)
@@ -198,10 +198,6 @@ def _slip(name: str, names: list[str]) -> str | None:
             return other
     slip = one_slip(name, names)
     return None if slip is None or not _same_digits(slip, name) else slip
-
-
-def _ends(name: str) -> str:
-    return posixpath.splitext(name)[1]
 
 
 def _same_digits(one: str, other: str) -> bool:
