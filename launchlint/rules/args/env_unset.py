@@ -122,7 +122,7 @@ def _elsewhere(name: str, problem: EnvUnset, view: LaunchView) -> str:
     return "" if told is None else f"{shown(told, root_of(problem.place.source))} names it: it is an input of whoever starts this"
 
 
-def _in_comment(name: str, problem: Problem, view: LaunchView) -> bool:
+def _in_comment(name: str, problem: EnvUnset, view: LaunchView) -> bool:
     """Whether a comment of the file speaks of the variable as such; what is commented out reads it, and tells nothing."""
     word = re.compile(rf"(?<![\w.-])(?<!env ){re.escape(name)}(?![\w-])")
     written = (each.comments for each in view.documents.values() if each.source.path == problem.place.source.path)
