@@ -25,13 +25,16 @@ def text(value: Any) -> str:
 
 
 def as_object(topology: Topology) -> dict[str, Any]:
-    """All of a topology. Ports are those of groups and includes, by their id; the verdict is as ``check --format json`` has it."""
+    """All of a topology. Ports are those of groups and includes, by their id; the verdict is as ``check --format json`` has it.
+
+    ``partly`` of a node are its names that are known only in part, with ``*`` for the rest: they are not among channels and connections.
+    """
     return {
         "entry": topology.entry,
         "configurations": list(topology.configurations),
         "complete": topology.complete,
         "verdict": _verdict(topology),
-        "nodes": [_node(node) for node in topology.nodes],
+        "nodes": [{**_node(node), "partly": _partly(node, topology)} for node in topology.nodes],
         "channels": [channel._asdict() for channel in topology.channels],
         "connections": [_connection(connection) for connection in topology.connections],
         "params": [param._asdict() for param in topology.params],
@@ -99,6 +102,10 @@ def _link(link: Link) -> dict[str, Any]:
 
 def _node(node: TopologyNode) -> dict[str, Any]:
     return {**node._asdict(), "open": dict(node.open)}
+
+
+def _partly(node: TopologyNode, topology: Topology) -> list[dict[str, str]]:
+    return [{"category": category, "name": pattern} for category, pattern in topology.partly.get((node.name, node.place), ())]
 
 
 def _strict(value: Any) -> Any:

@@ -252,6 +252,19 @@ def test_json_of_a_topology() -> None:
     assert read["channels"] == [{"kind": "topic", "name": "/x", "types": [], "hub": False, "plumbing": False}]
 
 
+def test_json_says_which_names_are_known_only_in_part() -> None:
+    """They are no channels: nobody can say which topic such a name is."""
+    topology = tiny.topology("/a > /x", "/b < /x")
+    first = topology.nodes[0]
+    topology = topology._replace(partly={(first.name, first.place): (("publishers", "/camera*/image"), ("subscribers", "*"))})
+    read = json.loads(text(as_object(topology)))
+    assert [each["partly"] for each in read["nodes"]] == [
+        [{"category": "publishers", "name": "/camera*/image"}, {"category": "subscribers", "name": "*"}],
+        [],
+    ]
+    assert [each["name"] for each in read["channels"]] == ["/x"]
+
+
 def test_json_of_a_change() -> None:
     read = json.loads(text(difference_as_object(difference(ROBOT, CHANGED))))
     assert [(each["node"], each["name"], each["partners"], each["after"] and each["after"]["name"]) for each in read["lost"]] == [
