@@ -1,14 +1,26 @@
 """Mistakes in remaps: how many of them does a check tell?
 
-``python -m tests.bench.remaps CORPUS [--library FILE]… [--files 300] [--seed N] [--missed N] [--untouched]``. ``CORPUS`` holds one
-directory per repository. In each of so many launch files that load, a ``<remap>`` that acts on known nodes is misspelt (a letter of
-``from`` or ``to``), deleted, or misplaced (it stands in another node, or ``to`` lies in another namespace): one mistake of each kind, where
-that can be made; which remap and how is drawn with a fixed seed. Told is what brings a warning or error of a rule about remaps and
-connections that the untouched file has not.
+``python -m tests.bench.remaps CORPUS [--library FILE]… [--sources DIRECTORY] [--files 300] [--seed N] [--missed N] [--untouched]``.
+``CORPUS`` holds one directory per repository. In each of so many launch files that load, a ``<remap>`` that acts on known nodes is
+misspelt (a letter of ``from`` or ``to``), deleted, or misplaced (it stands in another node, or ``to`` lies in another namespace): one
+mistake of each kind, where that can be made; which remap and how is drawn with a fixed seed. Told is what brings a warning or error of
+a rule about remaps and connections that the untouched file has not.
 
-Printed: the share told where both ends are known (the mistake parts two nodes of the launch that talked to each other), and over all; with
-``--missed`` those that are not told, with ``--untouched`` what is said of the files as they are. The exit status is 1 where nothing can be
-seeded or nothing is told: then the bench itself is broken.
+What counts, in one column each, and all of them together in the last:
+
+- *both ends known*: two nodes of the launch, each with its name known, talked to each other by a name and do so no more, and one of
+  these two ends at least is left with nobody.
+- *all still meet somebody*: two nodes are parted, but every end that was has another partner: it hears another source of the same type.
+  Nothing in the launch file tells that from what was meant.
+- *other end not here*: nobody in the launch is parted. The name that changes had its partner outside of the launch, in a node that is
+  not known, or nowhere; or the mistake only brings nodes together.
+
+Not counted is a change after which everybody has the partners that he had: another remap is drawn then, and how many such there were is
+printed. Nothing else is taken from the count: what nobody could tell stays in the last column.
+
+With ``--missed`` those that are not told are listed, with ``--untouched`` what is said of the files as they are; with ``--sources`` the
+sources of the repositories are read too, and what is read is kept in that directory. The exit status is 1 where nothing can be seeded
+or nothing is told: then the bench itself is broken.
 """
 
 from __future__ import annotations
@@ -35,7 +47,10 @@ ABOUT = ("LL60", "LL61")
 WAYS = ("misspelt from", "misspelt to", "deleted", "wrong node", "wrong namespace")
 TRIES = 20
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
-Talk = dict[tuple[str, str, str], frozenset[str]]
+EFFECTS = ("both ends known", "all still meet somebody", "other end not here")
+End = tuple[str, str, str]
+"""A node, its role and the name in its code."""
+Talk = dict[End, frozenset[End]]
 
 
 class Seed(NamedTuple):
@@ -48,11 +63,11 @@ class Seed(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What became of it: the new findings above info, and the infos; ``both`` ends are known, ``all_known``: all of the launch."""
+    """What became of it: its effect (one of EFFECTS), the new findings above info, and infos; ``all_known``: all nodes of the launch."""
 
     seed: Seed
     all_known: bool
-    both: bool
+    effect: str
     told: tuple[Finding, ...]
     hinted: tuple[Finding, ...]
 
@@ -61,6 +76,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("corpus")
     parser.add_argument("--library", action="append", default=[])
+    parser.add_argument("--sources", metavar="DIRECTORY", help="read the sources of the repositories, and keep what is read there")
     parser.add_argument("--files", type=int, default=300)
     parser.add_argument("--seed", type=int, default=12)
     parser.add_argument("--missed", type=int, default=0, metavar="N", help="list the first N that are not told")
@@ -69,20 +85,22 @@ def main() -> None:
     chance = random.Random(options.seed)
     outcomes: list[Outcome] = []
     untouched: dict[str, tuple[Finding, ...]] = {}
-    pools = [_files(options.corpus, name, tuple(options.library)) for name in sorted(os.listdir(options.corpus))]
+    idle: Counter[str] = Counter()
+    pools = [_files(options.corpus, name, tuple(options.library), options.sources) for name in sorted(os.listdir(options.corpus))]
     files = [pair for pool in pools for pair in pool]
     chance.shuffle(files)
     for checker, file in files:
         if len(untouched) == options.files:
             break
-        for found, known in _outcomes(checker, file, chance):
+        for found, known in _outcomes(checker, file, chance, idle):
             outcomes.append(found)
             untouched[file] = known
     print(table(outcomes))
+    print("drawn anew since nobody's partners changed:", ", ".join(f"{way} {idle[way]}" for way in WAYS))
     _print_untouched(untouched, listed=options.untouched)
     missed = [each for each in outcomes if not each.told]
     for each in missed[: options.missed]:
-        print(f"  not told{' (both ends known)' if each.both else ''}: {each.seed.way}: {each.seed.file}: {each.seed.was}")
+        print(f"  not told ({each.effect}): {each.seed.way}: {each.seed.file}: {each.seed.was}")
         for finding in each.hinted:
             print(f"      {finding.rule} info: {finding.message}")
     if not outcomes or not any(each.told for each in outcomes):
@@ -90,20 +108,20 @@ def main() -> None:
 
 
 def table(outcomes: list[Outcome]) -> str:
-    """One line for each kind of mistake, and one for all: told of those with both ends known, told of all."""
+    """One line for each kind of mistake, and one for all: told of those with each effect, and of all."""
     known = sum(each.all_known for each in outcomes)
     files = {each.seed.file for each in outcomes}
     lines = [
         f"{len(outcomes)} mistakes in {len(files)} launch files; {known} where all nodes are known",
-        f"{'':18}{'both ends known':>22}{'over all':>22}",
+        f"{'':16}" + "".join(f"{title:>25}" for title in (*EFFECTS, "over all")),
     ]
     for way in (*WAYS, "all nodes known", "all"):
         rows = [each for each in outcomes if way in (each.seed.way, "all") or (way == "all nodes known" and each.all_known)]
         cells = []
-        for part in ([each for each in rows if each.both], rows):
+        for part in (*([each for each in rows if each.effect == effect] for effect in EFFECTS), rows):
             told = sum(bool(each.told) for each in part)
-            cells.append(f"{told:5} of {len(part):4} {100 * told / max(len(part), 1):6.1f} %")
-        lines.append(f"{way:18}{cells[0]:>22}{cells[1]:>22}")
+            cells.append(f"{told:5} of {len(part):4} {100 * told / max(len(part), 1):5.1f} %")
+        lines.append(f"{way:16}" + "".join(f"{cell:>25}" for cell in cells))
     return "\n".join(lines)
 
 
@@ -118,17 +136,21 @@ def _print_untouched(untouched: dict[str, tuple[Finding, ...]], *, listed: bool)
                 print(f"  {file}: {each.rule} {each.severity.name.lower()}: {each.message}")
 
 
-def _files(corpus: str, name: str, libraries: tuple[str, ...]) -> list[tuple[EntryChecker, str]]:
+def _files(corpus: str, name: str, libraries: tuple[str, ...], sources: str | None) -> list[tuple[EntryChecker, str]]:
     repository = os.path.join(corpus, name)
     if not os.path.isdir(repository):
         return []
     rules = frozenset(rule.id for rule in RULES if rule.id.startswith(ABOUT))
-    checker = EntryChecker(Options(rules, (repository,), True, {}, repository, library=libraries))
+    kept = {"extract": sources is not None, "sources_cache": sources}
+    checker = EntryChecker(Options(rules, (repository,), True, {}, repository, library=libraries)._replace(**kept))
     return [(checker, file) for file in discover([repository])]
 
 
-def _outcomes(checker: EntryChecker, file: str, chance: random.Random) -> Iterator[tuple[Outcome, tuple[Finding, ...]]]:
-    """One mistake of each kind in ``file``, where one can be made that changes who talks to whom, and what is said of the file as it is."""
+def _outcomes(checker: EntryChecker, file: str, chance: random.Random, idle: Counter[str]) -> Iterator[tuple[Outcome, tuple[Finding, ...]]]:
+    """One mistake of each kind in ``file``, where one can be made that changes who talks to whom, and what is said of the file as it is.
+
+    ``idle`` counts, by kind, those that change nothing and are drawn anew.
+    """
     request = EntryRequest(file, file)
     found = _graph(checker, request)
     if found is None:
@@ -151,24 +173,38 @@ def _outcomes(checker: EntryChecker, file: str, chance: random.Random) -> Iterat
             after_graph = None if mutated is None else _graph(mutated, request)
             after = before if after_graph is None else talk(after_graph[0])
             if seed is None or mutated is None or after == before:
+                idle[way] += seed is not None
                 continue
-            parted = any(before[key] - after.get(key, frozenset()) for key in before)
             new = list(_new(_told(mutated, request), known))
             told = tuple(each for each in new if each.severity > Severity.INFO)
-            yield Outcome(seed, all_known, parted, told, tuple(each for each in new if each.severity <= Severity.INFO)), known
+            yield (
+                Outcome(seed, all_known, effect(before, after), told, tuple(each for each in new if each.severity <= Severity.INFO)),
+                known,
+            )
             break
 
 
 def talk(graph: ConnectionGraph) -> Talk:
-    """For each name in a node's code, and each place on the graph it leads to, the nodes at the other end."""
+    """For each name in a node's code, and each place on the graph it leads to, who is at the other end."""
     found: Talk = {}
     for channel in graph.channels.values():
         for endpoint in (*channel.offers, *channel.uses):
             if endpoint.certain and not endpoint.is_plumbing:
                 others = channel.uses if endpoint.role in OFFERS else channel.offers
-                partners = frozenset(each.node for each in others if each.certain and each.node != endpoint.node)
-                found[endpoint.node, endpoint.role, endpoint.declared] = partners
+                found[_end(endpoint)] = frozenset(_end(each) for each in others if each.certain and each.node != endpoint.node)
     return found
+
+
+def _end(endpoint: Endpoint) -> End:
+    return endpoint.node, endpoint.role, endpoint.declared
+
+
+def effect(before: Talk, after: Talk) -> str:
+    """What a mistake does, one of EFFECTS."""
+    parted = [(end, other) for end, others in before.items() for other in others - after.get(end, frozenset())]
+    if any(end in after and not after[end] for pair in parted for end in pair):
+        return EFFECTS[0]
+    return EFFECTS[1] if parted else EFFECTS[2]
 
 
 def _graph(checker: EntryChecker, request: EntryRequest) -> tuple[ConnectionGraph, Document] | None:
