@@ -1,7 +1,8 @@
 """Ends of connections that meet nobody, and the other end that was probably meant.
 
 Only what is certain is looked at. Where a node that is not known could be at the other end, only two loose ends are told whose names differ
-in nothing but the namespace or a slip; and not even these where something says that such a node has one of the two names.
+in nothing but the namespace or a slip, or for which more speaks than names (:mod:`.signs`); and not even these where something says that
+such a node has one of the two names.
 """
 
 from __future__ import annotations
@@ -13,9 +14,10 @@ from typing import NamedTuple
 from launchlint.finding import Severity
 from launchlint.graph.connections import HUBS, OFFERS, Channel, Endpoint, Instance
 from launchlint.graph.plausible import Possible
-from launchlint.rules.connections.near_names import NAMESPACE, RELATIONS, SLIP, TWIN, WORDS, relation
+from launchlint.rules.connections.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
 from launchlint.rules.connections.places import owners
 from launchlint.rules.connections.same_definition import STANDARD, is_known, stands_for
+from launchlint.rules.connections.signs import Signs
 from launchlint.rules.view import GraphView
 
 _MOST_CANDIDATES = 40
@@ -24,6 +26,8 @@ _MOST_COMPARISONS = 20_000
 """In a launch with more loose ends than people can read of, only the first are looked at."""
 _GENERIC = ("std_msgs/", "std_srvs/")
 """Types that say nothing of what is meant."""
+Others = list[tuple[Channel, list[Endpoint]]]
+"""Names on the other side, with the ends there."""
 _CONNECTING_HUBS = frozenset({"/tf", "/tf_static"})
 
 
@@ -55,6 +59,7 @@ class LooseEnds:
     def __init__(self, view: GraphView) -> None:
         self.graph = view.graph
         self.owners = view.once(owners)
+        self._signs = Signs(self.graph, self.owners)
         self._by_type: dict[tuple[str, bool, str], list[Channel]] | None = None
         self._connected: dict[int, bool] = {}
         self._programs = Counter(instance.program for instance in self.graph.instances)
@@ -69,13 +74,17 @@ class LooseEnds:
             ends = [
                 end
                 for end in (channel.offers if offers else channel.uses)
-                if end.certain and not end.action and is_known(end.type) and end.declaration.when != "subscriber"
+                if end.certain and not end.action and is_known(end.type) and not self._sleeps(end)
                 if self._candidates(kind, not offers, end.type)
             ]
             if ends and (doubts := self._beside(channel, offers=offers)) is not None:
                 found = [missed for end in ends if (missed := self._meant(end, doubts)) is not None]
                 if found:
                     yield min(found, key=lambda each: (-each.level, *self._apart(each.instance, each.partner), each.instance.name))
+
+    def _sleeps(self, end: Endpoint) -> bool:
+        """Whether it is there only while somebody hears its node, and nothing says that somebody is to: it has the name in the code."""
+        return end.declaration.when == "subscriber" and not end.applied and not self._signs.is_left_private(end)
 
     def _beside(self, channel: Channel, *, offers: bool) -> tuple[Possible, ...] | None:
         """Who could be at the other end of a name of which only one side is known; None where somebody is, by all that is known."""
@@ -84,7 +93,9 @@ class LooseEnds:
         key = (id(channel), offers)
         if key not in self._possible:
             type_ = next((end.type for end in (channel.offers if offers else channel.uses) if is_known(end.type)), "")
+            ends = {end.node for end in (channel.offers if offers else channel.uses)}
             found = (self.graph.may_use if offers else self.graph.may_offer)(channel.kind, channel.name, type_)
+            found = tuple(each for each in found if {each.node} != ends)  # what a node says or hears is for somebody else
             self._possible[key] = None if any(each.named for each in found) else found
         return self._possible[key]
 
@@ -95,7 +106,7 @@ class LooseEnds:
         if not candidates or len(candidates) > _MOST_CANDIDATES or not instance.certain or self._compared > _MOST_COMPARISONS:
             return None
         self._compared += len(candidates)
-        ranked: dict[str, list[tuple[Channel, list[Endpoint]]]] = {}
+        ranked: dict[str, Others] = {}
         for channel in candidates:
             ends = [
                 each
@@ -104,29 +115,80 @@ class LooseEnds:
             ]
             if ends and channel.name != end.name:
                 ranked.setdefault(relation(end.name, channel.name), []).append((channel, ends))
+        shown = None if SLIP in ranked else self._shown(end, ranked, doubts)
         ranked.pop(TWIN, None)
-        how = next((each for each in RELATIONS if each in ranked), "")
+        how = next((each for each in RELATIONS if each in ranked), "") if shown is None else relation(end.name, shown[0].name)
         if how not in ranked:
             return None
         loose = [each for each in ranked[how] if self._beside(each[0], offers=not offers) is not None]
-        channels = loose or ranked[how]
-        if len(channels) > 1 or (not how and len(ranked[how]) > 1):
+        channels = (loose or ranked[how]) if shown is None else [shown]
+        if len(channels) > 1 or (shown is None and not how and len(ranked[how]) > 1):
             return None  # it could be any of them
         channel, ends = channels[0]
+        loose = [each for each in loose if each[0] is channel]
         other = min(ends, key=lambda each: self._apart(instance, self.owners[id(each)]))
         if loose and offers:  # what matters is who else could give what the other end waits for, not who else could take it
             doubts = self._beside(channel, offers=False) or ()
         taker = other if offers else end
         doubts = tuple(each for each in doubts if each.node != taker.node)  # what it waits for comes from somebody else
-        level = self._level(end, other, how, loose=bool(loose))
-        if doubts:
-            level = self._in_doubt(end, other, how, doubts, level) if loose or how == SLIP else None
+        level = self._level(end, other, how, loose=bool(loose)) if shown is None else Severity.WARNING
+        if doubts and shown is None:
+            chosen = how == NAMESPACE and not offers and end.applied
+            level = self._in_doubt(end, other, how, doubts, level) if loose or how == SLIP or chosen else None
         if level is None:
             return None
         partner = self.owners[id(other)]
         same = tuple(self.owners[id(each)] for each in ends if self.owners[id(each)].program == partner.program)
         opposite = {self.owners[id(each)].name: self.owners[id(each)] for each in (channel.offers if offers else channel.uses)}
         return Missed(end, instance, other, partner, how, len(ranked[how]) == 1, bool(loose), same, tuple(opposite.values()), level, doubts)
+
+    def _shown(self, end: Endpoint, ranked: dict[str, Others], doubts: tuple[Possible, ...]) -> tuple[Channel, list[Endpoint]] | None:
+        """The other end that more than the names shows to be meant, where there is just one."""
+        offers, signs = end.role in OFFERS, self._signs
+        if end.type.startswith(_GENERIC):
+            return None
+        everything = [each for others in ranked.values() for each in others]
+        loose = [each for each in everything if _is_one_sided(each[0], offers=not offers)]
+        same = [each for how in (NAMESPACE, SIBLING) for each in ranked.get(how, ())]
+        found = [each for each in everything if any(signs.is_led_by_stray(end, other) for other in each[1])]
+        if not found and not offers and len(same) == 1 and self._is_lost(end, same[0], doubts):
+            found = same
+        elif not found and len(loose) == 1:
+            _, ends = loose[0]
+            alone = self._are_only_loose_ends(end)
+            private = not offers and signs.is_left_private(end) and alone
+            parted = alone and not doubts and len(everything) == 1 and any(signs.is_parted_by_remap(end, each) for each in ends)
+            if private or parted or signs.is_odd_one_out(end) or any(signs.is_odd_one_out(each) for each in ends):
+                found = loose
+        if len(found) != 1 or (not found[0][0].uses and self._beside(found[0][0], offers=True) is None):
+            return None
+        return None if self._are_one_chain(end, found[0][0]) else found[0]
+
+    def _are_one_chain(self, end: Endpoint, other: Channel) -> bool:
+        own = self.graph.channels[end.kind, end.name]
+        return self._signs.are_one_chain(*((own.offers, other.uses) if end.role in OFFERS else (other.offers, own.uses)))
+
+    def _is_lost(self, end: Endpoint, giver: tuple[Channel, list[Endpoint]], doubts: tuple[Possible, ...]) -> bool:
+        """Whether a name that a remap ought to lead to its only giver is left private, or another one is, which nobody takes."""
+        channel, ends = giver
+        if self._signs.is_left_private(end):
+            return True
+        return bool(end.applied) and not doubts and not channel.uses and all(self._signs.is_left_private(each) for each in ends)
+
+    def _are_only_loose_ends(self, end: Endpoint) -> bool:
+        """Whether no more than two names of the type of ``end`` have one side only, one each, beside others of its own node."""
+        sides = []
+        for offers in (True, False):
+            channels = [each for each in self._candidates(end.kind, offers, end.type) if _is_one_sided(each, offers=offers)]
+            own = offers != (end.role in OFFERS)
+            sides.append([each for each in channels if not own or {other.node for other in (*each.offers, *each.uses)} != {end.node}])
+        return all(len(channels) == 1 for channels in sides)
+
+    def _are_only_two(self, end: Endpoint, other: Endpoint) -> bool:
+        """Whether the nodes of both ends talk to nobody else, and no other two nodes of the launch talk of the same."""
+        if self.graph.launch.given or self._is_connected(self.owners[id(other)]) or not self._are_only_loose_ends(end):
+            return False
+        return not any(channel.uses for channel in self._candidates(end.kind, True, end.type))
 
     def _level(self, end: Endpoint, other: Endpoint, how: str, *, loose: bool) -> Severity | None:
         """How sure it is that the two ends were meant for each other; None: not enough to say anything.
@@ -139,18 +201,19 @@ class LooseEnds:
         alone, source = not self._is_connected(instance), self._is_source(giver)
         if how == SLIP and (loose or alone or not _is_plural(end.name, other.name)):
             return Severity.WARNING
-        private = any(each.declared.startswith("~") and not each.applied for each in (end, other))
+        private = any(self._signs.is_left_private(each) for each in ((end, other) if offers or not end.applied else (end,)))
         # A name that the launch file gives, and not the code, was meant to be that of somebody; so is one that just two nodes say.
         chosen = any(each.applied or each.declared != each.declaration.name for each in (end, other))
         shared = end.kind == "topic" and end.declared == other.declared
         shared = shared and all(self._programs[self.owners[id(each)].program] == 1 for each in (end, other))
         doubtful = private or (end.type.startswith(_GENERIC) and not (loose and (chosen or shared)))
-        if loose and self._are_only_ends(end):
+        if loose and (self._are_only_ends(end) or (alone and source and not doubtful and self._are_only_two(end, other))):
             return Severity.WARNING
         if how == NAMESPACE:
             same = loose and end.declared == other.declared
             waits = not offers and (loose or bool(end.applied))
             sure = same or waits or (source and (loose or (offers and alone)))
+            sure = sure and not self._are_one_chain(end, self.graph.channels[other.kind, other.name])
             return Severity.WARNING if sure and not doubtful else Severity.INFO if alone or (loose and not private) else None
         if how == WORDS and offers and alone and source and not doubtful:
             return Severity.WARNING
@@ -160,21 +223,32 @@ class LooseEnds:
 
     def _in_doubt(self, end: Endpoint, other: Endpoint, how: str, doubts: tuple[Possible, ...], level: Severity | None) -> Severity | None:
         """How sure that is of two loose ends beside which there are others that could be at one of them, though nothing says so."""
-        if level is None or how not in (SLIP, NAMESPACE):
+        if level is None:
             return None
+        if how not in (SLIP, NAMESPACE):  # one of the two was led elsewhere
+            return (
+                level
+                if last_part(end) == last_part(other) and bool(end.applied) != bool(other.applied) and self._are_only_ends(end)
+                else None
+            )
         if how == SLIP:
             return level
-        sure = self._are_only_ends(end) or (end.declared == other.declared and not any(each.anything for each in doubts))
+        meant = end.type.partition("/")[0] not in STANDARD or (end.applied and other.applied)
+        sure = meant or self._are_only_ends(end) or (end.declared == other.declared and not any(each.anything for each in doubts))
         return level if sure else Severity.INFO
 
     def _are_only_ends(self, end: Endpoint) -> bool:
         """Whether no more than two names have the type of ``end``, one on each side, and the type is made for one purpose.
 
-        In another configuration than the default one, a node that has a further one may just be switched off.
+        In another configuration than the default one, a node that has a further one may just be switched off. What nobody publishes and
+        no remap leads anywhere does not count beside what a remap does.
         """
         package = end.type.partition("/")[0]
-        sides = (self._candidates(end.kind, offers, end.type) for offers in (True, False))
-        return package not in STANDARD and not self.graph.launch.given and all(len(channels) == 1 for channels in sides)
+        if package in STANDARD or self.graph.launch.given or len(self._candidates(end.kind, True, end.type)) != 1:
+            return False
+        takers = self._candidates(end.kind, False, end.type)
+        chosen = [each for each in takers if each.offers or not all(self._signs.is_left_private(taker) for taker in each.uses)]
+        return len(chosen or takers) == 1
 
     def _is_source(self, instance: Instance) -> bool:
         """Whether the node only publishes or serves, and takes nothing from others: a driver, a controller, a keyboard."""
@@ -224,6 +298,11 @@ def _is_one_sided(channel: Channel, *, offers: bool) -> bool:
 
 def _types(ends: Iterable[Endpoint]) -> set[str]:
     return {stands_for(end.type) for end in ends if end.certain and is_known(end.type)}
+
+
+def last_part(end: Endpoint) -> str:
+    """The last part of the name in the code."""
+    return end.declared.lstrip("~").rpartition("/")[2]
 
 
 def _is_plural(left: str, right: str) -> bool:

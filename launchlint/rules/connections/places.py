@@ -10,6 +10,7 @@ from launchlint.graph.names import Applied, absolute, kind
 from launchlint.library.template import Slot, is_template, parse
 from launchlint.library.terms import READ_FROM
 from launchlint.rules.view import GraphView
+from launchlint.model import Remap
 from launchlint.source import Origin
 
 Owners = Mapping[int, Instance]
@@ -35,6 +36,12 @@ def is_known_to_act(endpoint: Endpoint) -> bool:
     """Whether a person said what ``endpoint`` does. Source that was read, and a run, tell of a name, not when somebody speaks on it."""
     evidence = endpoint.declaration.evidence
     return not evidence or any(each["by"] == "manual" for each in evidence)
+
+
+def is_inside(remap: Remap, instance: Instance) -> bool:
+    """Whether a ``<remap>`` stands inside the ``<node>``: those of scopes around it stand before it, or in another file."""
+    at, home = remap.origin.place, instance.node.origin.place
+    return at.source is home.source and at.span.start > home.span.start and remap.origin.step is instance.node.origin.step
 
 
 def node_origin(instance: Instance) -> Origin:

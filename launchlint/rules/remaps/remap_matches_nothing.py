@@ -52,6 +52,7 @@ from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, kind
 from launchlint.late import late
 from launchlint.model import Remap
+from launchlint.rules.connections.places import is_inside
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.remaps.own_names import OwnNames, own_names
 from launchlint.rules.rule import Fine, Rule
@@ -91,7 +92,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
         table = instance.namer.remappings.values()
         acting = set() if names is None else {id(applied.rule.remap) for applied in table}
         for remap in instance.node.remaps:
-            if id(remap) not in acting or not (view.launch.complete or _is_own(instance, remap)):
+            if id(remap) not in acting or not (view.launch.complete or is_inside(remap, instance)):
                 fine[_key(remap.origin)] = remap.origin
         if names is None:
             continue
@@ -116,12 +117,6 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
 
 def _key(origin: Origin) -> tuple[str, int]:
     return origin.place.source.path, origin.place.span.start
-
-
-def _is_own(instance: Instance, remap: Remap) -> bool:
-    """Whether the remap stands inside the ``<node>``: those of scopes around it stand before it, or in another file."""
-    at, home = remap.origin.place, instance.node.origin.place
-    return at.source is home.source and at.span.start > home.span.start and remap.origin.step is instance.node.origin.step
 
 
 def _has(instance: Instance, names: OwnNames, applied: Applied) -> bool:

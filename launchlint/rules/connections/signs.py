@@ -1,0 +1,118 @@
+"""What speaks for it that two loose ends were meant for each other, beside their names and their type.
+
+- A name below the node itself (``~odom``), on which no remap acts: nobody publishes there unless he was told to.
+- A remap on one of two ends that would meet without it.
+- A remap in another node, where it does nothing, that would join them.
+- A name that all other nodes of the same program have remapped.
+
+None of these counts for the two ends of a chain of nodes: what its last one gives is of the type of what its first one takes, and is not
+meant for it.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from launchlint.graph.connections import OFFERS, ConnectionGraph, Endpoint
+from launchlint.graph.names import absolute
+from launchlint.rules.connections.places import Owners, is_inside
+from launchlint.rules.connections.same_definition import stands_for
+from launchlint.source import Place
+
+_MOST_NODES = 2_000
+"""Of longer chains nothing is said."""
+Role = tuple[str, str, str]
+"""Program, role and the name in its code."""
+
+
+class Signs:
+    """The signs in one graph; ``owners`` as in :mod:`.places`."""
+
+    def __init__(self, graph: ConnectionGraph, owners: Owners) -> None:
+        self._graph = graph
+        self._owners = owners
+
+    def is_left_private(self, end: Endpoint) -> bool:
+        """Whether it is a private name on which no remap acts."""
+        return end.declared.startswith("~") and not end.applied
+
+    def is_parted_by_remap(self, end: Endpoint, other: Endpoint) -> bool:
+        """Whether a remap of one of the two, and none of the other, parts them."""
+        if bool(end.applied) == bool(other.applied):
+            return False
+        moved, stays = (end, other) if end.applied else (other, end)
+        return moved.unremapped == stays.name
+
+    def is_led_by_stray(self, end: Endpoint, other: Endpoint) -> bool:
+        """Whether a remap that does nothing in its own node would lead one of the two to the name of the other one."""
+        for moved, stays in ((end, other), (other, end)):
+            namer = self._owners[id(moved)].namer
+            for source, target in () if moved.applied else self._strays.get(moved.unremapped.rpartition("/")[2], ()):
+                if absolute(source, namer.namespace, namer.node) == moved.unremapped:
+                    if absolute(target, namer.namespace, namer.node) == stays.name:
+                        return True
+        return False
+
+    def is_odd_one_out(self, end: Endpoint) -> bool:
+        """Whether no remap acts on it, although one does on this name of all other nodes of its program, and makes them meet somebody."""
+        if end.applied:
+            return False
+        others = [each for each in self._alike.get(self._place(end), ()) if each.node != end.node]
+        return bool(others) and all(each.applied and self._meets(each) for each in others)
+
+    def are_one_chain(self, givers: list[Endpoint], takers: list[Endpoint]) -> bool:
+        """Whether what ``givers`` give follows from what ``takers`` hear, by messages of the same type alone: then it is for others."""
+        type_ = stands_for(takers[0].type)
+        nodes, wanted = {each.node for each in takers}, {each.node for each in givers}
+        waiting = list(nodes)
+        while waiting and not nodes & wanted and len(nodes) < _MOST_NODES:
+            more = [each for each in self._hears.get((type_, waiting.pop()), ()) if each not in nodes]
+            nodes.update(more)
+            waiting += more
+        return bool(nodes & wanted) or len(nodes) >= _MOST_NODES
+
+    @cached_property
+    def _alike(self) -> dict[Role, list[Endpoint]]:
+        found: dict[Role, list[Endpoint]] = {}
+        for instance in self._graph.instances:
+            for each in instance.endpoints:
+                if each.certain and not each.is_plumbing:
+                    found.setdefault(self._place(each), []).append(each)
+        return found
+
+    def _place(self, end: Endpoint) -> Role:
+        return self._owners[id(end)].program, end.role, end.declared
+
+    def _meets(self, end: Endpoint) -> bool:
+        channel = self._graph.channels[end.kind, end.name]
+        return any(each.node != end.node for each in (channel.uses if end.role in OFFERS else channel.offers))
+
+    @cached_property
+    def _strays(self) -> dict[str, dict[tuple[str, str], None]]:
+        """The two sides of each remap inside a node that acts on none of its names, or is there twice, by the last part of the first."""
+        acting: set[Place] = set()
+        for instance in self._graph.instances:
+            for entry in (*instance.endpoints, *instance.readings):
+                acting.update(each.rule.remap.origin.place for each in entry.applied if each.rule.remap is not None)
+        found: dict[str, dict[tuple[str, str], None]] = {}
+        for instance in self._graph.instances:
+            for remap in () if instance.is_unknown else instance.node.remaps:
+                if remap.source and remap.origin.place not in acting and is_inside(remap, instance):
+                    found.setdefault(remap.source.rpartition("/")[2].lstrip("~"), {})[remap.source, remap.target] = None
+        for problem in self._graph.launch.problems:
+            if problem.kind == "remap-replaced" and problem.facts["old"] == problem.facts["new"]:
+                key, new = problem.facts["key"], problem.facts["new"]
+                found.setdefault(key.rpartition("/")[2].lstrip("~"), {})[key, new] = None
+        return found
+
+    @cached_property
+    def _hears(self) -> dict[tuple[str, str], list[str]]:
+        """For each type and node those that hear it say that. Of what everybody hears nothing follows."""
+        found: dict[tuple[str, str], dict[str, None]] = {}
+        for channel in self._graph.channels.values():
+            if channel.is_hub or channel.is_plumbing:
+                continue
+            for giver in channel.offers:
+                key = (stands_for(giver.type), giver.node)
+                found.setdefault(key, {}).update((taker.node, None) for taker in channel.uses if taker.node != giver.node)
+        return {key: list(others) for key, others in found.items()}
