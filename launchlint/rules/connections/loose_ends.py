@@ -26,6 +26,7 @@ _MOST_COMPARISONS = 20_000
 """In a launch with more loose ends than people can read of, only the first are looked at."""
 _GENERIC = ("std_msgs/", "std_srvs/")
 """Types that say nothing of what is meant."""
+_PRIVATE = "{} lies below its own node, where others look only if a remap leads them there"
 Others = list[tuple[Channel, list[Endpoint]]]
 """Names on the other side, with the ends there."""
 _CONNECTING_HUBS = frozenset({"/tf", "/tf_static"})
@@ -37,7 +38,8 @@ class Missed(NamedTuple):
     ``how`` is the relation of the names, empty where only the type agrees, and ``only`` says that no other name is so related;
     ``loose`` says whether the other end is a loose one too;
     ``alike`` are all ends of the other name that are like it, itself included; ``feeding`` are those that it has on its other side.
-    ``doubts`` are those who could be at the other end of one of the two, as far as can be known.
+    ``doubts`` are those who could be at the other end of one of the two, as far as can be known; ``sign`` is what else shows that they are
+    meant for each other, for people.
     """
 
     end: Endpoint
@@ -51,6 +53,7 @@ class Missed(NamedTuple):
     feeding: tuple[Instance, ...]
     level: Severity
     doubts: tuple[Possible, ...] = ()
+    sign: str = ""
 
 
 class LooseEnds:
@@ -121,7 +124,7 @@ class LooseEnds:
         if how not in ranked:
             return None
         loose = [each for each in ranked[how] if self._beside(each[0], offers=not offers) is not None]
-        channels = (loose or ranked[how]) if shown is None else [shown]
+        channels = (loose or ranked[how]) if shown is None else [shown[:2]]
         if len(channels) > 1 or (shown is None and not how and len(ranked[how]) > 1):
             return None  # it could be any of them
         channel, ends = channels[0]
@@ -135,31 +138,36 @@ class LooseEnds:
         if doubts and shown is None:
             chosen = how == NAMESPACE and not offers and end.applied
             level = self._in_doubt(end, other, how, doubts, level) if loose or how == SLIP or chosen else None
-        if level is None:
+            level = level if loose or level is not Severity.INFO else None
+        if level is None or (level is Severity.INFO and end.declaration.when == "subscriber"):
             return None
         partner = self.owners[id(other)]
         same = tuple(self.owners[id(each)] for each in ends if self.owners[id(each)].program == partner.program)
         opposite = {self.owners[id(each)].name: self.owners[id(each)] for each in (channel.offers if offers else channel.uses)}
-        return Missed(end, instance, other, partner, how, len(ranked[how]) == 1, bool(loose), same, tuple(opposite.values()), level, doubts)
+        found = Missed(
+            end, instance, other, partner, how, len(ranked[how]) == 1, bool(loose), same, tuple(opposite.values()), level, doubts
+        )
+        return found if shown is None else found._replace(sign=shown[2])
 
-    def _shown(self, end: Endpoint, ranked: dict[str, Others], doubts: tuple[Possible, ...]) -> tuple[Channel, list[Endpoint]] | None:
-        """The other end that more than the names shows to be meant, where there is just one."""
+    def _shown(self, end: Endpoint, ranked: dict[str, Others], doubts: tuple[Possible, ...]) -> tuple[Channel, list[Endpoint], str] | None:
+        """The other end that more than the names shows to be meant, where there is just one, and what shows it."""
         offers, signs = end.role in OFFERS, self._signs
         if end.type.startswith(_GENERIC):
             return None
         everything = [each for others in ranked.values() for each in others]
         loose = [each for each in everything if _is_one_sided(each[0], offers=not offers)]
         same = [each for how in (NAMESPACE, SIBLING) for each in ranked.get(how, ())]
-        found = [each for each in everything if any(signs.is_led_by_stray(end, other) for other in each[1])]
-        if not found and not offers and len(same) == 1 and self._is_lost(end, same[0], doubts):
-            found = same
-        elif not found and len(loose) == 1:
-            _, ends = loose[0]
-            alone = self._are_only_loose_ends(end)
-            private = not offers and signs.is_left_private(end) and alone
-            parted = alone and not doubts and len(everything) == 1 and any(signs.is_parted_by_remap(end, each) for each in ends)
-            if private or parted or signs.is_odd_one_out(end) or any(signs.is_odd_one_out(each) for each in ends):
-                found = loose
+        found = [(*each, sign) for each in everything if (sign := next(filter(None, (signs.stray_remap(end, one) for one in each[1])), ""))]
+        if not found and not offers and len(same) == 1 and (sign := self._lost(end, same[0], doubts)):
+            found = [(*same[0], sign)]
+        elif not found and len(loose) == 1 and self._are_only_loose_ends(end):
+            ends = loose[0][1]
+            signs_of = [signs.odd_one_out(each) for each in (end, *ends)]
+            if not offers and signs.is_left_private(end):
+                signs_of.append(_PRIVATE.format(end.declared))
+            if len(everything) == 1 and not doubts:
+                signs_of += (signs.parting_remap(end, each) for each in ends)
+            found = [(*loose[0], sign) for sign in [each for each in signs_of if each][:1]]
         if len(found) != 1 or (not found[0][0].uses and self._beside(found[0][0], offers=True) is None):
             return None
         return None if self._are_one_chain(end, found[0][0]) else found[0]
@@ -168,12 +176,13 @@ class LooseEnds:
         own = self.graph.channels[end.kind, end.name]
         return self._signs.are_one_chain(*((own.offers, other.uses) if end.role in OFFERS else (other.offers, own.uses)))
 
-    def _is_lost(self, end: Endpoint, giver: tuple[Channel, list[Endpoint]], doubts: tuple[Possible, ...]) -> bool:
-        """Whether a name that a remap ought to lead to its only giver is left private, or another one is, which nobody takes."""
+    def _lost(self, end: Endpoint, giver: tuple[Channel, list[Endpoint]], doubts: tuple[Possible, ...]) -> str:
+        """What it says of a private name that no remap leads to its only giver, or of such a giver that nobody takes; else empty."""
         channel, ends = giver
         if self._signs.is_left_private(end):
-            return True
-        return bool(end.applied) and not doubts and not channel.uses and all(self._signs.is_left_private(each) for each in ends)
+            return _PRIVATE.format(end.declared)
+        lost = end.applied and not doubts and not channel.uses and all(self._signs.is_left_private(each) for each in ends)
+        return _PRIVATE.format(ends[0].declared) if lost else ""
 
     def _are_only_loose_ends(self, end: Endpoint) -> bool:
         """Whether no more than two names of the type of ``end`` have one side only, one each, beside others of its own node."""

@@ -43,6 +43,8 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
     notes = [text for text in (how(end, missed.instance), how(other, missed.partner)) if text]
     if len(missed.alike) > 1:
         notes.append(f"{_listed(missed.alike)} all {_PLURAL[other.role]} {other.name}" + _fed(missed))
+    if missed.sign:
+        notes.append(missed.sign)
     notes.append(consequence)
     if missed.doubts:
         notes.append(f"unless another node is at the other end: {missed.doubts[0].reason}")
@@ -57,8 +59,15 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
         help=_help_for_all(cause) if cause.hub is not None else _help(missed, at_partner=at_partner),
         topic=f"{end.node} {end.role} {end.name}" if cause.hub is None else " ".join((cause.hub[0], *map("/".join, cause.hub[1]))),
         fix=None if others else repairs.of(missed),
+        cause=_cause(missed) if missed.sign and not others else "",
     )
     return with_sources(found, end, other)
+
+
+def _cause(missed: Missed) -> str:
+    """What is the same for all nodes of a ``<node>`` that several includes start: its place, and what it says and hears."""
+    place, program, partner = missed.instance.node.origin.place, missed.instance.program, missed.partner.program
+    return " ".join((place.source.path, str(place.span.start), program, missed.end.declared, partner, missed.other.declared))
 
 
 def _is_at_partner(missed: Missed) -> bool:
@@ -91,7 +100,7 @@ def _help(missed: Missed, *, at_partner: bool) -> str:
     advice = write_remap(end, missed.instance, other.name)
     if at_partner:
         return f"{advice} as well, or {write_remap(other, missed.partner, end.name)}"
-    if not missed.how or missed.level is Severity.INFO:
+    if (not missed.how and not missed.sign) or missed.level is Severity.INFO:
         return f"if these two belong together, {advice}"
     if missed.how == SLIP:
         return f"did you mean {other.name}? Then {advice}"

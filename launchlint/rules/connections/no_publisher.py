@@ -6,10 +6,18 @@ publisher in turn reaches nobody; or where the two are the only ones in the laun
 where the names are less alike; where a node that waits in vain for everything finds one single topic of its type; and where the type is
 one of `std_msgs`, the names are those of the code, and one of the programs runs several times.
 
-Where a node of which not everything is known could be the publisher, and nothing says that it is, only two names are told that both meet
-nobody and differ in nothing but the namespace or one letter; a note then says which node that is. It is an info where the namespaces differ
-and that node talks to whatever it finds (a window of displays, a bag), or is a launch file that is not here. Nothing is said where a remap,
-a param, an argument or a text in the sources of such a node has one of the two names.
+It is told, too, where something else shows what was meant, however little the names are alike; a note then says what. The node waits
+for a private name (`~odom`) that no remap leads anywhere, so that others publish there only if they are told to, and just one other node
+publishes such a name, or has the only other loose end of that type. A remap that would join the two stands in another node, where it does
+nothing, or stands there twice. All other nodes of the same program have that name remapped, and meet somebody. The two would meet if one
+of them had no remap. Or both nodes talk to nobody else, and nobody else speaks that type. Nothing is said of the first and the last node
+of a chain, of which one hears and the other says the same type.
+
+Where a node of which not everything is known could be the publisher, and nothing says that it is, only what something shows besides is
+told, or two names that differ in nothing but the namespace or one letter; a note then says which node that is. It is an info where the
+namespaces differ and that node talks to whatever it finds (a window of displays, a bag), or is a launch file that is not here, unless
+the type is made for one purpose or a remap makes each of the names. Nothing is said where a remap, a param, an argument or a text in the
+sources of such a node has one of the two names.
 
 Where a node is in another namespace than the nodes it was meant for, or lacks its remaps, so that several of its names are left alone in
 the same way, that is told once, with all of them; services and actions and what is published in vain (LL613, LL614) among them.

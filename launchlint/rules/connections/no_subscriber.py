@@ -1,9 +1,11 @@
 """A node publishes a topic that nobody subscribes to, while the launch file has a subscriber that was probably meant.
 
 Topics without a subscriber are common and no mistake. It is a warning where a node subscribes to the same type under a name that
-is a letter apart; or where the publishing node does nothing but publish, reaches nobody at all, and the name that somebody
-subscribes to differs by a namespace or a word. It is an info where only the type speaks for it. Where both ends meet nobody, the
-rule no-publisher (LL612) speaks. Nothing is said while a node of which not everything is known could be the subscriber.
+is a letter apart; where a remap that would join the two stands in another node and does nothing there, or all other nodes of the
+same program have that name remapped and meet somebody; or where the publishing node does nothing but publish, reaches nobody at all,
+and the name that somebody subscribes to differs by a namespace or a word. It is an info where only the type speaks for it. Where both
+ends meet nobody, the rule no-publisher (LL612) speaks. Nothing is said while a node of which not everything is known could be the
+subscriber.
 
 Several names of a node that are left alone in the same way, by one namespace or by missing remaps, are told once: by LL612 where there are
 topics among them that the node waits for.

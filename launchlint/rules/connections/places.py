@@ -9,8 +9,8 @@ from launchlint.graph.connections import Endpoint, Instance
 from launchlint.graph.names import Applied, absolute, kind
 from launchlint.library.template import Slot, is_template, parse
 from launchlint.library.terms import READ_FROM
-from launchlint.rules.view import GraphView
 from launchlint.model import Remap
+from launchlint.rules.view import GraphView
 from launchlint.source import Origin
 
 Owners = Mapping[int, Instance]

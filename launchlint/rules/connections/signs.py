@@ -12,8 +12,9 @@ meant for it.
 from __future__ import annotations
 
 from functools import cached_property
+from typing import NamedTuple
 
-from launchlint.graph.connections import OFFERS, ConnectionGraph, Endpoint
+from launchlint.graph.connections import OFFERS, ConnectionGraph, Endpoint, Reading
 from launchlint.graph.names import absolute
 from launchlint.rules.connections.places import Owners, is_inside
 from launchlint.rules.connections.same_definition import stands_for
@@ -23,6 +24,14 @@ _MOST_NODES = 2_000
 """Of longer chains nothing is said."""
 Role = tuple[str, str, str]
 """Program, role and the name in its code."""
+
+
+class _Stray(NamedTuple):
+    """The two sides of a remap, as written, and its place."""
+
+    source: str
+    target: str
+    place: str
 
 
 class Signs:
@@ -36,29 +45,31 @@ class Signs:
         """Whether it is a private name on which no remap acts."""
         return end.declared.startswith("~") and not end.applied
 
-    def is_parted_by_remap(self, end: Endpoint, other: Endpoint) -> bool:
-        """Whether a remap of one of the two, and none of the other, parts them."""
+    def parting_remap(self, end: Endpoint, other: Endpoint) -> str:
+        """What it says of the remap of one of the two, and of none of the other, that it parts them; empty where none does."""
         if bool(end.applied) == bool(other.applied):
-            return False
+            return ""
         moved, stays = (end, other) if end.applied else (other, end)
-        return moved.unremapped == stays.name
+        return f"without that remap they meet on {stays.name}" if moved.unremapped == stays.name else ""
 
-    def is_led_by_stray(self, end: Endpoint, other: Endpoint) -> bool:
-        """Whether a remap that does nothing in its own node would lead one of the two to the name of the other one."""
+    def stray_remap(self, end: Endpoint, other: Endpoint) -> str:
+        """What it says of a remap that does nothing in its own node and would lead one of the two to the other; empty where none does."""
         for moved, stays in ((end, other), (other, end)):
             namer = self._owners[id(moved)].namer
-            for source, target in () if moved.applied else self._strays.get(moved.unremapped.rpartition("/")[2], ()):
-                if absolute(source, namer.namespace, namer.node) == moved.unremapped:
-                    if absolute(target, namer.namespace, namer.node) == stays.name:
-                        return True
-        return False
+            for stray in () if moved.applied else self._strays.get(moved.unremapped.rpartition("/")[2], ()):
+                sides = [absolute(side, namer.namespace, namer.node) for side in (stray.source, stray.target)]
+                if sides == [moved.unremapped, stays.name]:
+                    return f"a remap of {stray.source} to {stray.target} stands at {stray.place}, where it does nothing"
+        return ""
 
-    def is_odd_one_out(self, end: Endpoint) -> bool:
-        """Whether no remap acts on it, although one does on this name of all other nodes of its program, and makes them meet somebody."""
+    def odd_one_out(self, end: Endpoint) -> str:
+        """What it says of a name that no remap acts on, while one does in all other nodes of the program, and makes them meet somebody."""
         if end.applied:
-            return False
-        others = [each for each in self._alike.get(self._place(end), ()) if each.node != end.node]
-        return bool(others) and all(each.applied and self._meets(each) for each in others)
+            return ""
+        others = [each for each in self._alike.get(self._role(end), ()) if each.node != end.node]
+        if not others or not all(each.applied and self._meets(each) for each in others):
+            return ""
+        return f"{others[0].node} is the same program and has its {end.declared} remapped to {others[0].name}"
 
     def are_one_chain(self, givers: list[Endpoint], takers: list[Endpoint]) -> bool:
         """Whether what ``givers`` give follows from what ``takers`` hear, by messages of the same type alone: then it is for others."""
@@ -77,10 +88,10 @@ class Signs:
         for instance in self._graph.instances:
             for each in instance.endpoints:
                 if each.certain and not each.is_plumbing:
-                    found.setdefault(self._place(each), []).append(each)
+                    found.setdefault(self._role(each), []).append(each)
         return found
 
-    def _place(self, end: Endpoint) -> Role:
+    def _role(self, end: Endpoint) -> Role:
         return self._owners[id(end)].program, end.role, end.declared
 
     def _meets(self, end: Endpoint) -> bool:
@@ -88,22 +99,26 @@ class Signs:
         return any(each.node != end.node for each in (channel.uses if end.role in OFFERS else channel.offers))
 
     @cached_property
-    def _strays(self) -> dict[str, dict[tuple[str, str], None]]:
-        """The two sides of each remap inside a node that acts on none of its names, or is there twice, by the last part of the first."""
+    def _strays(self) -> dict[str, list[_Stray]]:
+        """Each remap inside a node that acts on none of its names, or stands there twice, by the last part of its source."""
         acting: set[Place] = set()
         for instance in self._graph.instances:
-            for entry in (*instance.endpoints, *instance.readings):
+            entries: list[Endpoint | Reading] = [*instance.endpoints, *instance.readings]
+            for entry in entries:
                 acting.update(each.rule.remap.origin.place for each in entry.applied if each.rule.remap is not None)
-        found: dict[str, dict[tuple[str, str], None]] = {}
+        found: dict[Place, tuple[str, str]] = {}
         for instance in self._graph.instances:
             for remap in () if instance.is_unknown else instance.node.remaps:
                 if remap.source and remap.origin.place not in acting and is_inside(remap, instance):
-                    found.setdefault(remap.source.rpartition("/")[2].lstrip("~"), {})[remap.source, remap.target] = None
+                    found[remap.origin.place] = (remap.source, remap.target)
         for problem in self._graph.launch.problems:
             if problem.kind == "remap-replaced" and problem.facts["old"] == problem.facts["new"]:
-                key, new = problem.facts["key"], problem.facts["new"]
-                found.setdefault(key.rpartition("/")[2].lstrip("~"), {})[key, new] = None
-        return found
+                found[problem.origin.place] = (problem.facts["key"], problem.facts["new"])
+        strays: dict[str, list[_Stray]] = {}
+        for place, sides in found.items():
+            line, _ = place.source.position(place.span.start)
+            strays.setdefault(sides[0].rpartition("/")[2].lstrip("~"), []).append(_Stray(*sides, f"{place.source.path}:{line}"))
+        return strays
 
     @cached_property
     def _hears(self) -> dict[tuple[str, str], list[str]]:

@@ -51,7 +51,6 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, kind
 from launchlint.late import late
-from launchlint.model import Remap
 from launchlint.rules.connections.places import is_inside
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.remaps.own_names import OwnNames, own_names
