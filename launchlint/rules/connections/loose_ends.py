@@ -170,6 +170,8 @@ class LooseEnds:
             found = [(*loose[0], sign) for sign in [each for each in signs_of if each][:1]]
         if len(found) != 1 or (not found[0][0].uses and self._beside(found[0][0], offers=True) is None):
             return None
+        if any(each.node == end.node for each in (found[0][0].offers if offers else found[0][0].uses)):
+            return None  # the node has that name already, by another one in its code
         return None if self._are_one_chain(end, found[0][0]) else found[0]
 
     def _are_one_chain(self, end: Endpoint, other: Channel) -> bool:
