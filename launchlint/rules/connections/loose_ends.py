@@ -244,7 +244,8 @@ class LooseEnds:
             )
         if how == SLIP:
             return level
-        meant = end.type.partition("/")[0] not in STANDARD or (end.applied and other.applied)
+        remapped = bool(end.applied) + bool(other.applied)
+        meant = remapped == 2 or (remapped == 1 and end.type.partition("/")[0] not in STANDARD)
         sure = meant or self._are_only_ends(end) or (end.declared == other.declared and not any(each.anything for each in doubts))
         return level if sure else Severity.INFO
 

@@ -16,8 +16,8 @@ of a chain, of which one hears and the other says the same type.
 Where a node of which not everything is known could be the publisher, and nothing says that it is, only what something shows besides is
 told, or two names that differ in nothing but the namespace or one letter; a note then says which node that is. It is an info where the
 namespaces differ and that node talks to whatever it finds (a window of displays, a bag), or is a launch file that is not here, unless
-the type is made for one purpose or a remap makes each of the names. Nothing is said where a remap, a param, an argument or a text in the
-sources of such a node has one of the two names.
+remaps make both names, or one of them where the type is made for one purpose. Nothing is said where a remap, a param, an argument or a
+text in the sources of such a node has one of the two names.
 
 Where a node is in another namespace than the nodes it was meant for, or lacks its remaps, so that several of its names are left alone in
 the same way, that is told once, with all of them; services and actions and what is published in vain (LL613, LL614) among them.
