@@ -14,6 +14,7 @@ from __future__ import annotations
 from functools import cached_property
 from typing import NamedTuple
 
+from launchlint.evaluate.problems import RemapReplaced
 from launchlint.graph.connections import OFFERS, ConnectionGraph, Endpoint, Reading
 from launchlint.graph.names import absolute
 from launchlint.rules.connections.places import Owners, is_inside
@@ -111,9 +112,9 @@ class Signs:
             for remap in () if instance.is_unknown else instance.node.remaps:
                 if remap.source and remap.origin.place not in acting and is_inside(remap, instance):
                     found[remap.origin.place] = (remap.source, remap.target)
-        for problem in self._graph.launch.problems:
-            if problem.kind == "remap-replaced" and problem.facts["old"] == problem.facts["new"]:
-                found[problem.origin.place] = (problem.facts["key"], problem.facts["new"])
+        for problem in self._graph.launch.noticed(RemapReplaced):
+            if problem.old == problem.new:
+                found[problem.origin.place] = (problem.key, problem.new)
         strays: dict[str, list[_Stray]] = {}
         for place, sides in found.items():
             line, _ = place.source.position(place.span.start)
