@@ -3,7 +3,8 @@
 What it does: it looks for services and actions with two servers in different processes. It is an error where some node of the launch
 calls the service, and for every action; a warning where a node may call it, or not, and an info where none is known to. Servers that run
 one program with the same args and remaps answer alike: that the program is started several times is a warning at most. Names that
-belong to the machinery of nodes, and servers that may or may not be there, do not count.
+belong to the machinery of nodes, and servers that may or may not be there, do not count. The same nodes in several launch files are told of
+once.
 
 ## Why it matters
 
@@ -115,4 +116,5 @@ def _finding(shared: list[Clash], known: Owners) -> Finding:
         notes=(effect, *also, *notes),
         help="remap it for all but one of them, put them into namespaces of their own, or start only one",
         topic=f"{channel.kind} {channel.name}",
+        cause=f"{severity.word} {' '.join(sorted(f'{each.node} {known[id(each)].program}' for each in servers))} {channel.name}",
     )
