@@ -89,7 +89,8 @@ def _reached(tables: list[Words], empty: Iterable[str]) -> set[str]:
 def _table(session: Session, document: Document) -> Words:
     """For each word, the args that are declared or passed in an element of ``document`` in which it stands, or inside of such a one.
 
-    It holds :data:`ANY` where names of args are made, or the file is too deep to be looked at.
+    What an include passes hangs on the words of the ``<arg>`` alone: whether the file is entered is asked of the includes that lead to a
+    problem. It holds :data:`ANY` where names of args are made, or the file is too deep to be looked at.
     """
     known = session.words.get(document)
     if known is None:
@@ -100,9 +101,11 @@ def _table(session: Session, document: Document) -> Words:
         for element in () if deep else document.elements:
             name = element.get("name") if element.tag.lower() == "arg" else None
             if name:
-                for word in _all_words(element):
+                passed = element.parent is not None and element.parent.tag == "include"
+                words = _words(element, element.attributes) if passed else _all_words(element)
+                for word in words:
                     table.setdefault(word, set()).add(name)
-                if "$" in name or ANY in _all_words(element):
+                if "$" in name or ANY in words:
                     table[ANY] = set()
         known = session.words[document] = {word: frozenset(names) for word, names in table.items()}
     return known

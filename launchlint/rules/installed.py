@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import posixpath
 
-from launchlint.workspace.looking import walk
+from launchlint.rules.package_contents import contents
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.put_aside import is_out_of_use
-
-_MOST_DIRECTORIES = 300
 
 
 def installed_from(file: str, packages: Packages) -> str | None:
@@ -24,7 +22,7 @@ def installed_from(file: str, packages: Packages) -> str | None:
     last = posixpath.basename(directory)
     found = [
         posixpath.join(parent, name)
-        for parent, listed in walk(package.directory, _MOST_DIRECTORIES)
+        for parent, listed in contents(packages).directories(package)
         if posixpath.basename(parent) == last and name in listed and not is_out_of_use(f"{parent}/{name}", file)
     ]
     return found[0] if len(found) == 1 else None

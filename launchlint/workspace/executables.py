@@ -16,12 +16,13 @@ from launchlint.workspace.cmake_facts import CMAKE_FILE, read_cmake
 from launchlint.workspace.cmake_made import Made
 from launchlint.workspace.cmake_targets import CMakeFacts, Install
 from launchlint.workspace.listing import files_of
-from launchlint.workspace.looking import start
+from launchlint.workspace.looking import note, start, walk, watched
 from launchlint.workspace.manifest import PACKAGE_FILE
 from launchlint.workspace.nodelets import NodeletClass, read_nodelet_classes
 from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.prefixes import Prefix
 
+_MOST_DIRECTORIES = 300
 _SCRIPT_ENDS = (".py", ".sh", ".bash", ".pl", ".rb", ".lua")
 _CONFIGURES = ".cfg"
 """Descriptions for dynamic_reconfigure are scripts that the build runs."""
@@ -198,9 +199,9 @@ def made_files(package: Package) -> Made:
 
 
 class ExecutableIndex:
-    """:func:`executables`, :func:`launch_install_directories` and :func:`made_files` for the packages of one run, each looked at once."""
+    """What there is in the packages of one run, and what their builds make and install; each looked at once."""
 
-    __slots__ = ("_executables", "_having", "_installs", "_made", "_packages")
+    __slots__ = ("_executables", "_having", "_installs", "_made", "_packages", "_walked")
 
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
@@ -208,6 +209,7 @@ class ExecutableIndex:
         self._having: dict[str, list[str]] | None = None
         self._installs: dict[str, InstalledFiles] = {}
         self._made: dict[str, Made] = {}
+        self._walked: dict[str, tuple[Sequence[tuple[str, Sequence[str]]], frozenset[str]]] = {}
 
     def executables(self, package: Package) -> Executables:
         """What ``package`` can run."""
@@ -238,6 +240,14 @@ class ExecutableIndex:
         if package.directory not in self._made:
             self._made[package.directory] = made_files(package)
         return self._made[package.directory]
+
+    def directories(self, package: Package) -> Sequence[tuple[str, Sequence[str]]]:
+        """Each directory of ``package`` with the names in it, as :func:`~launchlint.workspace.looking.walk` gives them."""
+        if package.directory not in self._walked:
+            self._walked[package.directory] = watched(lambda: tuple(walk(package.directory, _MOST_DIRECTORIES)))
+        found, looked = self._walked[package.directory]
+        note(looked)
+        return found
 
 
 def _is_program(path: str | None) -> bool:

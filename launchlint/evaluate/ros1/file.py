@@ -111,6 +111,7 @@ class FileEvaluation:
         self.condition_reads: frozenset[str] = frozenset()
         self.assumed = False
         self._declarations: dict[str, list[Element]] | None = None
+        self._outside = bool(environment_arguments)
 
     # -- recording ---------------------------------------------------------------------------------------------
 
@@ -233,9 +234,14 @@ class FileEvaluation:
 
     def variable(self, name: str, default: str) -> str:
         """``$(optenv name default)``."""
-        self.reads.add(OUTSIDE)
+        self.read_outside()
         value = self.session.variable(name)
         return default if value is None else value
+
+    def read_outside(self) -> None:
+        """Note that something outside the launch files was asked for, such as the environment."""
+        self.reads.add(OUTSIDE)
+        self._outside = True
 
     def anonymous_name(self, name: str, context: Context) -> str:
         """``$(anon name)``: the same within a scope and what is inside it, else a new one, numbered from 1."""
@@ -437,6 +443,8 @@ class FileEvaluation:
 
     def from_environment(self, reads: frozenset[str]) -> bool:
         """Whether one of the args ``reads``, or an arg of this file that it was made from, asked for an environment variable."""
+        if not self._outside:
+            return False
         seen: set[str] = set()
         waiting = list(reads)
         while waiting:

@@ -171,7 +171,7 @@ def _environment(evaluation: FileEvaluation, name: str, span: Span, context: Con
     if value is None:
         evaluation.record(EnvUnset(origin=evaluation.at(span), refused=True, variable=name))
         raise _NotKnown(f"the environment variable {name} is not set here")
-    evaluation.reads.add(OUTSIDE)
+    evaluation.read_outside()
     return value
 
 
@@ -224,7 +224,7 @@ class _Names:
         value = self.evaluation.session.variable(name)
         if value is None:
             raise EnvironmentUnset(name)
-        self.evaluation.reads.add(OUTSIDE)
+        self.evaluation.read_outside()
         return value
 
     def optenv(self, name: str, default: str) -> str:

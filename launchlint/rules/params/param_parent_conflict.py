@@ -48,15 +48,20 @@ def check(view: LaunchView) -> Iterator[Finding]:
     values: dict[str, ParameterSetting] = {}
     below: dict[str, ParameterSetting] = {}
     told: set[str] = set()
+    around: dict[str, list[str]] = {}
     for setting in view.launch.parameter_settings:
         if not is_certain(setting) or (isinstance(setting.value, Unknown) and setting.tag == "rosparam"):
             continue  # the value of a <rosparam> that cannot be read may be a dictionary
-        parents = _parents(setting.name)
+        namespace = setting.name.rpartition("/")[0]
+        parents = around.get(namespace)
+        if parents is None:  # the first one in it
+            parents = around[namespace] = _parents(setting.name)
+            for parent in parents:
+                below.setdefault(parent, setting)
         for parent in parents:
             if parent in values and parent not in told:
                 told.add(parent)
                 yield _finding(values[parent], setting, value_first=True)
-            below.setdefault(parent, setting)
         if setting.name in below and setting.name not in told:
             told.add(setting.name)
             yield _finding(setting, below[setting.name], value_first=False)
