@@ -99,13 +99,14 @@ class _Assembly:
         steer = _steering(block, inherited)
         place = _Placing(inherited)
         inheritance = (len(inherited.remaps) + len(inherited.environment)) // INHERITED_PER_EFFECT + len(inherited.private)
+        below = inherited.step
         for effect in block.effects:
             self.count += 1
             if self.count > LARGEST_LAUNCH:
                 self.complete = False
                 return
             if isinstance(effect, ParameterSetting):
-                self.settings.append(place.setting(effect))
+                self.settings.append(effect if below is None else place.setting(effect))
             elif isinstance(effect, NodeEffect):
                 self.count += inheritance
                 self._node(effect, place, inherited)
@@ -119,7 +120,7 @@ class _Assembly:
             elif isinstance(effect, LocalBranch):
                 self._branch(effect, place, block, steer)
             elif isinstance(effect, Argument):
-                self.declared.append(place.argument(effect))
+                self.declared.append(effect if below is None else place.argument(effect))
             elif isinstance(effect, ScopedSetting):
                 conditions = inherited.conditions + effect.conditions
                 self.scoped.append(effect._replace(origin=place.origin(effect.origin), conditions=conditions))
@@ -278,13 +279,17 @@ class _Placing:
         if self.step is None:
             return setting
         name, value, origin, tag, scope, conditions, node = setting  # written out, since there are so many of them
-        return ParameterSetting(name, value, self.origin(origin), tag, scope, self.conditions + conditions, node)
+        place, step = origin
+        placed = Origin(place, self.step) if step is None else self.origin(origin)
+        return ParameterSetting(name, value, placed, tag, scope, self.conditions + conditions, node)
 
     def argument(self, argument: Argument) -> Argument:
         if self.step is None:
             return argument
         name, value, default, origin, passed, in_group = argument
-        return Argument(name, value, default, self.origin(origin), passed, in_group)
+        place, step = origin
+        placed = Origin(place, self.step) if step is None else self.origin(origin)
+        return Argument(name, value, default, placed, passed, in_group)
 
     def private(self, parameter: PrivateParameter) -> PrivateParameter:
         return parameter if self.step is None else parameter._replace(setting=self.setting(parameter.setting))

@@ -41,6 +41,8 @@ def maker_of(path: str, view: LaunchView) -> Maker | None:
     for document in view.documents.values():
         file = posixpath.abspath(document.source.file)
         for word in _words(document.source.text):
+            if not (word.writes or (word.is_node and _may_extend(stem, word.value))):
+                continue
             one = _absolute(word.value, file, view)
             if word.is_node and _extends(directory, stem, ending, one):
                 made = not _starts(view, word.program, one)
@@ -108,6 +110,12 @@ def _is(path: str, given: str, stem: str, ending: str) -> bool:
     if given.startswith("/") and given.count("/") > 1 and given.endswith((stem, stem + ending)):
         return path in (given, given + ending) or path.endswith((given, given + ending))
     return False
+
+
+def _may_extend(stem: str, word: str) -> bool:
+    """What :func:`_extends` asks of the name of a file, before it is known where that lies."""
+    name = word.rpartition("/")[2]
+    return "$" in name or ")" in name or name in ("", ".", "..") or stem.startswith(posixpath.splitext(name)[0])
 
 
 def _extends(directory: str, stem: str, ending: str, given: str) -> bool:

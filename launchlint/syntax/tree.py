@@ -60,7 +60,7 @@ class Attribute:
     value apart when it is first asked to.
     """
 
-    __slots__ = ("_name_end", "_name_start", "_offsets", "_value_end", "_value_start", "name", "parts", "raw", "value")
+    __slots__ = ("_name_end", "_name_start", "_offsets", "_value_end", "_value_start", "_written", "name", "parts", "raw", "value")
 
     def __init__(self, name: str, value: str, raw: str, name_start: int, name_end: int, value_start: int, value_end: int) -> None:
         self.name = name
@@ -71,6 +71,7 @@ class Attribute:
         self._value_start = value_start
         self._value_end = value_end
         self._offsets: list[int] | None = None
+        self._written: Place | None = None
         self.parts: Parts | None = None
 
     def __repr__(self) -> str:
@@ -127,6 +128,12 @@ class Attribute:
         while last < len(offsets) - 1 and offsets[last] == offsets[end - 1]:
             last += 1  # inside the text of an entity: to the end of its reference
         return Span(base + first, base + offsets[last])
+
+    def written(self, source: Source) -> Place:
+        """The place of :attr:`value_span`; made once, since the same is evaluated again and again."""
+        if self._written is None:
+            self._written = Place(source, self.value_span)
+        return self._written
 
     def place(self, source: Source) -> Place:
         """The place of the value, see :attr:`shown_span`."""

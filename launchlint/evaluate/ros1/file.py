@@ -374,6 +374,10 @@ class FileEvaluation:
             if tag not in tags:
                 continue
             self.look_at(child)
+            attributes = child.attributes
+            if "if" not in attributes and "unless" not in attributes:  # most of them: nothing comes into force
+                yield tag, child
+                continue
             if tag == "master" or self.holds(child, context):
                 yield tag, child
             self.conditions, self.assumed, self.condition_reads = outer
@@ -432,7 +436,7 @@ class FileEvaluation:
         """What the ``value`` and ``default`` of an ``<arg>`` resolve to, and the args that were read for them."""
         attributes = element.attributes
         value, default = attributes.get("value"), attributes.get("default")
-        if _is_plain(value) and _is_plain(default):
+        if (value is None or is_plain(value.value)) and (default is None or is_plain(default.value)):
             return (None if value is None else value.value, None if default is None else default.value), frozenset()
         if value is not None and default is None:
             alone = only_arg(parts_of(value))
@@ -482,8 +486,3 @@ class FileEvaluation:
                     end,
                 )
             )
-
-
-def _is_plain(attribute: Attribute | None) -> bool:
-    """Whether the value of ``attribute`` is what is written, as :meth:`FileEvaluation.value` sees it."""
-    return attribute is None or is_plain(attribute.value)

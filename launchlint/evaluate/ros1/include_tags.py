@@ -127,10 +127,11 @@ def _passed(
             continue
         name = file.required(child, "name", own)
         (value, default), read = file.value_and_default(child, own)
-        file.optional(child, "doc", own)
+        if "doc" in child.attributes:
+            file.optional(child, "doc", own)
         if isinstance(name, Unknown):
             continue
-        place = file.place(child.attributes["name"].value_span)
+        place = child.attributes["name"].written(file.document.source)
         if value is not None and default is not None:
             file.record(arg_value_and_default(file.document, child))
             default = None

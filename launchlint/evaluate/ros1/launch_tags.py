@@ -158,13 +158,14 @@ def arg(file: FileEvaluation, element: Element, context: Context) -> None:
     """An ``<arg>`` of a launch file or group (roslaunch.loader.LoaderContext.add_arg)."""
     name_value = file.required(element, "name", context)
     (value, default), reads = file.value_and_default(element, context)
-    file.optional(element, "doc", context)
+    if "doc" in element.attributes:
+        file.optional(element, "doc", context)
     if isinstance(name_value, Unknown):
         return
     name = name_value
     # Which of several declarations counts is decided by their conditions.
     reads |= file.condition_reads
-    place = file.place(element.attributes["name"].value_span)
+    place = element.attributes["name"].written(file.document.source)
     if value is not None and default is not None:
         file.record(arg_value_and_default(file.document, element))
         default = None
