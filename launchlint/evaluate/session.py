@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 
     from launchlint.evaluate.block import Block, Effect
     from launchlint.evaluate.ros1.arg_uses import ArgUses
-    from launchlint.syntax.tree import Document
+    from launchlint.model import Argument
+    from launchlint.syntax.tree import Document, Element
 
 LARGEST_FILE = 64 * 1024 * 1024
 """Files of more bytes than this are not read: it bounds memory on hostile input."""
@@ -68,6 +69,7 @@ class Session:
         self.settings: dict[Any, list[Effect]] = {}
         self.uses: dict[Document, ArgUses] = {}
         self.words: dict[Document, Mapping[str, frozenset[str]]] = {}
+        self.plain_arguments: dict[Element, Argument] = {}
         self.sources: dict[str, Source] = {}
         self.touched: set[str] = set()
         self.variables: set[str] = set()

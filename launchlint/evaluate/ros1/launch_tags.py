@@ -19,6 +19,7 @@ from launchlint.model import Argument, Scope, Unknown
 from launchlint.source import Origin
 from launchlint.syntax.ros1.domains import parse_condition
 from launchlint.syntax.ros1.problems import arg_value_and_default, if_and_unless
+from launchlint.syntax.ros1.substitutions import is_plain
 from launchlint.syntax.tree import Document, Element
 
 TAGS = frozenset({"arg", "group", "node", "test", "param", "remap", "machine", "rosparam", "include", "env"})
@@ -156,23 +157,21 @@ def group(file: FileEvaluation, element: Element, context: Context, default_mach
 
 def arg(file: FileEvaluation, element: Element, context: Context) -> None:
     """An ``<arg>`` of a launch file or group (roslaunch.loader.LoaderContext.add_arg)."""
-    name_value = file.required(element, "name", context)
-    (value, default), reads = file.value_and_default(element, context)
-    if "doc" in element.attributes:
-        file.optional(element, "doc", context)
-    if isinstance(name_value, Unknown):
-        return
-    name = name_value
     # Which of several declarations counts is decided by their conditions.
-    reads |= file.condition_reads
-    place = element.attributes["name"].written(file.document.source)
-    if value is not None and default is not None:
-        file.record(arg_value_and_default(file.document, element))
-        default = None
-    in_group = element.parent is not file.document.launch
+    reads = file.condition_reads
+    effect = file.session.plain_arguments.get(element)
+    if effect is None:
+        found = _argument(file, element, context)
+        if found is None:
+            return
+        effect, more = found
+        reads |= more
+    name, value, default, origin, _, in_group = effect
+    place = origin.place
     if default == "" and file.progress.defaults:
         default = file.progress.defaults.get((place.source.path, place.span.start), default)
-    file.effect(Argument(name, value, default, Origin(place), False, in_group))
+        effect = effect._replace(default=default)
+    file.effect(effect)
     file.block.assumed_declarations |= file.assumed
     earlier = context.declared.get(name)
     if earlier is None:
@@ -200,6 +199,28 @@ def arg(file: FileEvaluation, element: Element, context: Context) -> None:
             block.argument_reads[name] = block.argument_reads.get(name, frozenset()) | reads
     else:
         block.open_arguments.add(name)
+
+
+def _argument(file: FileEvaluation, element: Element, context: Context) -> tuple[Argument, frozenset[str]] | None:
+    """The declaration, and the args it was made from; None where its name is not known.
+
+    One that is just what is written, as most are, is the same in all configurations, and kept.
+    """
+    name = file.required(element, "name", context)
+    (value, default), reads = file.value_and_default(element, context)
+    if "doc" in element.attributes:
+        file.optional(element, "doc", context)
+    if isinstance(name, Unknown):
+        return None
+    both = value is not None and default is not None
+    if both:
+        file.record(arg_value_and_default(file.document, element))
+        default = None
+    place = element.attributes["name"].written(file.document.source)
+    argument = Argument(name, value, default, Origin(place), False, element.parent is not file.document.launch)
+    if not both and all(is_plain(each.value) for key, each in element.attributes.items() if key not in ("if", "unless")):
+        file.session.plain_arguments[element] = argument
+    return argument, reads
 
 
 def scoped_remap(file: FileEvaluation, element: Element, context: Context) -> None:

@@ -69,6 +69,7 @@ from launchlint.spelling import closest, did_you_mean
 RULE = Rule("LL403", "include-undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 _MOST_NAMED = 8
+_near = lru_cache(maxsize=256)(closest)  # the same is asked in every configuration
 
 
 def tell(problem: IncludeUndeclaredArg, view: LaunchView) -> Iterator[Finding]:
@@ -89,9 +90,7 @@ def tell(problem: IncludeUndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         related=tuple((place, "declared in a group or under a false condition: that does not count") for place in elsewhere.values()),
         notes=tuple(notes),
         help=_help(undeclared, known, tuple(elsewhere)),
-        fix=None
-        if name in elsewhere
-        else passed_under(view, problem.place, name, closest(name, known), "" if several else f"{LOADS}, and "),
+        fix=None if name in elsewhere else passed_under(view, problem.place, name, _near(name, known), "" if several else f"{LOADS}, and "),
     )
 
 
@@ -101,7 +100,7 @@ def _help(undeclared: tuple[str, ...], known: tuple[str, ...], elsewhere: tuple[
         if elsewhere:
             return "declare it at the top level of the included file, without a condition"
         return did_you_mean(undeclared[0], known) or "remove it here, or declare it there"
-    near = {name: other for name in undeclared if name not in elsewhere and (other := closest(name, known)) is not None}
+    near = {name: other for name in undeclared if name not in elsewhere and (other := _near(name, known)) is not None}
     advice = [f"declare {', '.join(elsewhere)} at the top level of the included file, without a condition"] if elsewhere else []
     advice += [f"is {other} meant by {name}?" for name, other in near.items()]
     if len(elsewhere) + len(near) < len(undeclared):
