@@ -160,7 +160,6 @@ class Packages:
         self._prefixes: list[Prefix] | None = None
         self._found: dict[tuple[str, str], Package | None] = {}
         self._of_directory: dict[str, Package | None] = {}
-        self._of_path: dict[str, Package | None] = {}
         self._sources: dict[str, _Place] = {}
         self._resolved: dict[tuple[str, str], str] = {}
         self._duplicates: dict[str, list[Package]] | None = None
@@ -202,11 +201,7 @@ class Packages:
 
         That is the nearest directory upward with a ``manifest.xml`` or ``package.xml`` (rospkg.get_package_name).
         """
-        if path not in self._of_path:
-            self._of_path[path] = self._nearest(os.path.abspath(path))
-        return self._of_path[path]
-
-    def _nearest(self, path: str) -> Package | None:
+        path = os.path.abspath(path)
         directory = path if os.path.isdir(path) else os.path.dirname(path)
         walked: list[str] = []
         while directory not in self._of_directory:
