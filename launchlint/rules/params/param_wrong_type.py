@@ -86,7 +86,7 @@ def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Find
     causes = {file: f"{', '.join(sorted(mistakes))} in a file" for file, mistakes in in_file.items() if len(mistakes) > 1}
     for setting, finding in found:
         of_file = causes.get(_file(setting, finding)) if setting.tag == "rosparam" else None
-        yield finding._replace(cause=of_file or f"{setting.tag} {_mistake(setting, finding)}")
+        yield finding._replace(cause=of_file or f"{setting.tag} {finding.topic} {_mistake(setting, finding)}")
 
 
 def _file(setting: ParameterSetting, finding: Finding) -> tuple[str, str]:
@@ -94,7 +94,8 @@ def _file(setting: ParameterSetting, finding: Finding) -> tuple[str, str]:
 
 
 def _mistake(setting: ParameterSetting, finding: Finding) -> str:
-    return f"{finding.topic} {shown(setting.value)} {finding.label}"
+    """What is wrong, without the program: several may read one file."""
+    return f"{finding.topic.rpartition(' ')[2]} {shown(setting.value)} {finding.label}"
 
 
 def _is_tried(setting: ParameterSetting, launch: Launch) -> bool:
