@@ -5,7 +5,7 @@ different nodes. Publishers that may or may not be there do not count, and neith
 publishers of that very topic count: behind a mux there is one. A node that only sends on what it hears (a relay, a throttle, a mux) counts
 where something in the launch publishes its input, and then that is named, too; else it waits for a person or another launch file.
 Trajectories do not count, whatever the topic is called: nodes take turns in sending those. It is an info where all but one are silent
-until a person acts, who takes over from a planner so: by holding a button of the joystick (a dead-man switch), or by pressing a key, for
+until a person acts, who takes over from a planner so: by holding a button of the joystick (a dead-man switch), or by a key or a slider, for
 programs of which the library says that they send nothing else. It is an info, too, where fewer than two are known to command on their own
 account: of a publisher that was only read from source, or seen in a run, nobody knows whether it waits for a click, a goal or for ever.
 What the same programs do, for several robots or in several files, is told once.
@@ -128,7 +128,7 @@ def _sources(channel: Channel, known: Owners, graph: ConnectionGraph) -> list[So
 def _by_hand(source: Source, known: Owners, graph: ConnectionGraph) -> str:
     """What a person does while the node commands; empty where it does so on its own."""
     ways = [
-        "presses keys" if each.declaration.by_hand else "holds a button of the joystick" if _is_held(known[id(each)], graph) else ""
+        "works it by hand" if each.declaration.by_hand else "holds a button of the joystick" if _is_held(known[id(each)], graph) else ""
         for each in source.origins
     ]
     return ways[0] if all(ways) else ""
