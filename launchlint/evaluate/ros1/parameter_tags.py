@@ -25,8 +25,9 @@ from launchlint.evaluate.ros1.values import PARAMETER_TYPES, UnknownValue, conve
 from launchlint.model import Binary, Command, ParameterSetting, Unknown
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source, Span
+from launchlint.syntax.parts import Malformed, Substitution
 from launchlint.syntax.ros1.problems import conflicting_attributes, missing_attribute
-from launchlint.syntax.ros1.substitutions import parse
+from launchlint.syntax.ros1.substitutions import COMMANDS, parse, parse_again
 from launchlint.syntax.tree import Attribute, Element
 
 TYPE_CHECKING = False
@@ -210,11 +211,14 @@ def rosparam(file: FileEvaluation, element: Element, context: Context, namespace
 
 
 def _notice_unsubstituted(file: FileEvaluation, element: Element, text: str) -> None:
-    for match in re.finditer(r"\$\(\s*(?:find|env|optenv|dirname|anon|arg|eval)\b[^)\n]*\)?", text):
-        line = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
-        if re.search(r"(?:^|\s)#", line) is None:  # else it stands in a comment of the YAML
-            span = _in_text(element, None)(*match.span())
-            file.record(UnexpandedSubstitution(origin=file.at(span), text=match[0], extra=False, rosparam=True))
+    for part in parse_again(text).parts:
+        if not isinstance(part, (Substitution, Malformed)) or not part.text.startswith("$(") or not part.words:
+            continue
+        line = text[text.rfind("\n", 0, part.start) + 1 : part.start]
+        if part.words[0].text in (*COMMANDS, "eval") and re.search(r"(?:^|\s)#", line) is None:  # else it stands in a comment of the YAML
+            written = part.text.partition("\n")[0]
+            span = _in_text(element, None)(part.start, part.start + len(written))
+            file.record(UnexpandedSubstitution(origin=file.at(span), text=written, extra=False, rosparam=True))
             return
 
 

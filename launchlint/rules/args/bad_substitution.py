@@ -32,7 +32,7 @@ roslaunch refuses the file when it gets to the value.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import BadSubstitution
 from launchlint.finding import Finding, Fix, Severity
@@ -40,10 +40,11 @@ from launchlint.late import late
 from launchlint.rules.edits import LOADS, Spot, fix, replace, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely
+from launchlint.syntax.parts import Malformed, Substitution, Word
 from launchlint.syntax.ros1.dialect import ROS2_SUBSTITUTIONS
+from launchlint.syntax.ros1.substitutions import COMMANDS, parse_again
 
 RULE = Rule("LL207", "bad-substitution", Severity.ERROR, roslaunch="refuses", fixable="safe")
-COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
 MOST_WORDS = 3
 _ASKING = frozenset(("find", "package", "pkg"))
 _PART = late(r"[^a-z]+")
@@ -54,7 +55,7 @@ EVAL_ALONE = "$(eval …) must be the whole value: write the text around it as s
 def tell(problem: BadSubstitution, view: object) -> Iterator[Finding]:
     """Say what is wrong with it. What ROS 2 has is LL112's."""
     reason, text = problem.reason, problem.text
-    words = text.removeprefix("$(").rstrip(")").split()
+    words = [word.text for word in _words(text)]
     command = words[0] if words else ""
     if command in ROS2_SUBSTITUTIONS:
         return
@@ -73,6 +74,11 @@ def tell(problem: BadSubstitution, view: object) -> Iterator[Finding]:
         label="not a command" if unknown else "",
         cause=f"{problem.place.source.path} {command if unknown else text} {reason} {problem.refused}",
     )
+
+
+def _words(text: str) -> Sequence[Word]:
+    first = parse_again(text).parts[0]
+    return first.words if isinstance(first, (Substitution, Malformed)) else ()
 
 
 def _lacks_its_end(value: str) -> bool:

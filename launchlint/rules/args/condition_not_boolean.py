@@ -42,6 +42,7 @@ from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely
 from launchlint.syntax.problems import InvalidValue
+from launchlint.syntax.ros1.substitutions import parse
 
 RULE = Rule("LL214", "condition-not-boolean", Severity.ERROR, roslaunch="refuses", fixable="safe")
 WORDS = {"yes": "true", "on": "true", "enabled": "true", "y": "true", "no": "false", "off": "false", "disabled": "false", "n": "false"}
@@ -57,7 +58,7 @@ def tell(problem: ConditionNotBoolean | InvalidValue, view: object) -> Iterator[
     made = f" (from {text[:60]})" if text != value else ""
     shown = "is empty" if not value.strip() else f"comes to {value[:60]!r}{made}" if made else f"is {value[:60]!r}"
     note = f"roslaunch stops with: Value error: {value.lower().strip()[:60]} is not a 'bool' type".replace(":  is", ": is")
-    if "$(" in value:  # nobody knows what it stands for, but what is written beside it is enough
+    if parse(value).computed:  # nobody knows what it stands for, but what is written beside it is enough
         shown, note = (
             f"is {value[:60]!r}",
             "whatever the substitution stands for, the text beside it stays, and roslaunch stops with: Value error",
@@ -83,14 +84,15 @@ def _fix(problem: ConditionNotBoolean | InvalidValue, view: object, value: str) 
 
 def _advice(name: str, value: str, text: str) -> str:
     word = WORDS.get(value.strip().lower()) or closest(value.strip().lower(), ("true", "false"))
-    if text.startswith("$(eval "):
+    parts = parse(text)
+    if parts.expression is not None:
         return "make the expression a comparison, so that it gives True or False"
     if text == value and word is not None:
         return f'write {name}="{word}"'
-    if "$(" in text and COMPUTED.search(re.sub(r"\$\([^)]*\)", "", text)):
+    if parts.computed and COMPUTED.search(parts.beside()):
         return "comparisons need $(eval …), as in $(eval arg('mode') == 'fast')"
     if COMPUTED.search(text):
         return f'write {name}="$(eval …)" to compute something'
     if word is not None:
         return f"make the arg {word}"
-    return "to compare with a text, write $(eval arg('mode') == 'fast')" if "$(arg" in text else "write true or false"
+    return "to compare with a text, write $(eval arg('mode') == 'fast')" if any(parts.substitutions("arg")) else "write true or false"

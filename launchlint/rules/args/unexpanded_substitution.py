@@ -37,16 +37,17 @@ with `find`, `env` and `anon`, and removes a parenthesis too many. The value is 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from launchlint.evaluate.problems import UnexpandedSubstitution
 from launchlint.finding import Finding, Fix, Severity
+from launchlint.late import late
 from launchlint.rules.edits import fix, replace, spot
 from launchlint.rules.left_over import cause_at
 from launchlint.rules.rule import Rule
 
-_NEARLY = re.compile(r"\$\s*(?:[({\[]\s*)?(arg|find|env|anon)(?:\s+|\(\s*)([\w.-]+)\s*[)}\]]?")
+_MENDED = ("arg", "find", "env", "anon")
+_NAME = late(r"[\w.-]+")
 
 RULE = Rule("LL215", "unexpanded-substitution", Severity.WARNING, fixable="unsafe")
 
@@ -61,7 +62,7 @@ def tell(problem: UnexpandedSubstitution, view: object) -> Iterator[Finding]:
         advice = 'add subst_value="true"'
     else:
         message = f"{text.strip()[:60]} is no substitution: it stays in the value as it is"
-        advice = _advice(text)
+        advice = _advice(text, problem.words)
     yield RULE.at(problem.origin, message, label="plain text", help=advice, fix=_fix(problem, view), shared_cause=cause_at(problem))
 
 
@@ -72,15 +73,14 @@ def _fix(problem: UnexpandedSubstitution, view: object) -> Fix | None:
         return None
     if problem.extra:
         return fix("remove it", replace(at, place, ""), safe=False, changes="the ) is no longer part of the value")
-    match = _NEARLY.fullmatch(place.text.strip())
-    if match is None:
+    words = problem.words
+    if len(words) != 2 or words[0] not in _MENDED or _NAME.fullmatch(words[1]) is None or not place.text.startswith("$"):
         return None
-    text = f"$({match[1]} {match[2]})"
+    text = f"$({' '.join(words)})"
     return fix(f"write {text}", replace(at, place, text), safe=False, changes="it is replaced by what it stands for")
 
 
-def _advice(text: str) -> str:
-    words = text.strip("$ ({[)}]").replace("(", " ").split()
+def _advice(text: str, words: tuple[str, ...]) -> str:
     meant = f"$({' '.join(words)})"
     if text.startswith("$(") and ")" not in text:
         return "close it with )" if len(words) < 2 else f"close it with ): {meant}"

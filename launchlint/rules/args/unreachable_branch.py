@@ -35,14 +35,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.late import late
 from launchlint.model import Branch
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
+from launchlint.syntax.ros1.substitutions import only_arg, parse
 
 RULE = Rule("LL213", "unreachable-branch", Severity.WARNING)
-_ARG = late(r"\$\(arg\s+(\S+)\s*\)")
 _BOOLEANS = ("true", "false", "1", "0")
 
 
@@ -58,7 +57,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
 def _finding(branch: Branch, view: LaunchView) -> Finding:
     tag = branch.element.text.removeprefix("<").split(None, 1)[0].rstrip("/>")
     shown = " ".join(branch.text.split())[:60]
-    if "$(" not in branch.text:
+    if not parse(branch.text).computed:
         return RULE.at(
             branch.origin,
             f'this <{tag}> is switched off by {branch.attribute}="{shown}"',
@@ -82,11 +81,11 @@ def _finding(branch: Branch, view: LaunchView) -> Finding:
 
 def _switch(branch: Branch, view: LaunchView) -> Place | None:
     """The value of the one arg that the condition is, where that stands in the same file as a literal ``true`` or ``false``."""
-    arg = _ARG.fullmatch(branch.text.strip())
+    arg = only_arg(parse(branch.text.strip()))
     document = view.documents.get(branch.element.source.path)
-    if arg is None or document is None:
+    if not arg or document is None:
         return None
-    declared = [each for each in document.elements if each.tag == "arg" and each.get("name") == arg[1] and "value" in each.attributes]
+    declared = [each for each in document.elements if each.tag == "arg" and each.get("name") == arg and "value" in each.attributes]
     if len(declared) != 1 or (declared[0].get("value") or "").strip().lower() not in _BOOLEANS:
         return None
     return document.place(declared[0].attributes["value"].value_span)

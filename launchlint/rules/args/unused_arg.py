@@ -54,6 +54,7 @@ from launchlint.rules.edits import fix, remove_element, spot
 from launchlint.rules.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
+from launchlint.syntax.ros1.substitutions import expression_in
 from launchlint.syntax.tree import Comment, Document, Element
 
 NO_EFFECT = "a value that is given for it has no effect"
@@ -62,7 +63,8 @@ _MOST_ALIKE = 40
 """Args by which copies of a file are recognised; each finding carries them."""
 RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
 
-# Whatever looks like a read counts as one, closed or not: what is wrong with it is told by other rules.
+# Not the grammar of substitutions: whatever looks like a read counts as one, closed or not, also in comments. What is wrong with it is told
+# by other rules.
 READ = late(r"[({\[]\s*arg\s+([^\s(){}\[\]$]+)")
 WORD = late(r"[^\W\d]\w*")
 MARKUP = late(r"<[^<>]*>")
@@ -218,7 +220,7 @@ def _is_substituted_file(element: Element) -> bool:
 
 def _is_check(element: Element) -> bool:
     """Whether the arg is computed for nobody, as people do to have roslaunch stop where something is not as it must be."""
-    return (element.get("value") or "").startswith("$(eval ")
+    return expression_in(element.get("value") or "") is not None
 
 
 def _kept_on_purpose(document: Document) -> set[int]:

@@ -34,15 +34,16 @@ and `$(find …)` for `$(find-pkg-share …)`.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, fix, rename_attribute, replace, spot
 from launchlint.rules.rule import Rule
+from launchlint.syntax.parts import Substitution
 from launchlint.syntax.problems import WrongDialect
+from launchlint.syntax.ros1.substitutions import parse
 
-_SAME = re.compile(r"\$\(\s*(var|find-pkg-share)\s+([\w-]+)\s*\)")
+_SAME = {"var": "arg", "find-pkg-share": "find"}
 
 RULE = Rule("LL112", "wrong-dialect", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -75,8 +76,8 @@ def _fix(problem: WrongDialect, view: object) -> Fix | None:
     at = spot(view, place)
     if what == "attribute" and instead.isidentifier():
         return fix(f"write {instead}", rename_attribute(at, instead), safe=False, changes=LOADS)
-    match = _SAME.fullmatch(place.text)
-    if what == "substitution" and match is not None:
-        text = f"$({'arg' if match[1] == 'var' else 'find'} {match[2]})"
+    written = parse(place.text).alone if what == "substitution" else None
+    if isinstance(written, Substitution) and written.command in _SAME and written.only:
+        text = f"$({_SAME[written.command]} {written.only})"
         return fix(f"write {text}", replace(at, place, text), safe=False, changes=LOADS)
     return None

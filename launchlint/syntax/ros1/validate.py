@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from launchlint.late import late
 from launchlint.problem import Problem
 from launchlint.source import Span
+from launchlint.syntax.parts import Malformed, Substitution
 from launchlint.syntax.problems import (
     ArgValueAndDefault,
     ConflictingAttributes,
@@ -51,6 +52,7 @@ from launchlint.syntax.ros1.problems import (
     unknown_tag,
     wrong_dialect,
 )
+from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Attribute, Document, Element
 
 __all__ = ["KINDS", "validate"]
@@ -71,7 +73,6 @@ KINDS = (
 )
 """Every kind of problem :func:`validate` can make."""
 
-_SUBSTITUTION = late(r"\$\(\s*([a-z][a-z_-]*)(?=[\s)])[^()]*\)?")
 _XACRO = late(r"(?<![\w.-])xacro\.py(?![\w.-])")
 _NO_DOLLAR = Domain("fixed-condition", "true, false, 1 or 0 (no $(…) on <launch>)", parse_condition, CONDITION.choices)
 
@@ -220,14 +221,17 @@ class _Validator:
                 problems.append(deprecated_construct(document, span, "xacro.py", "xacro (ROS Noetic has no xacro.py any more)"))
 
     def _substitutions(self, element: Element, attribute: Attribute) -> None:
-        value = attribute.value
-        if value.startswith("$(eval "):
-            return
-        for match in _SUBSTITUTION.finditer(value):
-            if match[1] in ROS2_SUBSTITUTIONS:
-                span = attribute.span_of(*match.span())
-                construct, instead = f"$({match[1]} …)", ROS2_SUBSTITUTIONS[match[1]]
+        parts = parts_of(attribute)
+        for part in parts.parts:
+            if not isinstance(part, (Substitution, Malformed)) or not part.words:
+                continue
+            command = part.words[0].text
+            if command in ROS2_SUBSTITUTIONS:
+                span = attribute.span_of(part.start, part.end)
+                construct, instead = f"$({command} …)", ROS2_SUBSTITUTIONS[command]
                 self._problems.append(wrong_dialect(self._document, element, span, "substitution", construct, instead, refused=True))
+            if part is parts.refused:
+                return  # what follows stands inside of it
 
     def _together(self, element: Element, rule: TagRule) -> None:
         """What depends on several attributes or on the content."""
