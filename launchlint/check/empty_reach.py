@@ -12,6 +12,7 @@ from launchlint.evaluate.problems import EnvUnset, PackageNotFound, RequiredArgU
 from launchlint.evaluate.session import Session
 from launchlint.problem import Problem
 from launchlint.source import Place
+from launchlint.syntax.ros1.substitutions import expression_in
 from launchlint.syntax.tree import Attribute, Document, Element
 
 TYPE_CHECKING = False
@@ -120,7 +121,7 @@ def _deciding(element: Element, looked_at: Place | None) -> set[str]:
     if looked_at is None:
         words |= _words(element, FOLLOWING)
     else:
-        own = {name for name, each in element.attributes.items() if _holds(each, looked_at) and not each.value.startswith("$(eval")}
+        own = {name for name, each in element.attributes.items() if _holds(each, looked_at) and expression_in(each.value) is None}
         words |= _words(element, element.attributes.keys() - (set() if "subst_value" in element.attributes else own))
     outer = element.parent
     while outer is not None:

@@ -6,11 +6,10 @@ from collections.abc import Iterable, Iterator
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
-from launchlint.late import late
+from launchlint.syntax.ros1.substitutions import parse
 
 NOTE = "only the default of {} leads there: the launch files here that include this one give it another value"
 _NAMED = frozenset(("LL401", "LL502"))
-_ARG = late(r"\$\(arg\s+(\w+)\s*\)")
 
 
 def judged_by_includers(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
@@ -18,7 +17,7 @@ def judged_by_includers(findings: Iterable[Finding], known: Known) -> Iterator[F
     for finding in findings:
         if finding.severity is Severity.ERROR and finding.rule in _NAMED and finding.key in known.by_default:
             path, at = finding.location.path, finding.location
-            names = _ARG.findall(at.text[at.column - 1 : at.end_column - 1] if at.line == at.end_line else at.text)
+            names = list(parse(at.text[at.column - 1 : at.end_column - 1] if at.line == at.end_line else at.text).names("arg"))
             if names and known.reached.get(finding.key) == {path} and any(path in entry.included for entry in known.entries):
                 uses, file = known.packages.arg_uses(), known.file(path)
                 given = [name for name in names if uses.is_passed(file, name)]

@@ -6,10 +6,13 @@ import posixpath
 import re
 from collections.abc import Iterator
 from functools import lru_cache
+from itertools import islice
 from typing import NamedTuple
 
 from launchlint.late import late
 from launchlint.rules.view import LaunchView
+from launchlint.syntax.parts import Literal, Malformed, Substitution
+from launchlint.syntax.ros1.substitutions import parse
 from launchlint.workspace.looking import is_file
 
 _MOST_WORDS = 2_000
@@ -17,7 +20,7 @@ _WRITES = late(r"(?:^|[_\-/~])(?:out|output|save|saver|record|recorder|write|wri
 _COMMENT = late(r"<!--.*?-->", re.DOTALL)
 _ELEMENT = late(r"<(node|param|arg)\b[^<>]*")
 _ATTRIBUTE = late(r"""\b(type|name|args|value|default)\s*=\s*("[^"]*"|'[^']*')""")
-_FOUND = late(r"\$\(find\s+([^()\s]+)\s*\)")
+_WORD = late(r"\S+")
 
 
 class Maker(NamedTuple):
@@ -86,10 +89,11 @@ def _given(element: str, is_node: bool) -> Iterator[tuple[str, str, str]]:
     if not is_node:
         yield attributes.get("name", ""), "", attributes.get("value", attributes.get("default", ""))
         return
-    words = attributes.get("args", "").replace("$(find ", "$(find\0").split()[:_MOST_WORDS]
+    given = parse(attributes.get("args", ""))
+    words = [given.text[slice(*match.span())] for match in islice(_WORD.finditer(given.filled()), _MOST_WORDS)]
     program = attributes.get("type", "")
     for before, word in zip(("", *words), words, strict=False):
-        yield program, before, word.replace("\0", " ")
+        yield program, before, word
 
 
 def _blanked(text: str) -> str:
@@ -98,11 +102,17 @@ def _blanked(text: str) -> str:
 
 def _absolute(word: str, file: str, view: LaunchView) -> str:
     """The path a word names, as far as ``$(find …)`` and ``$(dirname)`` tell; with other substitutions, what is behind the last of them."""
-    found = _FOUND.search(word)
-    if found is not None and found.start() == 0:
-        word = (view.packages.find(found[1], file) or "") + word[found.end() :]
-    word = word.replace("$(dirname)", posixpath.dirname(file))
-    return posixpath.normpath(word) if "$" not in word else word.rpartition(")")[2]
+    path, whole = "", True
+    for part in parse(word).parts:
+        if isinstance(part, (Literal, Malformed)):
+            path += part.text
+        elif isinstance(part, Substitution) and part.command == "dirname":
+            path += posixpath.dirname(file)
+        elif isinstance(part, Substitution) and part.command == "find" and part.start == 0:
+            path = view.packages.find(part.only, file) or ""
+        else:
+            path, whole = "", False
+    return posixpath.normpath(path) if whole else path
 
 
 def _is(path: str, given: str, stem: str, ending: str) -> bool:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from launchlint.late import late
 from launchlint.rules.package_contents import contents
+from launchlint.syntax.ros1.substitutions import parse_again
 from launchlint.workspace.looking import exists, note, walk, watched
 from launchlint.workspace.packages import Package, Packages
 from launchlint.workspace.public_packages import public_names
@@ -20,7 +21,7 @@ _MOST_FILES = 200
 _STARTED = late(r"<(?:node|test)\s[^<>]{1,2000}>")
 _PKG = late(r"\spkg\s*=\s*[\"']([^\"']*)[\"']")
 _TYPE = late(r"\stype\s*=\s*[\"']([^\"'$]*)[\"']")
-_FILE = late(r"\$\(\s*find\s+([\w-]+)\s*\)/([\w.+/-]+)(\$?)")
+_BEHIND = late(r"/([\w.+/-]+)(\$?)")
 
 
 def own_instead(name: str, text: str, packages: Packages, near: str) -> Package | None:
@@ -111,8 +112,10 @@ class _Asked(NamedTuple):
 def _asked(text: str) -> _Asked:
     files: dict[str, list[tuple[str, bool]]] = {}
     started: dict[str, list[str]] = {}
-    for match in _FILE.finditer(text):
-        files.setdefault(match[1], []).append((match[2], bool(match[3])))
+    for part in parse_again(text).substitutions("find"):
+        behind = _BEHIND.match(text, part.end)
+        if behind is not None:
+            files.setdefault(part.only, []).append((behind[1], bool(behind[2])))
     for tag in _STARTED.finditer(text):
         package = _PKG.search(tag[0])
         if package is not None:

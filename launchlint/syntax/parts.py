@@ -116,3 +116,7 @@ class Parts(NamedTuple):
     def beside(self, instead: str = "") -> str:
         """The text that stands for itself, with ``instead`` in place of each substitution."""
         return "".join(instead if isinstance(part, (Substitution, Expression)) else part.text for part in self.parts)
+
+    def filled(self) -> str:
+        """The text with dots in place of each substitution, as many as it has characters: for what is to be looked for between them."""
+        return "".join("." * len(part.text) if isinstance(part, (Substitution, Expression)) else part.text for part in self.parts)

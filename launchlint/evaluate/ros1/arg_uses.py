@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from launchlint.late import late
-from launchlint.syntax.parts import Expression, Parts, Substitution
+from launchlint.syntax.parts import Parts
 from launchlint.syntax.ros1.substitutions import is_computed, parse, parts_of
 
 TYPE_CHECKING = False
@@ -174,8 +174,7 @@ def _whole(parts: Parts) -> str:
 
 def _places(parts: Parts) -> Iterator[tuple[int, int]]:
     """Where the words of a command line begin and end."""
-    filled = ("." * len(part.text) if isinstance(part, (Substitution, Expression)) else part.text for part in parts.parts)
-    return (match.span() for match in _PLACE.finditer("".join(filled)))
+    return (match.span() for match in _PLACE.finditer(parts.filled()))
 
 
 def _parts(parts: Parts, start: int = 0, end: int | None = None) -> Iterator[str]:

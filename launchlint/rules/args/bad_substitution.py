@@ -126,7 +126,7 @@ def _advice(reason: str, command: str, words: list[str]) -> str:
         return f"write $(find {package})"
     glued = next((known for known in COMMANDS if command.startswith(known) and known != "dirname"), None)
     if glued is not None and len(words) == 1:
-        return f"did you mean $({glued} {command.removeprefix(glued)})?"
+        return f"did you mean $({glued} {command.removeprefix(glued).strip()})?"
     near = closest(command, COMMANDS) or next((known for known in COMMANDS if len(command) > 2 and known.startswith(command)), None)
     if near is not None:
         return f"did you mean {near}?"

@@ -30,7 +30,6 @@ Where the variable is not set roslaunch refuses the file. `$(optenv NAME default
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import EnvUnset
@@ -41,6 +40,8 @@ from launchlint.rules.other_file import root_of, shown
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import one_slip
+from launchlint.syntax.ros1.substitutions import parts_of
+from launchlint.syntax.tree import Document
 from launchlint.workspace.public_variables import public_setters
 
 RULE = Rule("LL209", "env-unset", Severity.WARNING, roslaunch="refuses")
@@ -99,10 +100,17 @@ def _is_set(name: str, view: LaunchView) -> bool:
 
 def _needs(package: str, view: LaunchView) -> bool:
     """Whether a launch file that was reached names the package in ``pkg`` or ``$(find …)``, or the package of the entry declares it."""
-    named = re.compile(rf"\$\(\s*find\s+{package}\s*\)|\bpkg\s*=\s*[\"']{package}[\"']")
     home = view.packages.package_of(view.launch.entry.file)
     return (home is not None and package in home.run_dependencies) or any(
-        named.search(document.source.text) is not None for document in view.documents.values()
+        package in document.source.text and _names(package, document) for document in view.documents.values()
+    )
+
+
+def _names(package: str, document: Document) -> bool:
+    return any(
+        attribute.value == package if attribute.name == "pkg" else package in parts_of(attribute).names("find")
+        for element in document.elements
+        for attribute in element.attributes.values()
     )
 
 

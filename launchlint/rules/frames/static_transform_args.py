@@ -45,6 +45,8 @@ from launchlint.model import Launch, Node
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
+from launchlint.syntax.parts import Literal, Malformed, Part
+from launchlint.syntax.ros1.substitutions import parse
 
 RULE = Rule("LL621", "static-transform-args", Severity.ERROR)
 
@@ -60,7 +62,7 @@ _TOLERANCE = 10e-3
 _PLAINLY_OFF = 0.1
 _NUMBER = late(r"[-+]?(?:0[xX][0-9a-fA-F]+|(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|inf(?:inity)?|nan)", re.IGNORECASE)
 """What C's atof reads, after blanks."""
-_SUBSTITUTION = late(r"\$\((?:[^()]|\([^()]*\))*\)")
+_WORD = late(r"\w+")
 
 
 def check(view: LaunchView) -> Iterator[Finding]:
@@ -76,15 +78,20 @@ def check(view: LaunchView) -> Iterator[Finding]:
 def _lacks_a_value(node: Node, launch: Launch) -> bool:
     """Whether a word is missing because an arg is empty: whoever starts the file gives it."""
     place = node.places.get("arguments")
-    if place is None or "$(" not in place.text:
+    if place is None:
+        return False
+    parts = parse(place.text)
+    if not parts.computed:
         return False
     empty = {argument.name for argument in launch.declared if (argument.default if argument.value is None else argument.value) == ""}
 
-    def filled(match: re.Match[str]) -> str:
-        command, *words = re.findall(r"\w+", match[0]) or [""]
+    def filled(part: Part) -> str:
+        if isinstance(part, (Literal, Malformed)):
+            return part.text
+        command, *words = _WORD.findall(part.text) or [""]
         return "" if not empty.isdisjoint(words) or (command == "optenv" and len(words) == 1) else "x"
 
-    return len(_SUBSTITUTION.sub(filled, place.text).split()) < len(_SUBSTITUTION.sub("x", place.text).split())
+    return len("".join(map(filled, parts.parts)).split()) < len(parts.beside("x").split())
 
 
 def _judge(node: Node, words: tuple[str, ...]) -> Iterator[Finding]:

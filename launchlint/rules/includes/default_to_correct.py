@@ -6,11 +6,9 @@ import re
 from typing import NamedTuple
 
 from launchlint.evaluate.problems import IncludeNotFound
-from launchlint.late import late
 from launchlint.rules.edits import Spot
 from launchlint.rules.view import LaunchView
-
-_ARG = late(r"\$\(arg\s+(\w+)\s*\)")
+from launchlint.syntax.ros1.substitutions import parse
 
 
 class Correction(NamedTuple):
@@ -23,15 +21,16 @@ class Correction(NamedTuple):
 
 def has_arg(written: str) -> bool:
     """Whether the name ``written`` is made from args: other callers may fill it in otherwise."""
-    return "$(arg" in written or "$(eval" in written
+    parts = parse(written)
+    return parts.expression is not None or any(parts.substitutions("arg"))
 
 
 def correction(problem: IncludeNotFound, written: str, meant: str, view: LaunchView) -> Correction | None:
     """What to give the only arg of ``written`` so that it becomes ``meant``; ``problem`` names the file that is not there."""
-    args = list(_ARG.finditer(written))
-    if len(args) != 1 or "$(eval" in written:
+    args = list(parse(written).substitutions("arg"))
+    if len(args) != 1 or not args[0].only:
         return None
-    name, (start, end) = args[0][1], args[0].span()
+    name, start, end = args[0].only, args[0].start, args[0].end
     found = re.fullmatch(f"{re.escape(written[:start])}([^/$()]+){re.escape(written[end:])}", meant)
     if found is None:
         return None

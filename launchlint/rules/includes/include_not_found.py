@@ -73,6 +73,7 @@ from launchlint.rules.template import has_placeholder
 from launchlint.rules.view import LaunchView
 from launchlint.rules.xml.malformed_xml import TEMPLATE
 from launchlint.spelling import closest
+from launchlint.syntax.ros1.substitutions import parse
 from launchlint.workspace.looking import is_file, names, walk
 from launchlint.workspace.put_aside import is_out_of_use
 
@@ -164,7 +165,8 @@ def _meant(advice: str) -> str:
 
 def _keeps_args(written: str, meant: str) -> bool:
     """Whether ``meant`` holds all args of ``written``: then other callers get what they ask for."""
-    return "$(eval" not in written and all(f"$(arg{part.partition(')')[0]})" in meant for part in written.split("$(arg")[1:])
+    parts = parse(written)
+    return parts.expression is None and all(part.text in meant for part in parts.substitutions("arg"))
 
 
 def _correct_arg(problem: IncludeNotFound, written: str, meant: str, view: LaunchView) -> tuple[str, Fix | None]:

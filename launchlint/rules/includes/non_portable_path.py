@@ -60,11 +60,14 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.finding import Finding, Fix, Severity
+from launchlint.late import late
 from launchlint.rules.edits import Spot, fix, set_value
 from launchlint.rules.rule import Rule
 from launchlint.rules.template import is_path_to_fill_in
 from launchlint.rules.view import FileView
 from launchlint.source import Place
+from launchlint.syntax.parts import Literal, Parts, Substitution
+from launchlint.syntax.ros1.substitutions import parse, parts_of
 from launchlint.workspace.looking import exists
 
 RULE = Rule("LL406", "non-portable-path", Severity.WARNING, fixable="safe")
@@ -74,6 +77,7 @@ _TEXTS = {"arg": ("value", "default"), "param": ("value",), "node": ("args",), "
 _HOME = r"(?<![\w.$/\\-])(?:/home/|/Users/)[\w.-]+/"
 _TILDE = r"(?<![\w.$/\\-])~/(?:\.[\w-]|(?:[\w. -]+/)*[\w-]+\.[A-Za-z]\w{0,5}\b)[^\s\"';,:]*"
 """``~/.ros/x`` or ``~/maps/hall.yaml``; ``~/scan`` may well be a topic."""
+_WORD = late(r"[^$\s\"';,:]*")
 _ANY_PACKAGE = "keep it in a package, and write $(find pkg)/…"
 _SYSTEM = r"/(?:etc|dev|tmp|var|run|mnt|media|sys|proc|opt/(?!ros/))"
 _PERSONAL = r"/home/[^/$]+/|/Users/[^/$]+/|/root/|/(?:[^/]*_ws|src)/|/opt/ros/|[A-Za-z]:[\\/]"
@@ -96,13 +100,14 @@ def check(view: FileView) -> Iterator[Finding]:
             attribute = element.attributes.get(name)
             if attribute is None or not attribute.value or element.get("command") in ("dump", "delete"):
                 continue
-            fault = _fault(attribute.value, element.tag, view)
+            fault = _fault(parts_of(attribute), element.tag, view)
             if fault is not None:
                 yield _finding(fault, Spot(document, element, attribute), _fix(fault, Spot(document, element, attribute)))
         for name in _TEXTS.get(element.tag, ()):
             attribute = element.attributes.get(name)
             if attribute is not None and ("/" in attribute.value or "\\" in attribute.value):
-                fault = _home(attribute.value, view) or _out_of_package(attribute.value, view)
+                parts = parts_of(attribute)
+                fault = _home(parts, view) or _out_of_package(parts, view)
                 if fault is not None:
                     yield _finding(fault, Spot(document, element, attribute), None)
 
@@ -115,9 +120,9 @@ def _finding(fault: _Fault, at: Spot, fix: Fix | None) -> Finding:
     )  # fmt: skip
 
 
-def _home(text: str, view: FileView) -> _Fault | None:
+def _home(parts: Parts, view: FileView) -> _Fault | None:
     """A path below somebody's home directory in any text."""
-    plain = re.sub(r"\$\([^()]*\)", "$", text)
+    plain = parts.beside("$")
     found = re.search(_HOME, plain)
     if found is not None and is_path_to_fill_in(found[0]):
         help = "fill it in, or make it an arg without a default"
@@ -141,12 +146,14 @@ def _is_in_container(path: str, view: FileView) -> bool:
     return found is not None and found[1] in view.packages.container_users()
 
 
-def _out_of_package(text: str, view: FileView) -> _Fault | None:
-    for found in re.finditer(r"\$\(\s*(?:find\s+[\w-]+|dirname)\s*\)[^$\s\"';,:]*", text):
-        fault = _above(found[0], view)
-        if fault is not None:
+def _out_of_package(parts: Parts, view: FileView) -> _Fault | None:
+    for part in parts.substitutions():
+        behind = _WORD.match(parts.text, part.end)
+        path = None if behind is None else _path(part, behind[0])
+        fault = None if path is None else _above(path, view)
+        if path is not None and fault is not None:
             known = fault.help != _ANY_PACKAGE
-            start = "/".join(found[0].split("/")[:3])
+            start = "/".join(path.text.split("/")[:3])
             return fault._replace(severity=None if known else Severity.INFO, cause=f"{start} {fault.help if known else ''}")
     return None
 
@@ -159,15 +166,18 @@ def _fix(fault: _Fault, at: Spot) -> Fix | None:
     return None if unseen else fix(fault.help, set_value(at, name), safe=True)
 
 
-def _fault(value: str, tag: str, view: FileView) -> _Fault | None:
+def _fault(parts: Parts, tag: str, view: FileView) -> _Fault | None:
+    value = parts.text
     if value.startswith("~"):
         note = "roslaunch does not expand ~, and looks for a directory of that name"
         return _Fault(f"{value} begins with ~", note, "name the file with $(find pkg)/… or $(dirname)/…")
     if re.match(r"/|[A-Za-z]:[\\/]", value):
         return None if _is_in_container(value, view) else _absolute(value, tag)
-    if value.startswith("$("):
-        return _above(value, view)
-    return _relative(value, view)
+    first = parts.parts[0]
+    if isinstance(first, Literal):
+        return _relative(parts, first.text, view)
+    path = _path(first, value[first.end :]) if isinstance(first, Substitution) else None
+    return None if path is None else _above(path, view)
 
 
 def _absolute(value: str, tag: str) -> _Fault | None:
@@ -178,65 +188,85 @@ def _absolute(value: str, tag: str) -> _Fault | None:
     return _Fault(f"{value} is an absolute path", "it is there on this machine only", f"write {instead}")
 
 
-def _above(value: str, view: FileView) -> _Fault | None:
+class _Path(NamedTuple):
+    """A path as written: it begins in ``package`` (empty: in the directory of the file). ``behind`` is all that follows, ``inside`` what
+    of that stands before the next substitution.
+    """
+
+    package: str
+    inside: str
+    behind: str
+    text: str
+
+
+def _path(start: Substitution, behind: str) -> _Path | None:
+    """The path that begins with ``start``; None where that stands for no directory."""
+    package = start.only if start.command == "find" else ""
+    if not package and start.command != "dirname":
+        return None
+    return _Path(package, behind.partition("$")[0], behind, start.text + behind)
+
+
+def _above(path: _Path, view: FileView) -> _Fault | None:
     """``..`` that leads out of the package the name begins in."""
-    match = re.match(r"\$\(\s*(?:find\s+([\w-]+)|(dirname))\s*\)([^$]*)", value)
-    if match is None or ".." not in match[3]:
+    if ".." not in path.inside:
         return None
     depth = 0
-    if match[2]:
+    if not path.package:
         file = posixpath.abspath(view.document.source.file)
         package = view.packages.package_of(file)
         if package is None:
             return None
         inside = posixpath.relpath(posixpath.dirname(file), package.directory)
         depth = 0 if inside == "." else inside.count("/") + 1
-    for part in match[3].split("/"):
+    for part in path.inside.split("/"):
         depth += -1 if part == ".." else part not in ("", ".")
         if depth < 0:
-            message = f"{value} leads out of its package"
-            if _is_sibling(match, value, view):
+            message = f"{path.text} leads out of its package"
+            if _is_sibling(path, view):
                 note = "it works as long as the packages lie side by side, in folders of their names"
-                return _Fault(message, note, _beside(match, view), Severity.INFO)
+                return _Fault(message, note, _beside(path, view), Severity.INFO)
             note = "packages lie side by side in a source workspace only, not once installed"
-            foreign = match[1] is not None and not view.packages.has(match[1])
-            return _Fault(message, note, _beside(match, view), Severity.INFO if foreign else None)
+            foreign = bool(path.package) and not view.packages.has(path.package)
+            return _Fault(message, note, _beside(path, view), Severity.INFO if foreign else None)
     return None
 
 
-def _is_sibling(match: re.Match[str], value: str, view: FileView) -> bool:
+def _is_sibling(path: _Path, view: FileView) -> bool:
     """Whether the name leads exactly one up, into a folder that bears the name of a package that is here, or that an arg decides on."""
-    step = re.match(r"/\.\./+([^/]+)/(?!.*\.\.(?:/|\Z))", value[match.start(3) :]) if match[1] else None
-    return step is not None and ("$(arg " in step[1] or view.packages.has(step[1]))
+    step = re.match(r"/\.\./+([^/]+)/(?!.*\.\.(?:/|\Z))", path.behind) if path.package else None
+    return step is not None and (any(parse(step[1]).substitutions("arg")) or view.packages.has(step[1]))
 
 
-def _beside(match: re.Match[str], view: FileView) -> str:
+def _beside(path: _Path, view: FileView) -> str:
     """How to name what a path with ``..`` leads to, where a package that is here holds it."""
     file = posixpath.abspath(view.document.source.file)
-    start = posixpath.dirname(file) if match[2] else view.packages.find(match[1], file)
+    start = view.packages.find(path.package, file) if path.package else posixpath.dirname(file)
     if start is not None:
-        target = posixpath.normpath(f"{start}/{match[3]}")
+        target = posixpath.normpath(f"{start}/{path.inside}")
         package = view.packages.package_of(target)
         if package is None or not package.name or view.packages.find(package.name, file) != package.directory:
             return _ANY_PACKAGE
         inside = posixpath.relpath(target, package.directory)
         return f"write $(find {package.name})" + ("" if inside == "." else f"/{inside}")
-    other = re.sub(r"^(?:\.\./)*", "", match[3].strip("/")).split("/", 1)
+    other = re.sub(r"^(?:\.\./)*", "", path.inside.strip("/")).split("/", 1)
     return f"write $(find {other[0]})/{other[1]}" if len(other) == 2 and view.packages.has(other[0]) else _ANY_PACKAGE
 
 
-def _relative(value: str, view: FileView) -> _Fault | None:
-    if not exists(value.partition("$(")[0] or value):
+def _relative(parts: Parts, start: str, view: FileView) -> _Fault | None:
+    value = parts.text
+    if not exists(start):
         return None  # not found from here: LL401 and LL502 tell of that
     note = "a relative name counts from the directory roslaunch is started in, not from this file"
-    return _Fault(f"{value} is a relative path", note, f"write {_instead(value, view)}")
+    return _Fault(f"{value} is a relative path", note, f"write {_instead(parts, view)}")
 
 
-def _instead(value: str, view: FileView) -> str:
+def _instead(parts: Parts, view: FileView) -> str:
     """The portable name of the file that the relative name means here."""
+    value = parts.text
     if exists(posixpath.join(posixpath.dirname(posixpath.abspath(view.document.source.file)), value)):
         return f"$(dirname)/{value.removeprefix('./')}"
     package = view.packages.package_of(value)
-    if package is None or not package.name or "$(" in value:
+    if package is None or not package.name or parts.computed:
         return "$(find pkg)/… or $(dirname)/…"
     return f"$(find {package.name})/{posixpath.relpath(posixpath.abspath(value), package.directory)}"

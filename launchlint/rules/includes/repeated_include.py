@@ -48,6 +48,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
+from launchlint.syntax.ros1.substitutions import parts_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -65,7 +66,7 @@ def check(view: FileView) -> Iterator[Finding]:
             continue
         written = _written(element)
         known = first.setdefault((element.parent.index, written), element)
-        if known is not element and "$(anon" not in repr(written):
+        if known is not element and not _makes_up_names(element):
             yield RULE.at(
                 document.place(element.start_span),
                 f"{element.get('file')} is included a second time in the same way",
@@ -79,3 +80,8 @@ def check(view: FileView) -> Iterator[Finding]:
 def _written(element: Element) -> tuple[object, ...]:
     attributes = tuple(sorted((name, attribute.value) for name, attribute in element.attributes.items()))
     return (element.tag, attributes, tuple(_written(child) for child in element.children))
+
+
+def _makes_up_names(element: Element) -> bool:
+    own = any(any(parts_of(attribute).substitutions("anon")) for attribute in element.attributes.values())
+    return own or any(map(_makes_up_names, element.children))

@@ -36,15 +36,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.late import late
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.source import Place, Span
+from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Element
 
 RULE = Rule("LL312", "anon-reuse", Severity.WARNING)
 
-_ANON = late(r"\$\(\s*anon\s+([^\s()]+)\s*\)")
 _DEEPEST = 200
 
 
@@ -92,14 +91,13 @@ class _Walk:
 
     def _attributes(self, element: Element, tag: str, known: dict[str, int]) -> None:
         for attribute in element.attributes.values():
-            if "anon" not in attribute.value or attribute.value.startswith("$(eval "):
-                continue
-            for match in _ANON.finditer(attribute.value):
-                if match[1] not in known:
+            for part in parts_of(attribute).substitutions("anon") if "anon" in attribute.value else ():
+                name = part.only
+                if name not in known:
                     self._count += 1
-                    known[match[1]] = self._count
-                identity, span = known[match[1]], attribute.span_of(*match.span())
+                    known[name] = self._count
+                identity, span = known[name], attribute.span_of(part.start, part.end)
                 if tag in ("node", "test") and attribute.name == "name":
-                    self.nodes.setdefault(match[1], {}).setdefault(identity, span)
+                    self.nodes.setdefault(name, {}).setdefault(identity, span)
                 else:
-                    self.uses.setdefault(match[1], []).append((identity, span))
+                    self.uses.setdefault(name, []).append((identity, span))

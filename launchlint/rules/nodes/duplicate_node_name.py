@@ -60,6 +60,7 @@ from launchlint.rules.edits import LOADS, fix, is_literal, remove_element, set_v
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
+from launchlint.syntax.ros1.substitutions import parse
 from launchlint.syntax.tree import Element
 
 RULE = Rule("LL301", "duplicate-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
@@ -138,13 +139,17 @@ def _are_equal(first: Node, second: Node, view: LaunchView) -> bool:
     if (
         one is None
         or other is None
-        or "$(anon " in (other.get("name") or "")
+        or _is_made_up(other.get("name") or "")
         or any(one.get(name) != other.get(name) for name in ("if", "unless"))
     ):
         return False
     here = first.origin.chain == second.origin.chain and first.origin.place.source is second.origin.place.source
     inside = _written(one)
     return inside == _written(other) and (here or "$" not in repr(inside))
+
+
+def _is_made_up(written: str) -> bool:
+    return any(parse(written).substitutions("anon"))
 
 
 def _acting_on(node: Node) -> tuple[object, ...]:
@@ -191,7 +196,7 @@ def _way_to(first: Node, second: Node) -> tuple[tuple[Place, str], ...]:
 
 def _advice(first: Node, second: Node, twice: bool) -> str:
     written = {place.text for node in (first, second) if (place := node.places.get("name")) is not None}
-    if len(written) == 1 and "$(anon " in next(iter(written)) and not twice:
+    if len(written) == 1 and _is_made_up(next(iter(written))) and not twice:
         return "give each $(anon …) an id of its own: one id stands for one name in its scope"
     if twice:
         return "include the file once, or with another ns each time"

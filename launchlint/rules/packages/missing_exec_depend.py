@@ -85,6 +85,8 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.stale_package import own_instead
 from launchlint.rules.view import FileView
 from launchlint.source import Place, Source, Span
+from launchlint.syntax.parts import Parts
+from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Document, Element
 from launchlint.workspace.build_order import ways_to
 from launchlint.workspace.looking import is_file
@@ -109,8 +111,8 @@ _GENERATED_EXTRA = late(
 
 RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports", fixable="safe")
 
-_FIND = late(r"\$\(\s*find\s+([A-Za-z][\w-]*)\s*\)|\bfind\(\s*['\"]([A-Za-z][\w-]*)['\"]\s*\)")
-_ANY_FIND = late(r"\$\(\s*find\s+([^\s()$]+)\s*\)")
+_FIND = late(r"\bfind\(\s*['\"]([^'\"]*)['\"]\s*\)")
+"""As an expression asks for a package."""
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -290,11 +292,20 @@ def _uses(document: Document) -> dict[str, tuple[Place, str]]:
                 found.setdefault(package.value, (document.place(package.shown_span), _started(element)))
         for attribute in element.attributes.values():
             if "find" in attribute.value:
-                for match in _FIND.finditer(attribute.value):
-                    name = match[1] or match[2]
+                for name, start, end in _found(parts_of(attribute)):
                     how = "includes a file of" if element.tag == "include" else "uses files of"
-                    found.setdefault(name, (document.place(attribute.span_of(*match.span())), how))
+                    found.setdefault(name, (document.place(attribute.span_of(start, end)), how))
     return found
+
+
+def _found(parts: Parts) -> Iterator[tuple[str, int, int]]:
+    """The packages that a value asks for, and where it does."""
+    if parts.expression is None:
+        asked = [(part.only, part.start, part.end) for part in parts.substitutions("find")]
+    else:
+        at = parts.expression.code_start
+        asked = [(match[1], at + match.start(), at + match.end()) for match in _FIND.finditer(parts.expression.code)]
+    return (each for each in asked if not is_placeholder(each[0]))
 
 
 def _is_template(element: Element) -> bool:
@@ -303,7 +314,7 @@ def _is_template(element: Element) -> bool:
         is_placeholder(name)
         for attribute in element.attributes.values()
         if "find" in attribute.value
-        for name in _ANY_FIND.findall(attribute.value)
+        for name in parts_of(attribute).names("find")
     )
 
 

@@ -36,6 +36,7 @@ from launchlint.evaluate.problems import ParamYamlInvalid
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
 from launchlint.source import Place
+from launchlint.syntax.ros1.substitutions import parse
 
 RULE = Rule("LL503", "param-yaml-invalid", Severity.ERROR, roslaunch="refuses")
 
@@ -67,6 +68,6 @@ def _advice(place: Place, name: str) -> str:
         return f"save {name} as a text file in UTF-8"
     if line.lstrip(" ").startswith("\t"):
         return "indent YAML with blanks: tabs are not allowed there"
-    if name and "$(" in line:
+    if name and parse(line).computed:
         return 'substitutions in the file need subst_value="true" on the <rosparam>, and quotes around values such as "$(arg x)"'
     return f"try the mended file with: rosparam load {name}" if name else ""

@@ -31,13 +31,13 @@ roslaunch refuses the file.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, fix, remove_attribute, spot
 from launchlint.rules.rule import Rule
 from launchlint.syntax.problems import ConflictingAttributes
+from launchlint.syntax.ros1.substitutions import parse
 
 RULE = Rule("LL110", "conflicting-attributes", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -80,7 +80,7 @@ def tell(problem: ConflictingAttributes, view: object) -> Iterator[Finding]:
         advice = "keep one of them" if attributes else 'add value="…" (or textfile, binfile, command)'
     else:
         message, stops, advice = (words.format(tag=tag) for words in WORDS[reason])
-    args = re.findall(r"\$\(\s*arg\s+([^\s()$]+)\s*\)", problem.place.text) if reason == "empty-ns" else []
+    args = list(parse(problem.place.text).names("arg")) if reason == "empty-ns" else []
     if args:
         names = args[0] if len(args) == 1 else f"{', '.join(args[:-1])} or {args[-1]}"
         advice = f"give the arg {names} a value, also by default, that is not empty (/ stands for the root)"

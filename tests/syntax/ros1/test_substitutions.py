@@ -148,6 +148,7 @@ def test_names_and_the_text_beside() -> None:
     assert [part.only for part in parts.substitutions()] == ["a", "x", "", "x"]
     assert parts.beside() == "/-_${arg q}"
     assert parts.beside("*") == "*/*-**_${arg q}"
+    assert parts.filled() == f"{'.' * 9}/{'.' * 8}-{'.' * 18}_${{arg q}}"
     assert parts.computed
     assert not parse("$(arg x").computed
 
