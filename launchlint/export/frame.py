@@ -16,7 +16,7 @@ from launchlint.export.written import CannotExport, Fixed, Setting, Written
 from launchlint.model import Unknown
 from launchlint.source import Span
 from launchlint.syntax.parts import Expression, Substitution
-from launchlint.syntax.ros1.substitutions import expression_in, parse
+from launchlint.syntax.ros1.substitutions import expression_in, opens, parse
 from launchlint.syntax.tree import Comment, Document, Element
 
 LARGEST_EXPORT = 16 * 1024 * 1024
@@ -78,7 +78,7 @@ class Plan:
         """``value`` with ``$(find package)`` in place of the directories of packages, so that it holds on another machine, too; as it is
         where a ``$(`` stands in it, which would take what is written behind it for its own.
         """
-        if "/" not in value or "$(" in value:
+        if "/" not in value or opens(value):
             return value
         packages = self.session.packages
         words = value.split(" ")
@@ -151,7 +151,7 @@ class Frame:
             sources |= piece.sources
             anonymous |= piece.anonymous
         result = "".join(written)
-        if not sources and not anonymous and result != text and "$(find" in result and self._plain(result) != value:
+        if not sources and not anonymous and result != text and any(parse(result).substitutions("find")) and self._plain(result) != value:
             result = self.plan.portable(value)
         return Written(result, value, sources, anonymous)
 

@@ -12,6 +12,7 @@ from typing import NamedTuple
 from launchlint.finding import Edit, Fix
 from launchlint.rules.view import FileView, GraphView, LaunchView
 from launchlint.source import Place, Source
+from launchlint.syntax.ros1.substitutions import opens
 from launchlint.syntax.tree import Attribute, Document, Element
 
 TYPE_CHECKING = False
@@ -182,7 +183,7 @@ def _indentation(source: Source, offset: int) -> str:
 
 def is_literal(place: Place, value: str) -> bool:
     """Whether what is written at ``place`` is ``value`` itself, not a substitution or a reference that comes to it."""
-    return place.text == value and "$(" not in value and "&" not in value
+    return place.text == value and not opens(value) and "&" not in value
 
 
 def _escaped(value: str, quote: str) -> str:

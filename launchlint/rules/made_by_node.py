@@ -12,7 +12,7 @@ from typing import NamedTuple
 from launchlint.late import late
 from launchlint.rules.view import LaunchView
 from launchlint.syntax.parts import Literal, Malformed, Substitution
-from launchlint.syntax.ros1.substitutions import parse
+from launchlint.syntax.ros1.substitutions import opens, parse
 from launchlint.workspace.looking import is_file
 
 _MOST_WORDS = 2_000
@@ -78,7 +78,7 @@ def _words(text: str) -> tuple[_Word, ...]:
         for program, before, word in _given(element[0], element[1] == "node"):
             option, _, value = word.rpartition("=")
             writes = any(map(_WRITES.search, (program, option or before)))
-            if "/" in value or "$(" in value:
+            if "/" in value or opens(value):
                 found.append(_Word(element[1] == "node", program, value, writes, element.start()))
     return tuple(found)
 

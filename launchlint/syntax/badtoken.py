@@ -165,7 +165,7 @@ def _less_or_open(text: str, written: Written, token: Token) -> Verdict:
         or "\n" in head
         or "\r" in head
         or written.value_end < 0
-        or (_swallowed(text, written) and "$(eval" not in head)
+        or (_swallowed(text, written) and "$(eval" not in head)  # the file is broken: there is no value to take apart
     ):
         return _open_quote(text, written)
     at = written.value_start + less

@@ -15,6 +15,7 @@ _MOST_FILES = 2_000
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _OTHER_ENDS = (".sh", ".bash", ".zsh", ".service", ".desktop", ".py", ".md", ".rst", ".txt", ".yml", ".yaml", ".rc", ".conf")
 _NOT_LAUNCH = frozenset(("package.xml", "CMakeLists.txt"))
+# Whole files of any kind are looked through, none is read as a launch file: what is found here only keeps rules silent.
 _FILE = re.compile(r"(?<![\w.-])[\w.-]{1,200}\.(?:launch|test|xml)\b")
 _GIVEN = re.compile(r"(?<![\w/~])([A-Za-z]\w{0,200}):=")
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)

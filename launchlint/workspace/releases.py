@@ -13,6 +13,7 @@ from launchlint.workspace.texts import texts
 _MOST_DIRECTORIES = 100
 _MOST_FILES = 200
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
+# No grammar, a look through whole files, comments and all: what is found is only looked up in a list of public packages.
 _USED = re.compile(r"\$\(\s*find\s+([A-Za-z][\w-]*)\s*\)|\bpkg\s*=\s*[\"']([A-Za-z][\w-]*)[\"']")
 _ROS_1 = ("electric", "fuerte", "groovy", "hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
 

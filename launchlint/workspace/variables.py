@@ -20,6 +20,7 @@ _SHELL = re.compile(r"^[ \t]*(?:(?:export|declare -x)[ \t]+|Environment=[\"']?)?
 _DOCKER = re.compile(r"^[ \t]*(?:ENV|ARG)[ \t]+([A-Za-z_]\w*)", re.MULTILINE | re.IGNORECASE)
 _COMPOSE = re.compile(r"^[ \t]*(?:-[ \t]*[\"']?)?([A-Z_][A-Z_0-9]*)[ \t]*[:=]", re.MULTILINE)
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
+# No grammar, a look through whole files, comments and all: that a variable is read in many files is a reason for less, never for more.
 _LAUNCH = re.compile(r"\$\(\s*env\s+([A-Za-z_]\w*)\s*\)")
 _SOURCE = re.compile(r"(?:environ(?:\.get)?[ \t]*[\[(]|getenv[ \t]*\()[ \t]*[\"']([A-Za-z_]\w*)[\"']")
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from launchlint.late import late
 from launchlint.syntax.parts import Parts
-from launchlint.syntax.ros1.substitutions import is_computed, parse, parts_of
+from launchlint.syntax.ros1.substitutions import is_computed, opens, parse, parts_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ class _Reading:
                 self._value(element, name, parts_of(attribute))
         if element.tag == "arg":
             self._declaration(element)
-        elif element.tag == "rosparam" and "$(" in element.text:
+        elif element.tag == "rosparam" and opens(element.text):
             self.parts.update(_parts(parse(element.text)))
 
     def _value(self, element: Element, name: str, parts: Parts) -> None:

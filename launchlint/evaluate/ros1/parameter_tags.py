@@ -27,7 +27,7 @@ from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.parts import Malformed, Substitution
 from launchlint.syntax.ros1.problems import conflicting_attributes, missing_attribute
-from launchlint.syntax.ros1.substitutions import COMMANDS, parse, parse_again
+from launchlint.syntax.ros1.substitutions import COMMANDS, opens, parse, parse_again
 from launchlint.syntax.tree import Attribute, Element
 
 TYPE_CHECKING = False
@@ -197,7 +197,7 @@ def rosparam(file: FileEvaluation, element: Element, context: Context, namespace
     if text is None or isinstance(name, Unknown):
         file.effect(MoreParameters(full))
         return
-    if name is None and not substitute and "$(" in text[0]:
+    if name is None and not substitute and opens(text[0]):
         _notice_unsubstituted(file, element, text[0])
     written = None
     if substitute:

@@ -19,7 +19,7 @@ from launchlint.late import late
 from launchlint.model import Unknown
 from launchlint.source import Span
 from launchlint.syntax.parts import Expression, Parts, Substitution
-from launchlint.syntax.ros1.substitutions import COMMANDS, parse_again
+from launchlint.syntax.ros1.substitutions import COMMANDS, opens, parse_again
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def resolve(evaluation: FileEvaluation, parts: Parts, where: Where, context: Con
         except _NotKnown:
             _replace(evaluation, parts, where, context, finds=True)  # for what is wrong with it
             raise
-        if "$(" not in first:
+        if not opens(first):
             return first
         if first != text:
             where, parts = _through(text, first, where), parse_again(first)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from launchlint.syntax.ros1.substitutions import opens
+
 _BLANK = " \n"
 _NOT_FREE = re.compile(r"^[ ]*(?:\t|---|\.\.\.|%)|[|>][-+0-9]*[ ]*(?:#.*)?$|[&\t]", re.MULTILINE)
 """What may change with its column, or say so: tabs, marks of documents, texts of several lines, and references of XML."""
@@ -15,7 +17,7 @@ def indented(text: str, column: int, closing: int) -> str:
     All lines move by the same number of blanks, and YAML reads the same afterwards; where that cannot be, ``text`` as it is.
     """
     first, *lines = text.split("\n")
-    if first.strip(_BLANK) or not lines or _NOT_FREE.search(text) is not None or "$(" in text:
+    if first.strip(_BLANK) or not lines or _NOT_FREE.search(text) is not None or opens(text):
         return text
     depths = [len(line) - len(line.lstrip(" ")) for line in lines]
     keys = [depth for line, depth in zip(lines, depths, strict=True) if line.strip(_BLANK) and not line.lstrip(" ").startswith("#")]

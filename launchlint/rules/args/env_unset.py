@@ -30,6 +30,7 @@ Where the variable is not set roslaunch refuses the file. `$(optenv NAME default
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import EnvUnset

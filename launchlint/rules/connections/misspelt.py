@@ -15,6 +15,7 @@ from launchlint.rules.connections.places import TALKS, new_remap
 from launchlint.rules.edits import append_child, fix, remove_element, set_value, spot
 from launchlint.rules.view import GraphView
 from launchlint.source import Place
+from launchlint.syntax.ros1.substitutions import opens
 from launchlint.syntax.tree import Attribute
 
 
@@ -140,7 +141,7 @@ def _spelled(written: str, current: str, wanted: str, instance: Instance) -> str
 
 
 def _is_literal(attribute: Attribute) -> bool:
-    return attribute.raw == attribute.value and "$(" not in attribute.value
+    return attribute.raw == attribute.value and not opens(attribute.value)
 
 
 def _changes(end: Endpoint, name: str) -> str:

@@ -56,6 +56,7 @@ from launchlint.rules.params.values import is_certain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.spelling import closest, one_slip
+from launchlint.syntax.ros1.substitutions import opens
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -265,7 +266,7 @@ def _in_name(setting: ParameterSetting, inner: str, near: str, view: GraphView) 
     """In the ``name`` of the ``<param>``, which may say more than ``inner``, or less where it stands in a ``<group>``."""
     at = spot(view, setting.origin.place)
     name = at.element.attributes.get("name") if at is not None else None
-    if name is None or name.raw != name.value or "$(" in name.value or "~" in name.value:
+    if name is None or name.raw != name.value or opens(name.value) or "~" in name.value:
         return ()
     written, wrong, right = (text.strip().split("/") for text in (name.value, inner, near))
     shared = min(len(written), len(wrong))

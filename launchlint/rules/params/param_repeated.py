@@ -47,6 +47,7 @@ from launchlint.rules.params.values import is_same, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
+from launchlint.syntax.ros1.substitutions import opens
 from launchlint.syntax.tree import Element
 
 RULE = Rule("LL514", "param-repeated", Severity.INFO, fixable="safe")
@@ -99,7 +100,7 @@ def _is_always_so(first: Element, second: Element, *, included: bool) -> bool:
         while outer is not None:
             around[outer.index] = "".join(outer.attributes[name].value for name in ("ns", "name") if name in outer.attributes)
             outer = outer.parent
-    return not any("$(" in text for text in (*_written(first), *_written(second), *around.values()))
+    return not any(opens(text) for text in (*_written(first), *_written(second), *around.values()))
 
 
 def _written(element: Element) -> list[str]:

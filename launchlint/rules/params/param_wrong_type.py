@@ -43,6 +43,7 @@ from launchlint.model import Launch, ParameterSetting
 from launchlint.rules.params.values import is_certain, is_known, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
+from launchlint.syntax.ros1.substitutions import opens
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -100,7 +101,7 @@ def _mistake(setting: ParameterSetting, finding: Finding) -> str:
 
 def _is_tried(setting: ParameterSetting, launch: Launch) -> bool:
     """Whether the value was only tried for an arg, to see the other side of a condition."""
-    if "$(" not in setting.origin.place.text:
+    if not opens(setting.origin.place.text):
         return False
     steered: frozenset[str] = frozenset().union(*(branch.steered_by for branch in launch.branches))
     return str(setting.value).lower() in {value.strip().lower() for name, value in launch.given if name in steered}

@@ -55,6 +55,11 @@ def is_plain(text: str) -> bool:
     return "$" not in text and "(" not in text
 
 
+def opens(text: str) -> bool:
+    """Whether a ``$(`` stands in ``text``, closed or not, so that some of it may be computed: told without taking it apart."""
+    return "$(" in text
+
+
 def parts_of(attribute: Attribute) -> Parts:
     """The value of ``attribute``, taken apart the first time that this is asked for."""
     known = attribute.parts

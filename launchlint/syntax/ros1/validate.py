@@ -52,7 +52,7 @@ from launchlint.syntax.ros1.problems import (
     unknown_tag,
     wrong_dialect,
 )
-from launchlint.syntax.ros1.substitutions import parts_of
+from launchlint.syntax.ros1.substitutions import opens, parts_of
 from launchlint.syntax.tree import Attribute, Document, Element
 
 __all__ = ["KINDS", "validate"]
@@ -189,7 +189,7 @@ class _Validator:
         problems = self._problems
         document = self._document
         value = attribute.value
-        if "$(" in value:
+        if opens(value):
             self._substitutions(element, attribute)
         if known.domain is not TEXT:
             domain = known.domain
@@ -203,7 +203,7 @@ class _Validator:
                 # Not substituted, and not looked at for a binfile.
                 if domain.problem(value) is not None and "binfile" not in element.attributes:
                     problems.append(invalid_value(document, element, known.name, value, domain))
-            elif "$(" not in value and domain.problem(value) is not None:
+            elif not opens(value) and domain.problem(value) is not None:
                 problems.append(invalid_value(document, element, known.name, value, domain))
         if known.status == "refused":
             if rule.tag == "test":
@@ -287,7 +287,7 @@ def _literally_off(element: Element) -> bool:
         return False
     for name, off in (("if", False), ("unless", True)):
         value = element.get(name)
-        if value is not None and "$(" not in value:
+        if value is not None and not opens(value):
             try:
                 if parse_condition(value) is off:
                     return True

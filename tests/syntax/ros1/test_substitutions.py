@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 import pytest
-from hypothesis import given
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from launchlint.syntax.parse import parse as parse_file
@@ -98,11 +98,15 @@ def test_parts(text: str) -> None:
     assert [shown(part) for part in parse(text).parts] == CASES[text]
 
 
+PROPERTY = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
+
+
 def texts() -> st.SearchStrategy[str]:
     pieces = ["$", "(", ")", "$(", "{", "}", "[", "]", " ", "\n", "arg", "find", "eval", "env", "x", "-", "/", "$(arg x)", "$(eval ", "$()"]
     return st.lists(st.sampled_from(pieces), max_size=12).map("".join)
 
 
+@PROPERTY
 @given(texts())
 def test_parts_joined_are_the_text_and_every_part_stands_where_it_says(text: str) -> None:
     for parts in (parse(text), parse_again(text)):
@@ -117,6 +121,7 @@ def test_parts_joined_are_the_text_and_every_part_stands_where_it_says(text: str
                 assert part.start < word.start < word.end <= part.end
 
 
+@PROPERTY
 @given(texts())
 def test_plain_text_is_one_piece_of_text(text: str) -> None:
     if is_plain(text):
