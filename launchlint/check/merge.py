@@ -81,15 +81,18 @@ def merge(
         if Fine(finding.rule, finding.location.path, finding.location.start) not in fine
     ]
     own = {finding.key for finding in collected}
+    of_files: dict[Key, Finding] = {}  # what several files show at one place counts as it does in the worst of them
     for file in files.values():
         evaluated = visited.get(file.path, set())
         for finding, guard in file.findings:
             if finding.key in own:
                 continue
-            own.add(finding.key)
             if guard is not None and guard not in evaluated and finding.severity is Severity.ERROR:
                 finding = finding._replace(severity=Severity.WARNING, notes=(*finding.notes, NEVER_EVALUATED))
-            collected.append(finding)
+            same = of_files.get(finding.key)
+            if same is None or finding.severity > same.severity:
+                of_files[finding.key] = finding
+    collected += of_files.values()
     collected = judged(collected, Known(packages, options.root, reached, by_default, tuple(result.summary for result in entries)))
     if workspace:
         view = RunView(tuple(result.summary for result in results), packages, options.root, tuple(map(os.path.abspath, asked)))
