@@ -78,13 +78,14 @@ class Condition(NamedTuple):
 class Branch(NamedTuple):
     """A condition that was met in this configuration.
 
-    ``taken``: whether the element was evaluated; None where the value is unknown. ``element`` is the place of the whole element, ``text``
-    the condition as written. ``steered_by`` are the args of the entry file on which it depends; ``open`` says whether anything outside
-    the file (an arg it can be given, an environment variable) can change it.
+    ``taken``: whether the element was evaluated; None where the value is unknown. ``element`` is the place of its start tag, ``tag`` the
+    name of that, ``text`` the condition as written. ``steered_by`` are the args of the entry file on which it depends; ``open`` says
+    whether anything outside the file (an arg it can be given, an environment variable) can change it.
     """
 
     origin: Origin
     element: Place
+    tag: str
     attribute: str
     text: str
     taken: bool | None

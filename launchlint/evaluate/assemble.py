@@ -226,6 +226,7 @@ class _Assembly:
             Branch(
                 place.origin(effect.origin),
                 effect.element,
+                effect.tag,
                 effect.attribute,
                 effect.text,
                 effect.taken,

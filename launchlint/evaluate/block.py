@@ -98,6 +98,7 @@ class LocalBranch(NamedTuple):
 
     origin: Origin
     element: Place
+    tag: str
     attribute: str
     text: str
     taken: bool | None

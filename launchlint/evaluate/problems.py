@@ -69,10 +69,11 @@ class EvalNotCovered(Problem):
 
 
 class EvalNeverEqual(Problem):
-    """An arg compared with a text that it can never be equal to."""
+    """An arg compared with a text that it can never be equal to; ``negated``: it asks for the two to differ."""
 
     name: str
     literal: str
+    negated: bool
 
 
 class ConditionNotBoolean(Problem):
@@ -97,13 +98,14 @@ class ConditionOnLaunch(Problem):
 class UndeclaredArg(Problem):
     """An arg that no declaration is in force for: ``known`` are those in scope, ``skipped`` its declarations under a false condition.
 
-    ``entry`` says that it is read in the entry file.
+    ``entry`` says that it is read in the entry file, ``in_expression`` that an expression reads it, and not a substitution of its own.
     """
 
     name: str
     known: tuple[str, ...]
     entry: bool
     skipped: tuple[Place, ...]
+    in_expression: bool
 
 
 class RequiredArgUnset(Problem):
@@ -219,9 +221,10 @@ class IncludeMissingArg(Problem):
 
 
 class InvalidNodeName(Problem):
-    """A name that no node can have; roslaunch refuses ``private`` and ``slash``."""
+    """A name that no node can have, ``from_test``: taken from that of the test; roslaunch refuses ``private`` and ``slash``."""
 
     name: str
+    from_test: bool
     reason: NameFault
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from launchlint.model import Launch, ScopedSetting
 from launchlint.source import Origin
 
-_STARTS = ("<node", "<test", "<group", "<include")
+_STARTS = frozenset(("node", "test", "group", "include"))
 
 
 def settings_of(launch: Launch, kind: str) -> Iterator[tuple[ScopedSetting, bool | None]]:
@@ -45,7 +45,7 @@ def _left_out(launch: Launch) -> dict[int, list[int]]:
     found: dict[int, set[int]] = {}
     for branch in launch.branches:
         skipped = branch.taken is False or (branch.taken is None and branch.attribute == "unless")
-        if skipped and branch.element.text.startswith(_STARTS):
+        if skipped and branch.tag in _STARTS:
             for place in (branch.element, *branch.origin.chain):
                 found.setdefault(id(place.source), set()).add(place.span.start)
     return {source: sorted(starts) for source, starts in found.items()}

@@ -160,8 +160,10 @@ class StrayText(Problem):
     """Text that nobody reads.
 
     ``because`` is ``tag`` where the tag takes no text at all, or what makes this rosparam ignore its text: ``file``, ``dump``, ``delete``.
+    ``behind_tag``: nothing stands between it and the end of a tag.
     """
 
     text: str
     parent: str
     because: str
+    behind_tag: bool

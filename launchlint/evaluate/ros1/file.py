@@ -290,7 +290,7 @@ class FileEvaluation:
         self.reads.add(name)
         return value
 
-    def missing_argument(self, name: str, span: Span, context: Context) -> None:
+    def missing_argument(self, name: str, span: Span, context: Context, *, in_expression: bool = False) -> None:
         """Record the read of an arg that has no value, as what it is: not given, not declared, declared later, or out of scope."""
         declared = context.declared.get(name)
         if declared is not None:
@@ -313,7 +313,17 @@ class FileEvaluation:
             self.record(ArgOutOfScope(origin=self.at(span), refused=True, name=name, declaration=declaration))
         else:
             skipped = tuple(self._declared_at(element) for element in outer)
-            self.record(UndeclaredArg(origin=self.at(span), refused=True, name=name, known=known, entry=self.is_entry, skipped=skipped))
+            self.record(
+                UndeclaredArg(
+                    origin=self.at(span),
+                    refused=True,
+                    name=name,
+                    known=known,
+                    entry=self.is_entry,
+                    skipped=skipped,
+                    in_expression=in_expression,
+                )
+            )
 
     def declarations(self) -> dict[str, list[Element]]:
         """All ``<arg>`` elements of this file outside includes, by name as written."""
@@ -411,7 +421,7 @@ class FileEvaluation:
         taken = (True if truth is None else truth) is (name == "if")
         origin = Origin(self.place(span))
         outcome = None if truth is None else taken
-        self.effect(LocalBranch(origin, self.place(element.start_span), name, attribute.value, outcome, reads))
+        self.effect(LocalBranch(origin, self.place(element.start_span), element.tag, name, attribute.value, outcome, reads))
         if taken:
             self.block.visited.add(element.index)
             self.conditions = (*self.conditions, Condition(name, origin.place, truth is None))

@@ -13,7 +13,7 @@ from launchlint.evaluate.ros1.parameter_tags import private_param, rosparam
 from launchlint.evaluate.ros1.scope import Context, overlay
 from launchlint.evaluate.ros1.scope_tags import check_quotes, env, remap, scope_namespace
 from launchlint.model import Condition, EnvironmentSetting, Node, Remap, Role, Unknown
-from launchlint.source import Origin, Span
+from launchlint.source import Origin
 from launchlint.syntax.ros1.dialect import ROLES
 from launchlint.syntax.ros1.problems import conflicting_attributes
 from launchlint.syntax.tree import Element
@@ -135,7 +135,7 @@ def _private_namespace(file: FileEvaluation, element: Element, namespace: str, n
     if not name:
         return namespace
     if name.startswith("~"):
-        file.record(InvalidNodeName(origin=file.at(_name_span(element)), refused=True, name=name, reason="private"))
+        file.record(_invalid_name(file, element, name, "private"))
         return join(namespace, name[1:]) + "/"
     return as_namespace(join(namespace, name))
 
@@ -209,11 +209,16 @@ def _check_name(
         reason = "characters"
     else:
         return
-    file.record(InvalidNodeName(origin=file.at(_name_span(element)), refused=reason == "slash", name=name, reason=reason))
+    file.record(_invalid_name(file, element, name, reason))
 
 
-def _name_span(element: Element) -> Span:
-    attribute = element.attributes.get("name") or element.attributes.get("test-name")
-    if attribute is None:
-        return element.name_span
-    return attribute.value_or_name_span
+def _invalid_name(file: FileEvaluation, element: Element, name: str, reason: NameFault) -> InvalidNodeName:
+    own, of_test = element.attributes.get("name"), element.attributes.get("test-name")
+    written = own or of_test
+    return InvalidNodeName(
+        origin=file.at(element.name_span if written is None else written.value_or_name_span),
+        refused=reason in ("private", "slash"),
+        name=name,
+        from_test=own is None and of_test is not None,
+        reason=reason,
+    )

@@ -249,8 +249,9 @@ def _evaluate(evaluation: FileEvaluation, part: Expression, where: Where, contex
     expression, text, at = part.code, part.text, part.code_start
     evaluation.reads.update(arguments_read(expression))
     if "= '" in expression or "='" in expression or '="' in expression or '= "' in expression:
-        for start, end, name, literal in never_equal(expression):
-            evaluation.record(EvalNeverEqual(origin=evaluation.at(where(at + start, at + end)), name=name, literal=literal))
+        for start, end, name, literal, negated in never_equal(expression):
+            origin = evaluation.at(where(at + start, at + end))
+            evaluation.record(EvalNeverEqual(origin=origin, name=name, literal=literal, negated=negated))
     try:
         return evaluate(expression, _Names(evaluation, where(0, len(text)), context))
     except UnknownValue as unknown:
@@ -260,7 +261,7 @@ def _evaluate(evaluation: FileEvaluation, part: Expression, where: Where, contex
     except ExpressionError as error:
         span = where(at + error.start, at + max(error.end, error.start + 1))
         if error.undefined_arg is not None:
-            evaluation.missing_argument(error.undefined_arg, span, context)
+            evaluation.missing_argument(error.undefined_arg, span, context, in_expression=True)
         elif error.unset_env is not None:
             evaluation.record(EnvUnset(origin=evaluation.at(span), refused=True, variable=error.unset_env))
         else:

@@ -70,7 +70,7 @@ def _never_equal(problem: EvalNeverEqual) -> Finding:
     name, literal = problem.name, problem.literal
     truth = literal.lower() in ("true", "false")
     value = literal.capitalize() if truth else literal
-    outcome = "true" if "!=" in problem.place.text else "false"
+    outcome = "true" if problem.negated else "false"
     return RULE.at(
         problem.origin,
         f"this comparison is always {outcome}: {name} can never be the text {literal!r}",

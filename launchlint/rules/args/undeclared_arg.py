@@ -47,7 +47,6 @@ from launchlint.rules.edits import LOADS, fix, replace, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import closest, surely
-from launchlint.syntax.ros1.substitutions import parse
 
 RULE = Rule("LL201", "undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -68,7 +67,7 @@ def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         message = f"the arg {name} is not declared"
         note = f"roslaunch stops here, since {name} has no value"
         help_ = f"did you mean {near}?" if near is not None else declare
-    elif not any(parse(problem.place.text).substitutions("arg")):
+    elif problem.in_expression:
         severity, message = Severity.WARNING, f"the arg {name} is not declared"
         note = f"roslaunch stops here, since {name} has no value"
         written = problem.place.text

@@ -55,12 +55,11 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
 
 
 def _finding(branch: Branch, view: LaunchView) -> Finding:
-    tag = branch.element.text.removeprefix("<").split(None, 1)[0].rstrip("/>")
     shown = " ".join(branch.text.split())[:60]
     if not parse(branch.text).computed:
         return RULE.at(
             branch.origin,
-            f'this <{tag}> is switched off by {branch.attribute}="{shown}"',
+            f'this <{branch.tag}> is switched off by {branch.attribute}="{shown}"',
             severity=Severity.INFO,
             label="never taken",
             help="put an arg with a default into the condition to switch it on without an edit, or remove the element",
@@ -68,7 +67,7 @@ def _finding(branch: Branch, view: LaunchView) -> Finding:
     switch = _switch(branch, view)
     return RULE.at(
         branch.origin,
-        f"this <{tag}> is never evaluated: nothing can change {branch.attribute}={shown!r}",
+        f"this <{branch.tag}> is never evaluated: nothing can change {branch.attribute}={shown!r}",
         severity=None if switch is None else Severity.INFO,
         label="never taken",
         related=() if switch is None else ((switch, "the switch"),),

@@ -124,9 +124,12 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
     if installed is not None:
         notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")
     severity = Severity.WARNING if beside or outside or installed is not None else None
-    advice = f'write file="$(dirname)/{file}"' if beside else _suggestion(file, problem, written, view, root)
-    repair = None if environment else _fix(problem, view, written, f"$(dirname)/{file}" if beside else _meant(advice), sure=beside)
-    if not beside and has_arg(written) and (meant := _meant(advice)) and not _keeps_args(written, meant):
+    meant = f"$(dirname)/{file}"
+    advice = f'write file="{meant}"'
+    if not beside:
+        advice, meant = _suggestion(file, problem, written, view, root)
+    repair = None if environment else _fix(problem, view, written, meant, sure=beside)
+    if not beside and has_arg(written) and meant and not _keeps_args(written, meant):
         advice, repair = _correct_arg(problem, written, meant, view)
     if maker is not None:
         severity, advice = Severity.INFO, maker.help
@@ -157,12 +160,6 @@ def together(findings: Sequence[Finding]) -> Finding:
     return led_by(findings, "LL215")
 
 
-def _meant(advice: str) -> str:
-    """The name that :func:`_suggestion` proposes, where it is one that can be written into any file."""
-    name = advice.removeprefix("did you mean ").removesuffix("?")
-    return name if name != advice and name.startswith("$(") else ""
-
-
 def _keeps_args(written: str, meant: str) -> bool:
     """Whether ``meant`` holds all args of ``written``: then other callers get what they ask for."""
     parts = parse(written)
@@ -191,8 +188,10 @@ def _fix(problem: IncludeNotFound, view: LaunchView, written: str, name: str, *,
     return fix(f'write file="{name}"', set_value(spot(view, problem.place), name), safe=sure, changes=changes)
 
 
-def _suggestion(file: str, problem: IncludeNotFound, written: str, view: LaunchView, root: str) -> str:
+def _suggestion(file: str, problem: IncludeNotFound, written: str, view: LaunchView, root: str) -> tuple[str, str]:
     """A launch file of that or a similar name: in the same directory, else in the same package; else one of that name elsewhere.
+
+    What to do, and the name that is proposed, where it is one that can be written into any file.
 
     Not one that the same file includes anyhow, nor one that was put aside, nor one that refuses the args that are passed.
     """
@@ -211,7 +210,8 @@ def _suggestion(file: str, problem: IncludeNotFound, written: str, view: LaunchV
     alike = [each for each in found if posixpath.basename(each) == base]
     same = [each for each in alike if takes(each, passed)]
     if near is not None and not same and written.endswith(base):
-        return f"did you mean {written[: -len(base)]}{near}?"
+        name = f"{written[: -len(base)]}{near}"
+        return f"did you mean {name}?", name if name.startswith("$(") else ""
     if not alike:
         nearest = _close(base, sorted({posixpath.basename(each) for each in found}))
         same = [each for each in found if posixpath.basename(each) == nearest and takes(each, passed)]
@@ -221,12 +221,13 @@ def _suggestion(file: str, problem: IncludeNotFound, written: str, view: LaunchV
         package = view.packages.package_of(same[0]) if len(same) == 1 else None
     if len(same) > 1:
         listed = ", ".join(shown(each, root) for each in same[:_MOST_NAMED]) + (" …" if len(same) > _MOST_NAMED else "")
-        return _CORRECT if posixpath.basename(same[0]) != base else f"{_CORRECT}; there are {listed}"
+        return _CORRECT if posixpath.basename(same[0]) != base else f"{_CORRECT}; there are {listed}", ""
     if not same:
-        return _CORRECT
+        return _CORRECT, ""
     if package is not None and package.name and view.packages.find(package.name, source.file) == package.directory:
-        return f"did you mean $(find {package.name})/{posixpath.relpath(same[0], package.directory)}?"
-    return f"did you mean {shown(same[0], root)}?"
+        name = f"$(find {package.name})/{posixpath.relpath(same[0], package.directory)}"
+        return f"did you mean {name}?", name
+    return f"did you mean {shown(same[0], root)}?", ""
 
 
 def _close(base: str, names: list[str]) -> str | None:

@@ -53,7 +53,6 @@ roslaunch refuses the whole launch. It is also how a mistyped arg shows.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from functools import lru_cache
 
@@ -63,7 +62,7 @@ from launchlint.rules.edits import LOADS, passed_under
 from launchlint.rules.includes.broken_call import broken_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
-from launchlint.source import Place, Span
+from launchlint.source import Place
 from launchlint.spelling import closest, did_you_mean
 
 RULE = Rule("LL403", "include-undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
@@ -110,15 +109,9 @@ def _help(undeclared: tuple[str, ...], known: tuple[str, ...], elsewhere: tuple[
 
 def _declared_elsewhere(name: str, file: str, view: LaunchView) -> Place | None:
     """Where the included file does hold an ``<arg>`` of this name after all."""
-    source = next((include.source for include in view.launch.includes if include.source is not None and include.source.path == file), None)
-    if source is None:
+    document = view.documents.get(file)
+    if document is None:
         return None
-    match = re.search(rf"""<arg\b[^>]*?\bname\s*=\s*["']({re.escape(name)})["']""", _own_text(source.text))
-    return None if match is None else Place(source, Span(*match.span(1)))
-
-
-@lru_cache(maxsize=64)  # asked for each arg of each include in every configuration
-def _own_text(text: str) -> str:
-    """``text`` without comments, and without the args that the file itself passes on: those stand inside an include."""
-    text = re.sub(r"<!--.*?-->", lambda match: " " * len(match[0]), text, flags=re.DOTALL)
-    return re.sub(r"<include\b[^>]*[^/]>.*?</include>", lambda match: " " * len(match[0]), text, flags=re.DOTALL)
+    named = (each for each in document.elements if each.tag == "arg" and each.get("name") == name)
+    own = next((each for each in named if each.parent is not None and each.parent.tag.lower() != "include"), None)
+    return None if own is None else document.place(own.attributes["name"].value_span)

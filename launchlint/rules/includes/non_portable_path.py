@@ -78,7 +78,7 @@ _HOME = r"(?<![\w.$/\\-])(?:/home/|/Users/)[\w.-]+/"
 _TILDE = r"(?<![\w.$/\\-])~/(?:\.[\w-]|(?:[\w. -]+/)*[\w-]+\.[A-Za-z]\w{0,5}\b)[^\s\"';,:]*"
 """``~/.ros/x`` or ``~/maps/hall.yaml``; ``~/scan`` may well be a topic."""
 _WORD = late(r"[^$\s\"';,:]*")
-_ANY_PACKAGE = "keep it in a package, and write $(find pkg)/…"
+_ANY_NAME = "$(find pkg)/… or $(dirname)/…"
 _SYSTEM = r"/(?:etc|dev|tmp|var|run|mnt|media|sys|proc|opt/(?!ros/))"
 _PERSONAL = r"/home/[^/$]+/|/Users/[^/$]+/|/root/|/(?:[^/]*_ws|src)/|/opt/ros/|[A-Za-z]:[\\/]"
 _PACKAGE = r"/(?:src|share)/(?:.*/)?(\w+)/((?:launch|config|params|param|cfg|urdf|maps|map)/.*)$"
@@ -90,6 +90,7 @@ class _Fault(NamedTuple):
     help: str
     severity: Severity | None = None
     cause: str = ""
+    instead: str = ""
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -152,7 +153,7 @@ def _out_of_package(parts: Parts, view: FileView) -> _Fault | None:
         path = None if behind is None else _path(part, behind[0])
         fault = None if path is None else _above(path, view)
         if path is not None and fault is not None:
-            known = fault.help != _ANY_PACKAGE
+            known = bool(fault.instead)
             start = "/".join(path.text.split("/")[:3])
             return fault._replace(severity=None if known else Severity.INFO, cause=f"{start} {fault.help if known else ''}")
     return None
@@ -160,10 +161,10 @@ def _out_of_package(parts: Parts, view: FileView) -> _Fault | None:
 
 def _fix(fault: _Fault, at: Spot) -> Fix | None:
     """The portable name, where the advice is one and no pattern; whether it leads to the same file is proved before it is written."""
-    name = fault.help.removeprefix("write ")
     written = "" if at.attribute is None else at.attribute.value
-    unseen = "…" in name or (written.startswith("/") and not exists(written))
-    return None if unseen else fix(fault.help, set_value(at, name), safe=True)
+    if not fault.instead or (written.startswith("/") and not exists(written)):
+        return None
+    return fix(fault.help, set_value(at, fault.instead), safe=True)
 
 
 def _fault(parts: Parts, tag: str, view: FileView) -> _Fault | None:
@@ -184,8 +185,8 @@ def _absolute(value: str, tag: str) -> _Fault | None:
     if re.match(_SYSTEM, value) or (tag != "include" and re.match(_PERSONAL, value) is None and "/src/" not in value):
         return None
     packaged = re.search(_PACKAGE, value)
-    instead = f"$(find {packaged[1]})/{packaged[2]}" if packaged else "$(find pkg)/… or $(dirname)/…"
-    return _Fault(f"{value} is an absolute path", "it is there on this machine only", f"write {instead}")
+    instead = f"$(find {packaged[1]})/{packaged[2]}" if packaged else ""
+    return _Fault(f"{value} is an absolute path", "it is there on this machine only", f"write {instead or _ANY_NAME}", instead=instead)
 
 
 class _Path(NamedTuple):
@@ -222,13 +223,14 @@ def _above(path: _Path, view: FileView) -> _Fault | None:
     for part in path.inside.split("/"):
         depth += -1 if part == ".." else part not in ("", ".")
         if depth < 0:
-            message = f"{path.text} leads out of its package"
-            if _is_sibling(path, view):
-                note = "it works as long as the packages lie side by side, in folders of their names"
-                return _Fault(message, note, _beside(path, view), Severity.INFO)
+            instead, severity = _beside(path, view), None
             note = "packages lie side by side in a source workspace only, not once installed"
-            foreign = bool(path.package) and not view.packages.has(path.package)
-            return _Fault(message, note, _beside(path, view), Severity.INFO if foreign else None)
+            if _is_sibling(path, view):
+                note, severity = "it works as long as the packages lie side by side, in folders of their names", Severity.INFO
+            elif path.package and not view.packages.has(path.package):
+                severity = Severity.INFO
+            help = f"write {instead}" if instead else "keep it in a package, and write $(find pkg)/…"
+            return _Fault(f"{path.text} leads out of its package", note, help, severity, instead=instead)
     return None
 
 
@@ -239,18 +241,18 @@ def _is_sibling(path: _Path, view: FileView) -> bool:
 
 
 def _beside(path: _Path, view: FileView) -> str:
-    """How to name what a path with ``..`` leads to, where a package that is here holds it."""
+    """The name of what a path with ``..`` leads to, where a package that is here holds it; else empty."""
     file = posixpath.abspath(view.document.source.file)
     start = view.packages.find(path.package, file) if path.package else posixpath.dirname(file)
     if start is not None:
         target = posixpath.normpath(f"{start}/{path.inside}")
         package = view.packages.package_of(target)
         if package is None or not package.name or view.packages.find(package.name, file) != package.directory:
-            return _ANY_PACKAGE
+            return ""
         inside = posixpath.relpath(target, package.directory)
-        return f"write $(find {package.name})" + ("" if inside == "." else f"/{inside}")
+        return f"$(find {package.name})" + ("" if inside == "." else f"/{inside}")
     other = re.sub(r"^(?:\.\./)*", "", path.inside.strip("/")).split("/", 1)
-    return f"write $(find {other[0]})/{other[1]}" if len(other) == 2 and view.packages.has(other[0]) else _ANY_PACKAGE
+    return f"$(find {other[0]})/{other[1]}" if len(other) == 2 and view.packages.has(other[0]) else ""
 
 
 def _relative(parts: Parts, start: str, view: FileView) -> _Fault | None:
@@ -258,15 +260,16 @@ def _relative(parts: Parts, start: str, view: FileView) -> _Fault | None:
     if not exists(start):
         return None  # not found from here: LL401 and LL502 tell of that
     note = "a relative name counts from the directory roslaunch is started in, not from this file"
-    return _Fault(f"{value} is a relative path", note, f"write {_instead(parts, view)}")
+    instead = _instead(parts, view)
+    return _Fault(f"{value} is a relative path", note, f"write {instead or _ANY_NAME}", instead=instead)
 
 
 def _instead(parts: Parts, view: FileView) -> str:
-    """The portable name of the file that the relative name means here."""
+    """The portable name of the file that the relative name means here; empty where there is none."""
     value = parts.text
     if exists(posixpath.join(posixpath.dirname(posixpath.abspath(view.document.source.file)), value)):
         return f"$(dirname)/{value.removeprefix('./')}"
     package = view.packages.package_of(value)
     if package is None or not package.name or parts.computed:
-        return "$(find pkg)/… or $(dirname)/…"
+        return ""
     return f"$(find {package.name})/{posixpath.relpath(posixpath.abspath(value), package.directory)}"

@@ -71,7 +71,7 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
     else:
         good = re.sub(r"\W", "_", name.strip(), flags=re.ASCII)
         good = good if good[:1].isalpha() else f"n{good}" if good.startswith("_") else f"n_{good}"
-        own = _is_own_name(problem)
+        own = not problem.from_test
         wanted = "is not a valid ROS name" if own else "(its test-name) is not a valid ROS name"
         yield RULE.at(
             problem.origin,
@@ -98,13 +98,6 @@ def _rename(problem: InvalidNodeName, view: LaunchView, name: str, good: str) ->
     if not is_literal(problem.place, name):
         return None
     return fix(f"write {good}", set_value(spot(view, problem.place), good), safe=False, changes=f"the node is {good}")
-
-
-def _is_own_name(problem: InvalidNodeName) -> bool:
-    """Whether the name comes from ``name``; a test without it takes its ``test-name``."""
-    source, span = problem.place
-    before = source.text[max(0, span.start - 200) : span.start]
-    return not before.rstrip("\"'").rstrip().removesuffix("=").rstrip().endswith("test-name")
 
 
 def _fault(name: str) -> str:

@@ -46,7 +46,7 @@ from launchlint.source import Place
 from launchlint.spelling import closest, did_you_mean
 
 RULE = Rule("LL306", "unknown-machine", Severity.ERROR, roslaunch="reports", fixable="unsafe")
-_DEFINE = ("<machine", "<group", "<include")
+_DEFINE = frozenset(("machine", "group", "include"))
 
 
 def check(view: LaunchView) -> Iterator[Fine]:
@@ -91,4 +91,4 @@ def _fix(problem: UnknownMachine, view: LaunchView, name: str, near: str | None)
 def _may_be_elsewhere(launch: Launch) -> bool:
     """Whether machines may be defined where nobody can look: in a file that is not here, or under a condition of unknown value."""
     unknown = (branch for branch in launch.branches if branch.taken is None and branch.attribute == "unless")
-    return not launch.complete or any(branch.element.text.startswith(_DEFINE) for branch in unknown)
+    return not launch.complete or any(branch.tag in _DEFINE for branch in unknown)

@@ -43,16 +43,14 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.model import ParameterSetting
+from launchlint.rules.edits import spot
 from launchlint.rules.params.values import is_certain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
-from launchlint.source import Place, Span
 from launchlint.spelling import distance
 
 RULE = Rule("LL512", "suspicious-param-value", Severity.WARNING)
 
-_TYPE = r"""(?i)\btype\s*=\s*["']\s*(?!auto\s*["']|["'])"""
-_VALUE = r"""\bvalue\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 _COMMA = r"[-+]?\d+,\d+"
 _EXPONENT = r"[-+]?\d+[eE][-+]?\d+"
 _WORD = r"[A-Za-z]{3,6}"
@@ -78,12 +76,11 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
         said = _suspicion(setting.name.rpartition("/")[2], value)
         if said is None:
             continue
-        place = setting.origin.place
-        written = re.search(_VALUE, place.text)
-        if written is None or re.search(_TYPE, place.text) is not None:
+        found = spot(view, setting.origin.place)
+        written = None if found is None else found.element.attributes.get("value")
+        if found is None or written is None or (found.element.get("type") or "auto").lower().strip() not in ("auto", ""):
             continue
-        start, end = written.span(1 if written[1] is not None else 2)
-        at = setting.origin._replace(place=Place(place.source, Span(place.span.start + start, place.span.start + end)))
+        at = setting.origin._replace(place=found.document.place(written.value_span))
         message, help_, sure = said
         wants = readers.wanted(setting)
         if wants == _ANOTHER or (wants == _NOBODY_KNOWS and (sure or (setting.node is None and value.startswith("[")))):

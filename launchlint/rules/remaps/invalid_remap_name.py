@@ -68,7 +68,7 @@ def tell(problem: InvalidRemapName | DoubledSlash, view: object) -> Iterator[Fin
             help="give a topic or service name; a remap cannot switch a topic off, but can send it to a name that nobody uses",
         )
         return
-    message, help_ = _fault(value)
+    message, help_, legal = _fault(value)
     yield RULE.at(
         problem.origin,
         message,
@@ -76,27 +76,27 @@ def tell(problem: InvalidRemapName | DoubledSlash, view: object) -> Iterator[Fin
         related=problem.related,
         notes=(f"roslaunch stops with: remap {attribute} [{value}] is not a valid ROS name",),
         help=help_,
-        fix=_fix(problem, view, value, help_),
+        fix=_fix(problem, view, value, legal),
     )
 
 
-def _fix(problem: InvalidRemapName, view: object, value: str, help_: str) -> Fix | None:
-    name = help_.removeprefix("write ")
-    if name == help_ or " " in name or not is_literal(problem.place, value):
+def _fix(problem: InvalidRemapName, view: object, value: str, legal: str) -> Fix | None:
+    if not legal or not is_literal(problem.place, value):
         return None
-    return fix(help_, set_value(spot(view, problem.place), name), safe=False, changes=LOADS)
+    return fix(f"write {legal}", set_value(spot(view, problem.place), legal), safe=False, changes=LOADS)
 
 
-def _fault(name: str) -> tuple[str, str]:
-    """What is wrong with the name, and what to write."""
+def _fault(name: str) -> tuple[str, str, str]:
+    """What is wrong with the name, what to do, and a name that may stand there instead (empty where nobody knows)."""
     if ":=" in name:
         source, _, target = name.partition(":=")
-        return f"{name!r} is how remaps are written on the command line", f'write from="{source}" to="{target}"'
+        return f"{name!r} is how remaps are written on the command line", f'write from="{source}" to="{target}"', ""
     found = re.search(r"[^\w/~]|(?<!^)~", name)
     if found is not None and any(char in name for char in "*?"):
-        return f"{name!r} is no ROS name: there are no patterns in remaps", "write one <remap> for each name"
+        return f"{name!r} is no ROS name: there are no patterns in remaps", "write one <remap> for each name", ""
     if found is not None:
         what = "a blank" if found[0].isspace() else f"the character {found[0]!r}"
         legal = re.sub("_{2,}", "_", re.sub(r"[^\w/]+", "_", name)).strip("_")
-        return f"{name!r} is no ROS name: {what} is not allowed{' there' if found[0] == '~' else ''}", f"write {legal}" if legal else ""
-    return f"{name!r} is no ROS name: it begins with {name[:1]!r}", "begin it with a letter or /"
+        where = " there" if found[0] == "~" else ""
+        return f"{name!r} is no ROS name: {what} is not allowed{where}", f"write {legal}" if legal else "", legal
+    return f"{name!r} is no ROS name: it begins with {name[:1]!r}", "begin it with a letter or /", ""

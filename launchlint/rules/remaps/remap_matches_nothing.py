@@ -50,7 +50,6 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, kind
-from launchlint.late import late
 from launchlint.rules.connections.places import is_inside
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.remaps.own_names import OwnNames, own_names
@@ -65,7 +64,6 @@ UNIVERSAL = ("~get_loggers", "~set_logger_level", "/rosout", "/clock", "/use_sim
 REMOVE = "remove it"
 _IS_OTHER = "the name of the node is"
 _IS_PARAM = "it is a param of the node, to which a remap gives no value"
-_PROPOSED = late(r'from="([^"]+)"(?: to="([^"]+)")?')
 _MOST_NAMES = 6
 _MOST_CANDIDATES = 300
 
@@ -78,6 +76,19 @@ class _Miss(NamedTuple):
     applied: Applied
     names: OwnNames
     graph: ConnectionGraph
+
+
+class _Advice(NamedTuple):
+    """What to do about a remap: ``remove`` it, or write another ``source`` (with ``target``: swap the two).
+
+    ``habit`` is what it has in common with others that are wrong in the same way, whatever their names.
+    """
+
+    text: str
+    habit: str = ""
+    remove: bool = False
+    source: str | None = None
+    target: str | None = None
 
 
 def check(view: GraphView) -> Iterator[Finding | Fine]:
@@ -147,11 +158,11 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
     notes = []
     if written != applied.source and kind(written) != "global":
         notes.append(f"{written} stands for {applied.source} there")
-    help_ = next((text for miss in misses if (text := _help(miss, written))), "")
+    advice = next((found for miss in misses if (found := _advice(miss, written)) is not None), None)
     own = sorted(set(names.spelled.values()))
     if not own:
         notes.append(f"{instance.name} has no names of its own")
-    elif not help_ and len(own) <= _MOST_NAMES:
+    elif advice is None and len(own) <= _MOST_NAMES:
         notes.append(f"the names of {instance.name} are {_listed(own)}")
     severity = Severity.INFO if all(_is_harmless(miss) for miss in misses) else RULE.severity
     return RULE.at(
@@ -160,37 +171,32 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
         severity=severity,
         label="matches nothing",
         notes=tuple(notes),
-        help=help_ or "remove it, or write the name that the node's code uses",
+        help="remove it, or write the name that the node's code uses" if advice is None else advice.text,
         topic=topic,
-        fix=None if topic else _fix(origin, help_, view),
-        cause=_cause(instance, severity, written, help_) if len(misses) == 1 else "",
+        fix=None if topic or advice is None else _fix(origin, advice, view),
+        cause=_cause(instance, severity, written, advice) if len(misses) == 1 else "",
     )
 
 
-def _cause(instance: Instance, severity: Severity, written: str, help_: str) -> str:
+def _cause(instance: Instance, severity: Severity, written: str, advice: _Advice | None) -> str:
     """What holds for several remaps of one program, or for one of them in several files."""
-    if not help_:
-        reason = "other names"
-    elif help_.startswith((_IS_PARAM, _IS_OTHER)):
-        reason = help_.partition(":")[0]
-    else:
-        reason = f"{written} {help_}"
+    reason = "other names" if advice is None else advice.habit or f"{written} {advice.text}"
     return f"{instance.program} {severity.word} {reason}"
 
 
-def _fix(origin: Origin, help_: str, view: GraphView) -> Fix | None:
-    """What :func:`_help` proposes: the remap goes, or ``from`` gets another name, or both sides do."""
+def _fix(origin: Origin, advice: _Advice, view: GraphView) -> Fix | None:
+    """What :func:`_advice` proposes: the remap goes, or ``from`` gets another name, or both sides do."""
     at = spot(view, origin.place)
-    if at is not None and help_.startswith(REMOVE) and at.element.tag.lower() == "remap":
+    if at is not None and advice.remove and at.element.tag.lower() == "remap":
         return fix("remove the remap", remove_element(at), safe=False, changes="the same, without a remap that matches nothing")
-    match = _PROPOSED.search(help_)
-    if match is None or at is None or at.element.tag.lower() != "remap" or any("$" in each.raw for each in at.element.attributes.values()):
+    name = advice.source
+    if name is None or at is None or at.element.tag.lower() != "remap" or any("$" in each.raw for each in at.element.attributes.values()):
         return None
-    edits = set_value(at, match[1], at.element.attributes.get("from"))
-    if match[2] is None:
-        return fix(f'write from="{match[1]}"', edits, safe=False, changes=f"{match[1]} is remapped")
-    edits += set_value(at, match[2], at.element.attributes.get("to"))
-    return fix("swap from and to", edits, safe=False, changes=f"{match[1]} is remapped to {match[2]}")
+    edits = set_value(at, name, at.element.attributes.get("from"))
+    if advice.target is None:
+        return fix(f'write from="{name}"', edits, safe=False, changes=f"{name} is remapped")
+    edits += set_value(at, advice.target, at.element.attributes.get("to"))
+    return fix("swap from and to", edits, safe=False, changes=f"{name} is remapped to {advice.target}")
 
 
 def _is_harmless(miss: _Miss) -> bool:
@@ -264,42 +270,53 @@ def _reversed(miss: _Miss) -> str | None:
     return None if target in miss.names.derived or target.endswith(source) else miss.names.spelled.get(target)
 
 
-def _help(miss: _Miss, written: str) -> str:
+def _advice(miss: _Miss, written: str) -> _Advice | None:
     names, source = miss.names, miss.applied.source
     spelled = names.spelled
     param = _param(miss, written)
     if param is not None:
-        return f'{_IS_PARAM}: write <param name="{param}" value="{miss.applied.rule.target}"/>'
+        return _Advice(f'{_IS_PARAM}: write <param name="{param}" value="{miss.applied.rule.target}"/>', habit=_IS_PARAM)
     turned = _reversed(miss)
     if turned is not None and source not in HUBS:
         swapped = f'write from="{turned}" to="{written}"'
         if any((kind_, source) in miss.graph.channels for kind_ in ("topic", "service", "action")):
-            return f"if from and to are swapped, {swapped}; else remove it, since {turned} is the name in the code"
-        return f"{REMOVE}: {turned} is the name in the code, which the node uses anyhow; if from and to are swapped, {swapped}"
+            return _Advice(
+                f"if from and to are swapped, {swapped}; else remove it, since {turned} is the name in the code",
+                source=turned,
+                target=written,
+            )
+        return _Advice(
+            f"{REMOVE}: {turned} is the name in the code, which the node uses anyhow; if from and to are swapped, {swapped}", remove=True
+        )
     inside = sorted(spelled[full] for full in spelled if full.startswith(f"{source}/"))
     if inside:
-        return f"a remap does not reach below a name: remap {_listed(inside)} one by one"
+        return _Advice(f"a remap does not reach below a name: remap {_listed(inside)} one by one")
     if _is_harmless(miss):
         anyhow = miss.applied.target if miss.applied.target in names.used else _as_wanted(miss)
-        return REMOVE if anyhow is None else f"{REMOVE}: {anyhow} is the name that the node uses anyhow"
+        return _Advice(REMOVE if anyhow is None else f"{REMOVE}: {anyhow} is the name that the node uses anyhow", remove=True)
     bare, namer = written.lstrip("~/"), miss.instance.namer
     for other, what in ((f"~{bare}", "private"), (bare, "relative"), (f"/{bare}", "global")):
         found = spelled.get(absolute(other, namer.namespace, namer.node)) if bare else None
         if found is not None:
             full = absolute(other, namer.namespace, namer.node)
-            return _done_by_another(miss, full) or f'{_IS_OTHER} {what}: write from="{found}"'
+            habit = f"{_IS_OTHER} {what}"
+            return _done_by_another(miss, full) or _Advice(f'{habit}: write from="{found}"', habit=habit, source=found)
     if len(spelled) > _MOST_CANDIDATES:
-        return ""
+        return None
     own = {full: name for full, name in spelled.items() if full not in names.derived}
     near = closest(source, own) or _same_end(source, own)
-    return "" if near is None else _done_by_another(miss, near) or f'did you mean from="{spelled[near]}"?'
+    if near is None:
+        return None
+    return _done_by_another(miss, near) or _Advice(f'did you mean from="{spelled[near]}"?', source=spelled[near])
 
 
-def _done_by_another(miss: _Miss, name: str) -> str:
+def _done_by_another(miss: _Miss, name: str) -> _Advice | None:
     """What to do where another remap of the node acts on ``name`` (full), which this one would act on once it is corrected; else empty."""
     others = miss.instance.namer.remappings.values()
     other = next((each for each in others if each is not miss.applied and each.source == name), None)
-    return "" if other is None else f"{REMOVE}: another remap leads {miss.names.spelled[name]} to {other.target} already"
+    if other is None:
+        return None
+    return _Advice(f"{REMOVE}: another remap leads {miss.names.spelled[name]} to {other.target} already", remove=True)
 
 
 def _same_end(source: str, spelled: Mapping[str, str]) -> str | None:

@@ -50,10 +50,7 @@ _QUOTES = ('"', "'")
 
 
 def tell(problem: StrayText, view: object) -> Iterator[Finding]:
-    """Show the text, unless it is the placeholder of a template.
-
-    Facts: ``text``, ``parent``, ``because`` (``tag``, or what makes a rosparam ignore its text).
-    """
+    """Show the text, unless it is the placeholder of a template."""
     text, parent, because = problem.text, problem.parent, problem.because
     words = " ".join(text.split())
     if has_placeholder(words):
@@ -79,7 +76,7 @@ def tell(problem: StrayText, view: object) -> Iterator[Finding]:
     if attributes:
         reason = f"the > before it has ended the start tag of <{parent}>, so that these attributes are text, which roslaunch ignores"
         advice = "remove that > if they belong to the tag; else remove them"
-    if words in _QUOTES and problem.place.source.text[: problem.place.span.start].endswith("/>"):
+    if words in _QUOTES and problem.behind_tag:
         message, advice = f"a stray quote stands behind the tag: {words}", "remove it"
     yield RULE.at(
         problem.origin,

@@ -142,4 +142,5 @@ def wrong_dialect(
 
 def stray_text(document: Document, span: Span, text: str, parent: str, because: str) -> StrayText:
     """``text`` at ``span``, which nobody reads."""
-    return StrayText(origin=_at(document, span), text=text, parent=parent, because=because)
+    behind = document.source.text.endswith("/>", 0, span.start)
+    return StrayText(origin=_at(document, span), text=text, parent=parent, because=because, behind_tag=behind)

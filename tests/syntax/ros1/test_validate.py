@@ -19,7 +19,7 @@ def problems(content: str) -> list[Problem]:
 
 
 def shown(problem: Problem) -> tuple[Any, ...]:
-    hidden = ("known", "owners", "choices", "instead", "environment")
+    hidden = ("known", "owners", "choices", "instead", "environment", "behind_tag")
     fields = {name: value for name, value in own_fields(problem).items() if name not in hidden}
     return (problem.kind, problem.place.text, "refused" if problem.refused else "accepted", fields)
 
@@ -283,6 +283,12 @@ def test_what_is_known_and_who_has_it() -> None:
     assert (attribute.known, attribute.owners) == (("if", "unless", "clear_params"), ("rosparam", "include"))
     (value,) = problems(NODE.format(' output="Screen"'))
     assert value.choices == ("log", "screen")
+
+
+@pytest.mark.parametrize(("content", "behind"), [('<arg name="a" value="1"/>"', True), ('<arg name="a" value="1"/> "', False)])
+def test_what_stands_behind_a_tag(content: str, behind: bool) -> None:
+    (text,) = problems(content)
+    assert (text.kind, text.behind_tag) == ("stray-text", behind)
 
 
 def test_every_kind_is_made_here() -> None:

@@ -133,8 +133,9 @@ def compared_literals(text: str, *, exact: bool = False) -> Mapping[str, tuple[s
     return literals_compared(text, exact=exact)
 
 
-def never_equal(text: str) -> tuple[tuple[int, int, str, str], ...]:
-    """Comparisons of an arg with a text that no arg can be equal to: start and end in ``text``, the arg, and the text it is compared with.
+def never_equal(text: str) -> tuple[tuple[int, int, str, str, bool], ...]:
+    """Comparisons of an arg with a text that no arg can be equal to: start and end in ``text``, the arg, the text it is compared with, and
+    whether it asks for the two to differ.
 
     roslaunch makes a number or a boolean of every arg that looks like one (roslaunch.loader.convert_value with type auto), so that
     ``count == '5'`` is false whatever is given.

@@ -115,12 +115,12 @@ def only_name(text: str) -> str | None:
 
 
 @lru_cache(maxsize=_MOST_KEPT)
-def comparisons_never_equal(text: str) -> tuple[tuple[int, int, str, str], ...]:
+def comparisons_never_equal(text: str) -> tuple[tuple[int, int, str, str, bool], ...]:
     """See :func:`launchlint.evaluate.ros1.expression.never_equal`."""
     return tuple(_never_equal(text))
 
 
-def _never_equal(text: str) -> Iterator[tuple[int, int, str, str]]:
+def _never_equal(text: str) -> Iterator[tuple[int, int, str, str, bool]]:
     try:
         whole = compiled(text)
     except (ExpressionError, UnknownValue):
@@ -134,7 +134,7 @@ def _never_equal(text: str) -> Iterator[tuple[int, int, str, str]]:
             if name is None or name in bound or (isinstance(side, ast.Name) and name in RESERVED):
                 continue
             if isinstance(other, ast.Constant) and isinstance(other.value, str) and not isinstance(convert_value(other.value, "auto"), str):
-                yield (*whole.span(node), name, other.value)
+                yield (*whole.span(node), name, other.value, isinstance(node.ops[0], ast.NotEq))
 
 
 def _collect(tree: ast.Expression, found: dict[str, dict[str, None]], nested: int, *, exact: bool) -> None:
