@@ -3,7 +3,7 @@
 A rule module has a docstring (the published page: *What it does*, *Why it matters*, *Example*, *Use instead*, and *Fix* where it has one),
 a constant ``RULE`` and one function:
 
-* ``tell(problem, view)`` where the registry names the problem kinds it speaks about, or
+* ``tell(problem, view)`` where the registry holds the kinds of problem it speaks about: ``problem`` is typed with these classes, or
 * ``check(view)`` where it looks at a whole view.
 
 Both yield :class:`~launchlint.finding.Finding`, made with :meth:`Rule.at`. A ``check`` function may also yield :class:`Fine`: "this place

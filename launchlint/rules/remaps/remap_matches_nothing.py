@@ -78,17 +78,20 @@ class _Miss(NamedTuple):
     graph: ConnectionGraph
 
 
-class _Advice(NamedTuple):
+class _Advice:
     """What to do about a remap: ``remove`` it, or write another ``source`` (with ``target``: swap the two).
 
     ``habit`` is what it has in common with others that are wrong in the same way, whatever their names.
     """
 
-    text: str
-    habit: str = ""
-    remove: bool = False
-    source: str | None = None
-    target: str | None = None
+    __slots__ = ("habit", "remove", "source", "target", "text")
+
+    def __init__(self, text: str, habit: str = "", *, remove: bool = False, source: str = "", target: str = "") -> None:
+        self.text = text
+        self.habit = habit
+        self.remove = remove
+        self.source = source
+        self.target = target
 
 
 def check(view: GraphView) -> Iterator[Finding | Fine]:
@@ -190,10 +193,10 @@ def _fix(origin: Origin, advice: _Advice, view: GraphView) -> Fix | None:
     if at is not None and advice.remove and at.element.tag.lower() == "remap":
         return fix("remove the remap", remove_element(at), safe=False, changes="the same, without a remap that matches nothing")
     name = advice.source
-    if name is None or at is None or at.element.tag.lower() != "remap" or any("$" in each.raw for each in at.element.attributes.values()):
+    if not name or at is None or at.element.tag.lower() != "remap" or any("$" in each.raw for each in at.element.attributes.values()):
         return None
     edits = set_value(at, name, at.element.attributes.get("from"))
-    if advice.target is None:
+    if not advice.target:
         return fix(f'write from="{name}"', edits, safe=False, changes=f"{name} is remapped")
     edits += set_value(at, advice.target, at.element.attributes.get("to"))
     return fix("swap from and to", edits, safe=False, changes=f"{name} is remapped to {advice.target}")
