@@ -2,8 +2,8 @@
 
 What it does: it looks at the resolved `ns` of groups, includes, nodes and tests. A private name (`~…`) is an error, because
 roslaunch stops with a traceback. Other characters than letters, digits, `_` and `/` are warnings: roslaunch takes them and C++ nodes do
-not. They are an info where no node is started in the namespace, or only Python nodes are (executables that end in `.py`), which run. So is
-a digit at the start a warning: nodes run there, but a name such as `1st/scan` that one of them is given is refused.
+not. They are an info where no node is started in the namespace, or only Python nodes are (executables that end in `.py`), which run. A
+digit at the start is an info, told once for all files: nodes run there, but a name such as `1st/scan` that one of them is given is refused.
 
 ## Why it matters
 
@@ -79,10 +79,11 @@ def tell(problem: InvalidNamespace, view: LaunchView) -> Iterator[Finding]:
         )
     yield RULE.at(
         problem.origin, f"the namespace {namespace!r} is not a valid ROS name",
-        severity=Severity.WARNING if sufferers or (digit and sufferers is not None) else Severity.INFO, label="invalid",
+        severity=Severity.WARNING if sufferers and not digit else Severity.INFO, label="invalid",
         notes=(note,),
         help=f"use letters, digits, _ and /, a letter first: {good}",
         fix=_fix(problem, view, good, f"the namespace is {good}"),
+        cause="digit" if digit else "",
     )  # fmt: skip
 
 

@@ -8,7 +8,8 @@ set to what was its default is an info: it changed nothing when it was still rea
 left alone. What a distribution removed is an info, too, where the workspace itself (a README, a workflow, an image, a script; where none
 of these names any, the templates of the `CMakeLists.txt`) names older distributions only, where the package is built with rosbuild (it
 has a `manifest.xml`), and where a launch file of the same package, or its `package.xml`, needs a public package that was never released for
-that distribution. Each such program or param, `<master>` and `ns` are told of once, with all places.
+that distribution. Each such program or param, `<master>` and `ns` are told of once, with all places; so are the attributes that
+roslaunch refuses of the machines of one file.
 
 ## Why it matters
 
@@ -212,8 +213,15 @@ def tell(problem: DeprecatedConstruct, view: FileView | LaunchView) -> Iterator[
         fix=_fix(
             construct, problem, view, is_there=not older and min(view.packages.distributions().meant, default=WITH_XACRO) >= WITH_XACRO
         ),
-        cause=f"{construct} {severity.word}" if construct in ONE_HABIT and not problem.refused else "",
+        cause=_cause(problem, severity),
     )
+
+
+def _cause(problem: DeprecatedConstruct, severity: Severity) -> str:
+    """What is told once: a habit, over all files, and what roslaunch refuses of the machines of one file."""
+    if problem.refused:
+        return f"{'env' if problem.construct == 'machine env' else 'attributes'} {problem.place.source.path}"
+    return f"{problem.construct} {severity.word}" if problem.construct in ONE_HABIT else ""
 
 
 def _fix(construct: str, problem: DeprecatedConstruct, view: object, *, is_there: bool) -> Fix | None:
