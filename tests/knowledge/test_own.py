@@ -164,10 +164,15 @@ def test_who_asks_is_told_what_it_hangs_on(workspace: Path) -> None:
 
 
 def test_two_packages_of_one_name_are_not_told_apart(workspace: Path) -> None:
-    write(workspace, {"copy/package.xml": PACKAGE.format(name="demo")})
+    write(workspace, {"copy/package.xml": PACKAGE.format(name="demo"), "copy/CMakeLists.txt": "project(demo)\n"})
     sources = own(workspace)
     assert sources.program(*TALKER) is None
     assert sources.reason(*TALKER) == "2 packages of the workspace are called demo"
+
+
+def test_an_installed_copy_of_a_package_has_no_sources(workspace: Path) -> None:
+    write(workspace, {"a_copy/share/demo/package.xml": PACKAGE.format(name="demo")})
+    assert own(workspace).program(*TALKER) is not None
 
 
 def test_a_nodelet_is_found_by_its_class(workspace: Path) -> None:
