@@ -1,4 +1,4 @@
-"""Writing a file so that nobody ever sees half of it."""
+"""Writing a file so that nobody ever sees half of it, and telling what was written whole."""
 
 from __future__ import annotations
 
@@ -38,6 +38,13 @@ def check_target(path: str, *, what: str = "the file") -> None:
         _checked(path, what)
     except (OSError, ValueError) as error:
         raise _cannot(path, what, error) from error
+
+
+def seal(key: str, text: str) -> str:
+    """What is kept beside ``text`` under ``key``, so that what a broken disk or an unfinished write has changed is known."""
+    import hashlib
+
+    return hashlib.sha1(f"{key}\0{text}".encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
 
 
 def _checked(path: str, what: str) -> tuple[str, int | None]:

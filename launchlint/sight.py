@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from launchlint.plural import counted
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
@@ -28,7 +30,7 @@ class Sight(NamedTuple):
     @property
     def brief(self) -> str:
         """For the end of a line: *12 of 15 nodes known*."""
-        return f"{self.known} of {self.nodes} node{'' if self.nodes == 1 else 's'} known"
+        return f"{self.known} of {counted(self.nodes, 'node')} known"
 
     def as_object(self) -> dict[str, Any]:
         """For JSON."""
@@ -44,11 +46,11 @@ NOTHING = Sight()
 def together(sights: Iterable[Sight]) -> Sight:
     """What is seen of several entry files."""
     listed = list(sights)
-    unseen = counted(each for sight in listed for each in sight.unseen)
+    unseen = once(each for sight in listed for each in sight.unseen)
     return Sight(sum(each.nodes for each in listed), sum(each.known for each in listed), unseen)
 
 
-def counted(unseen: Iterable[tuple[str, str, int]]) -> tuple[Unseen, ...]:
+def once(unseen: Iterable[tuple[str, str, int]]) -> tuple[Unseen, ...]:
     """Each program and reason once."""
     found: dict[tuple[str, str], int] = {}
     for program, reason, nodes in unseen:

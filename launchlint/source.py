@@ -86,6 +86,11 @@ class Place(NamedTuple):
     span: Span
 
     @property
+    def key(self) -> tuple[str, int]:
+        """Path and offset: the same for what is written at the same place of a file that was read twice."""
+        return self.source.path, self.span.start
+
+    @property
     def text(self) -> str:
         """What is written there."""
         return self.source.text[self.span.start : self.span.end]

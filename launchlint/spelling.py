@@ -62,13 +62,13 @@ def closest(name: str, names: Iterable[str]) -> str | None:
     if not name:
         return None
     limit = _most_slips(len(name))
-    folded = _fold(name)
+    bare = folded(name)
     letters = frozenset(name)
     best: tuple[int, str] | None = None
     for candidate in names:
         if candidate == name or not candidate:
             continue
-        if _fold(candidate) == folded:
+        if folded(candidate) == bare:
             apart = 1
         elif abs(len(candidate) - len(name)) > limit or len(letters.difference(candidate)) > limit:
             continue  # one slip changes the length by one and takes away one letter at most
@@ -110,11 +110,11 @@ def one_slip(name: str, names: Iterable[str]) -> str | None:
 
     A name that says something else (:func:`differs_in_meaning`) is no slip.
     """
-    folded = _fold(name)
+    bare = folded(name)
     near = {
         other
         for other in names
-        if other != name and (_fold(other) == folded or distance(name, other, 1) == 1) and not differs_in_meaning(name, other)
+        if other != name and (folded(other) == bare or distance(name, other, 1) == 1) and not differs_in_meaning(name, other)
     }
     return near.pop() if len(near) == 1 else None
 
@@ -227,5 +227,14 @@ def _is_off(added: str, neighbour: str, *, front: bool) -> bool:
     return (word[0] == "x" or word.isdigit()) and (len(word) < len(added) or neighbour.lower() != word[0])
 
 
-def _fold(name: str) -> str:
+def same_digits(name: str, other: str) -> bool:
+    """Whether two names have the same digits: ``drive1`` and ``drive2`` are neighbours, and neither is a slip for the other.
+
+    What :func:`closest` and :func:`one_slip` find has them anyway.
+    """
+    return "".join(filter(str.isdigit, name)) == "".join(filter(str.isdigit, other))
+
+
+def folded(name: str) -> str:
+    """``name`` as far as packages and their repositories are called alike: ``FAST-LIO`` holds ``fast_lio``."""
     return name.casefold().replace("-", "_")

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from launchlint.plural import counted
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any, Literal
@@ -100,7 +102,7 @@ class Verdict(NamedTuple):
     @property
     def _others(self) -> str:
         more = len(self.elsewhere) - 1
-        return f"; with other args for {more} more reason{'' if more == 1 else 's'}" if more else ""
+        return f"; with other args for {counted(more, 'more reason')}" if more else ""
 
 
 LOADS = Verdict("loads")

@@ -32,7 +32,7 @@ FLOORS = (
     ("workspace",),
     ("atomic", "fingerprint", "late", "order", "pool", "spelling", "words"),
     ("model",),
-    ("finding", "problem", "source", "errors", "sight", "verdict"),
+    ("finding", "problem", "source", "errors", "plural", "sight", "verdict"),
     ("launchlint",),  # launchlint/__init__.py: the version, nothing else
 )
 FLOOR = {room: len(FLOORS) - number for number, rooms in enumerate(FLOORS) for room in rooms}

@@ -7,12 +7,12 @@ of the programs that were asked for.
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from launchlint.atomic import seal
 from launchlint.check.codec import entry_from_json, entry_to_json, file_from_json, file_to_json
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult
@@ -97,7 +97,7 @@ class Cache:
             return None
         try:
             row = self._database.execute(query, (key,)).fetchone()
-            if row is None or row[0][:40] != _seal(key, row[0][40:]):
+            if row is None or row[0][:40] != seal(key, row[0][40:]):
                 return None
             return json.loads(row[0][40:])
         except self._error:
@@ -172,12 +172,7 @@ def _dump(value: Any) -> str:
 
 def _sealed(key: str, value: Any) -> str:
     text = _dump(value)
-    return _seal(key, text) + text
-
-
-def _seal(key: str, text: str) -> str:
-    """Tells a row that a broken disk or an unfinished write has changed."""
-    return hashlib.sha1(f"{key}\0{text}".encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()
+    return seal(key, text) + text
 
 
 def _forget_oldest(directory: str) -> None:

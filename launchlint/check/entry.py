@@ -24,7 +24,7 @@ from launchlint.problem import Problem
 from launchlint.rules.registry import RULES, Entry, rule_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary, FileView, LaunchView
-from launchlint.sight import NOTHING, Sight, counted, reason_beside
+from launchlint.sight import NOTHING, Sight, once, reason_beside
 from launchlint.syntax.tree import Document
 from launchlint.verdict import LOADS, Verdict
 from launchlint.workspace.looking import note, noted, state
@@ -333,7 +333,7 @@ def _keep_plainer(findings: dict[Key, Finding], found: Finding) -> None:
 def _sight(graph: ConnectionGraph) -> Sight:
     unknown = [each for each in graph.instances if each.is_unknown]
     reasons = ((each.program, reason_beside(each.program, each.reason), 1) for each in unknown)
-    return Sight(len(graph.instances), len(graph.instances) - len(unknown), counted(reasons))
+    return Sight(len(graph.instances), len(graph.instances) - len(unknown), once(reasons))
 
 
 def _calls(launch: Launch) -> Iterator[tuple[str, tuple[tuple[str, str], ...]]]:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from launchlint import __version__
 from launchlint.cli.entries import EntryOptions, leave_others_out, parse_severity, tell, use_color
 from launchlint.errors import UsageError
+from launchlint.plural import counted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -210,7 +211,7 @@ def record(outcome: Outcome, file: str, *, quiet: bool) -> int:
     findings = [finding for finding in outcome.findings if finding.rule != INTERNAL_ERROR]
     write(file, findings)
     if not quiet:
-        number = f"{len(findings)} finding{'' if len(findings) == 1 else 's'}"
+        number = counted(len(findings), "finding")
         tell(f"wrote {number} to {file}; --baseline {file} leaves them out from now on")
     return 2 if outcome.crashed else 0
 

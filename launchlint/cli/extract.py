@@ -6,6 +6,8 @@ import sys
 
 import click
 
+from launchlint.plural import counted
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.package import Result
@@ -74,12 +76,12 @@ def _validate(document: object) -> None:
 def _summarize(result: Result) -> None:
     from launchlint.report.escape import visible
 
-    lines = [f"{_count(result.programs, 'program')}, {_count(result.names, 'name')}, {result.unresolved} not known as a whole"]
+    lines = [f"{counted(result.programs, 'program')}, {counted(result.names, 'name')}, {result.unresolved} not known as a whole"]
     by_reason: dict[str, list[str]] = {}
     for each in result.skipped:
         by_reason.setdefault(each.reason, []).append(f"{_named(each.package, each.name)} ({each.path})")
     if result.skipped:
-        lines.append(f"{_count(len(result.skipped), 'program')} not read:")
+        lines.append(f"{counted(len(result.skipped), 'program')} not read:")
     for reason, named in by_reason.items():
         more = f" and {len(named) - MOST_SHOWN} more" if len(named) > MOST_SHOWN else ""
         lines.append(f"  {visible(', '.join(named[:MOST_SHOWN]))}{more}: {visible(reason)}")
@@ -88,7 +90,3 @@ def _summarize(result: Result) -> None:
 
 def _named(package: str, name: str) -> str:
     return f"{package}/{name}" if name and not name.startswith(f"{package}/") else name or package or "a package"
-
-
-def _count(number: int, what: str) -> str:
-    return f"{number} {what}{'' if number == 1 else 's'}"

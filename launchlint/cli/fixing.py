@@ -13,6 +13,7 @@ from launchlint.check.merge import Outcome
 from launchlint.cli.entries import EntryOptions, tell
 from launchlint.cli.output import Request, report
 from launchlint.errors import UsageError
+from launchlint.plural import counted
 from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE
 from launchlint.workspace.repository import repository_root
 
@@ -105,8 +106,8 @@ class Fixer:
         if self._fixed.given_up:
             tell(f"gave up after {MOST_ATTEMPTS} attempts; run the command again to go on")
         count, files = len(self._fixed.made), len(self._fixed.files)
-        findings = f"{count:,} finding{'' if count == 1 else 's'}"
-        tell(f"{verb} {findings} in {files:,} file{'' if files == 1 else 's'}" if count else f"{verb} nothing")
+        findings = counted(count, "finding", thousands=",")
+        tell(f"{verb} {findings} in {counted(files, 'file', thousands=',')}" if count else f"{verb} nothing")
 
 
 def _why_not(refused: Refused) -> str:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from launchlint.cli.entries import EntryOptions, leave_others_out, style_of, tell, use_color
 from launchlint.errors import UsageError
 from launchlint.fix.format.formatting import Formatted, formatted
+from launchlint.plural import counted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -201,4 +202,4 @@ class _Run:
 
 
 def _files(count: int) -> str:
-    return f"{count:,} launch file{'' if count == 1 else 's'}"
+    return counted(count, "launch file", thousands=",")

@@ -9,6 +9,7 @@ import click
 
 from launchlint.cli.entries import EntryOptions, tell
 from launchlint.errors import UsageError
+from launchlint.plural import counted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -94,12 +95,12 @@ def look(directory: str) -> Found:
 def _told(found: Found, *, pre_commit: bool, github: bool) -> list[str]:
     from launchlint.cli import starting
 
-    lines = [f"{_number(len(found.packages), 'package')}, {_number(len(found.ros1), 'ROS 1 launch file')}."]
+    lines = [f"{counted(len(found.packages), 'package')}, {counted(len(found.ros1), 'ROS 1 launch file')}."]
     if found.ros2:
-        lines.append(f"{_number(len(found.ros2), 'ROS 2 launch file')}: only ROS 1 is checked, these are left out.")
+        lines.append(f"{counted(len(found.ros2), 'ROS 2 launch file')}: only ROS 1 is checked, these are left out.")
     if found.errors or found.warnings:
         lines += [
-            f"A check finds {_number(found.errors, 'error')} and {_number(found.warnings, 'warning')}: `launchlint check` shows them.",
+            f"A check finds {counted(found.errors, 'error')} and {counted(found.warnings, 'warning')}: `launchlint check` shows them.",
             "To hear of new ones only, run",
             "",
             "    launchlint check --write-baseline .launchlint-baseline.json",
@@ -122,7 +123,3 @@ def _told(found: Found, *, pre_commit: bool, github: bool) -> list[str]:
 
 def _indented(text: str) -> list[str]:
     return [f"    {line}".rstrip() for line in text.splitlines()]
-
-
-def _number(count: int, what: str) -> str:
-    return f"{count} {what}{'' if count == 1 else 's'}"

@@ -136,7 +136,7 @@ def _around(branch: Branch, base: Evaluation) -> list[Branch]:
     """The conditions that ``branch`` stands under, in its own file and in those that include it."""
     by_place: dict[tuple[str, int], Branch] = {}
     for each in base.launch.branches:
-        by_place.setdefault((each.element.source.path, each.element.span.start), each)
+        by_place.setdefault(each.element.key, each)
     found = []
     for place in (branch.element, *branch.origin.chain):
         path = place.source.path

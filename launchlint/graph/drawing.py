@@ -13,6 +13,7 @@ from launchlint.graph.difference import Difference
 from launchlint.graph.folding import Tree
 from launchlint.graph.presence import Part, Presence, changed, whole
 from launchlint.graph.topology import Topology, TopologyNode
+from launchlint.plural import counted
 
 BUNDLE = 3
 """From so many names on, an arrow says their number instead."""
@@ -154,8 +155,8 @@ class _Picture:
                 boxes[key] = Box(key, parent, "others", label, detail, len(nodes), unknown_ones == len(nodes))
         arrows = self._arrows(boxes, box_of)
         folded_away = sum(box.members for box in boxes.values() if box.kind == "folded")
-        said = [f"{_number(self._part.unchanged)} did not change and are not shown"] if self._part.unchanged else []
-        said += [f"{_number(folded_away)} are folded into their namespaces"] if folded_away else []
+        said = [f"{counted(self._part.unchanged, 'node')} did not change and are not shown"] if self._part.unchanged else []
+        said += [f"{counted(folded_away, 'node')} are folded into their namespaces"] if folded_away else []
         return Drawing(tuple(boxes[key] for key in sorted(boxes)), arrows, "; ".join(said))
 
     def _add_node(self, boxes: dict[str, Box], node: TopologyNode, parent: str) -> str:
@@ -231,10 +232,6 @@ def _together(ends: Mapping[str, _End]) -> int:
     for end in ends.values():
         when |= end.when
     return when
-
-
-def _number(count: int) -> str:
-    return f"{count} node{'' if count == 1 else 's'}"
 
 
 def _cut(drawing: Drawing, most: int) -> Drawing:

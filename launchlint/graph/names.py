@@ -15,7 +15,7 @@ names are made in a namespace that is itself resolved, so a rule that moves it m
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from launchlint.model import Remap
@@ -65,6 +65,14 @@ def absolute(name: str, namespace: str, node: str) -> str:
     if name.startswith("~"):
         return clean(f"{node}/{name[1:]}")
     return clean(f"/{namespace}/{name}")
+
+
+def around(name: str) -> Iterator[str]:
+    """The names around a global ``name``, the nearest first: ``/arm/left`` and ``/arm`` around ``/arm/left/gripper``."""
+    outer = name.rpartition("/")[0]
+    while outer:
+        yield outer
+        outer = outer.rpartition("/")[0]
 
 
 def kind(name: str) -> str:

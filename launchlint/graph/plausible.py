@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE
 from launchlint.graph.connections import Doubt, Instance
-from launchlint.graph.names import absolute
+from launchlint.graph.names import absolute, around
 from launchlint.graph.parameters import Parameters
 from launchlint.library.terms import CATEGORIES
 from launchlint.model import Launch
@@ -81,7 +81,7 @@ class Strangers:
 
     def who(self, name: str, type_: str) -> Iterator[Possible]:
         """Who could have ``name`` with the type ``type_`` (empty: any): first those of which something says so."""
-        parents = list(_parents(name))
+        parents = list(around(name))
         for full in (name, *parents):
             for stranger in islice(self._named.get(full, ()), MOST_LOOKED_AT):
                 if name not in stranger.moved:
@@ -277,14 +277,6 @@ def _says(doubt: Doubt, name: str) -> bool:
     last = name.rpartition("/")[2]
     known = doubt.pattern.rpartition("/")[2].replace("*", "")
     return len(known) > 2 and known in last
-
-
-def _parents(name: str) -> Iterator[str]:
-    """The names around ``name``, the nearest first."""
-    outer = name.rpartition("/")[0]
-    while outer:
-        yield outer
-        outer = outer.rpartition("/")[0]
 
 
 class Unseen:

@@ -5,12 +5,12 @@ Whatever is wrong with a file or the directory, it is as if nothing had been kep
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 
+from launchlint.atomic import seal
 from launchlint.knowledge.entry import Known
 
 MOST_FILES = 20_000
@@ -33,7 +33,7 @@ class Store:
         try:
             with open(os.path.join(self._directory, f"{name}.json"), encoding="utf-8", errors="surrogateescape") as file:
                 text = file.read(LARGEST_FILE)
-            if text[:40] != _seal(name, text[40:]):
+            if text[:40] != seal(name, text[40:]):
                 return None
             program, reason, looks = json.loads(text[40:])
             return Known(program, reason, tuple((path, state) for path, state in looks))
@@ -51,7 +51,7 @@ class Store:
             path = os.path.join(self._directory, f".{name}.{os.getpid()}.new")
             try:
                 with open(path, "x", encoding="utf-8") as file:
-                    file.write(_seal(name, text) + text)
+                    file.write(seal(name, text) + text)
                 os.replace(path, os.path.join(self._directory, f"{name}.json"))
             except OSError:
                 with suppress(OSError):
@@ -93,8 +93,3 @@ class Store:
             for entry in files[: len(files) // 2]:
                 with suppress(OSError):
                     os.unlink(entry.path)
-
-
-def _seal(name: str, text: str) -> str:
-    """Tells a file that a broken disk or an unfinished write has changed."""
-    return hashlib.sha1(f"{name}\0{text}".encode("utf-8", "surrogateescape"), usedforsecurity=False).hexdigest()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from launchlint.plural import counted
 from launchlint.probe.record import LaunchRecord, NodeRecord, Note
 from launchlint.probe.run import Outcome
 
@@ -72,14 +73,14 @@ def summary(outcome: Outcome, output: str) -> list[str]:
     ran, failed, none = (_labels(nodes, status) for status in ("ok", "failed", "not-a-node"))
     failed = [label for label in failed if label not in set(ran)]
     nodelets = {record.label for record in nodes if record.program == "nodelet"} & set(ran)
-    recorded = _count(len(ran) - len(nodelets), "executable")
+    recorded = counted(len(ran) - len(nodelets), "executable")
     if nodelets:
-        recorded += f" and {_count(len(nodelets), 'nodelet')}"
-    programs = f"{_count(len(none), 'program')} {'is' if len(none) == 1 else 'are'} no node{'' if len(none) == 1 else 's'}"
+        recorded += f" and {counted(len(nodelets), 'nodelet')}"
+    programs = f"{counted(len(none), 'program')} {'is' if len(none) == 1 else 'are'} no node{'' if len(none) == 1 else 's'}"
     lines = [f"{output}: {recorded} recorded, {len(failed)} could not be run, {programs}"]
     if launches:
         good = sum(record.status == "ok" for record in launches)
-        lines.append(f"{good} of {_count(len(launches), 'launch file')} recorded")
+        lines.append(f"{good} of {counted(len(launches), 'launch file')} recorded")
     lines += _grouped("could not be run:", [record for record in outcome.records if record.status == "failed"])
     doubtful = [record for record in outcome.records if record.status == "ok" and record.problems]
     lines += _grouped("recorded, but there may be more to them:", doubtful)
@@ -88,7 +89,7 @@ def summary(outcome: Outcome, output: str) -> list[str]:
     if count:
         lines.append(f"{count} lines of the container's output were no records and were left out: {first}")
     if outcome.left:
-        lines.append(f"{_count(outcome.left, 'process')} could not be ended".replace("processs", "processes"))
+        lines.append(f"{counted(outcome.left, 'process', 'processes')} could not be ended")
     if outcome.lost:
         lines.append(f"not everything was probed: {outcome.lost}; --resume goes on")
     return lines
@@ -96,10 +97,6 @@ def summary(outcome: Outcome, output: str) -> list[str]:
 
 def _labels(records: Iterable[NodeRecord], status: str) -> list[str]:
     return sorted({record.label for record in records if record.status == status})
-
-
-def _count(number: int, what: str) -> str:
-    return f"{number} {what}" if number == 1 else f"{number} {what}s"
 
 
 def _grouped(title: str, records: Sequence[NodeRecord | LaunchRecord]) -> list[str]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from launchlint.finding import Finding, Severity
 from launchlint.order import most_severe_first
+from launchlint.plural import counted
 from launchlint.report.escape import github_message, github_property
 from launchlint.report.run import Run
 from launchlint.report.text import command
@@ -29,7 +30,7 @@ def render(findings: Sequence[Finding], run: Run) -> str:
         places = _PER_LEVEL if severity > Severity.INFO or (len(group) <= _PER_LEVEL and not left_out) else _PER_LEVEL - 1
         lines += [_command(finding) for finding in group[:places]]
         if len(group) > places:
-            left_out.append(f"{len(group) - places} more {severity.word}{'s' if len(group) - places > 1 else ''}")
+            left_out.append(counted(len(group) - places, f"more {severity.word}"))
     if left_out:
         lines.append(f"::notice title=launchlint::{' and '.join(left_out)} not shown: GitHub takes ten of a level; --format text tells all")
     return "".join(f"{line}\n" for line in lines)

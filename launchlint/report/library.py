@@ -8,6 +8,7 @@ from typing import Any
 
 from launchlint.library.catalogue import Entry, Row
 from launchlint.library.format import CATEGORIES, FRAMES, KINDS, LISTS
+from launchlint.plural import counted
 from launchlint.report.escape import line_start, visible
 
 _VERBS = {
@@ -31,7 +32,7 @@ def summary(path: str, library: Mapping[str, Any]) -> str:
     """One line: a library that is in order, and how much it knows."""
     packages = library["packages"].values()
     executables, nodelets = (sum(len(package.get(table, ())) for package in packages) for table in KINDS)
-    return f"{line_start(path)}: ok: {_counted(len(packages), 'package')}, {_programs(executables, nodelets)}\n"
+    return f"{line_start(path)}: ok: {counted(len(packages), 'package')}, {_programs(executables, nodelets)}\n"
 
 
 def canonical_json(text: str) -> str:
@@ -46,7 +47,7 @@ def listing(rows: Sequence[Row]) -> str:
     width = min(40, max(len(row.package) for row in rows))
     total = _programs(sum(row.executables for row in rows), sum(row.nodelets for row in rows))
     lines = [f"{visible(row.package):{width}}  {_programs(row.executables, row.nodelets)}\n" for row in rows]
-    return f"{''.join(lines)}\n{_counted(len(rows), 'package')}, {total}\n"
+    return f"{''.join(lines)}\n{counted(len(rows), 'package')}, {total}\n"
 
 
 def listing_json(rows: Sequence[Row]) -> str:
@@ -116,7 +117,7 @@ def _entry(entry: Entry, verbose: bool) -> Iterator[str]:
         yield "  its interface is not known: it could not be run" if said.get("status") == "failed" else "  its interface is not known"
         return
     if interface.get("options"):
-        takes = (f"{name} ({_counted(number, 'value')})" if number else name for name, number in interface["options"].items())
+        takes = (f"{name} ({counted(number, 'value')})" if number else name for name, number in interface["options"].items())
         yield f"  options: {visible(', '.join(takes))}"
     variants = interface.get("variants", {"default": {}})
     for name in sorted(variants, key=lambda name: (name == "default", name)):
@@ -186,8 +187,4 @@ def _plain(value: Any) -> str:
 
 
 def _programs(executables: int, nodelets: int) -> str:
-    return f"{_counted(executables, 'executable')}, {_counted(nodelets, 'nodelet class', 'nodelet classes')}"
-
-
-def _counted(number: int, one: str, several: str = "") -> str:
-    return f"{number} {one if number == 1 else several or one + 's'}"
+    return f"{counted(executables, 'executable')}, {counted(nodelets, 'nodelet class', 'nodelet classes')}"

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Location, Severity
 from launchlint.order import ordered
+from launchlint.plural import counted
 from launchlint.report.escape import line_start, shell_word, visible
 from launchlint.report.run import Run
 from launchlint.report.snippet import snippet
@@ -37,23 +38,23 @@ def summary(findings: Sequence[Finding], run: Run) -> str:
         return "no launch files to check"
     count = {severity: sum(finding.severity == severity for finding in findings) for severity in Severity}
     told = [Severity.ERROR, Severity.WARNING, Severity.INFO] if run.verbose else [Severity.ERROR, Severity.WARNING]
-    parts = ", ".join(_plural(count[severity], severity.word) for severity in told if count[severity])
+    parts = ", ".join(counted(count[severity], severity.word) for severity in told if count[severity])
     hidden = (
         ""
         if run.verbose or not count[Severity.INFO]
-        else f" ({_plural(count[Severity.INFO], 'info')} hidden, -v shows {'it' if count[Severity.INFO] == 1 else 'them'})"
+        else f" ({counted(count[Severity.INFO], 'info')} hidden, -v shows {'it' if count[Severity.INFO] == 1 else 'them'})"
     )
     sight = f"; {run.sight.brief}" if run.sight.known < run.sight.nodes or (run.verbose and run.sight.nodes) else ""
-    return f"{parts or 'no problems'} in {_plural(run.files_checked, 'launch file')}{hidden}{_loading(run)}{sight}"
+    return f"{parts or 'no problems'} in {counted(run.files_checked, 'launch file')}{hidden}{_loading(run)}{sight}"
 
 
 def _unseen(sight: Sight) -> Iterator[str]:
     """Why it is not known what some nodes do."""
     yield "it is not known what these do:"
     for program, reason, nodes in sight.unseen[:_MOST_UNSEEN]:
-        yield f"  {visible(program)} ({_plural(nodes, 'node')}): {visible(reason)}"
+        yield f"  {visible(program)} ({counted(nodes, 'node')}): {visible(reason)}"
     if len(sight.unseen) > _MOST_UNSEEN:
-        yield f"  and {_plural(len(sight.unseen) - _MOST_UNSEEN, 'more program')}"
+        yield f"  and {counted(len(sight.unseen) - _MOST_UNSEEN, 'more program')}"
 
 
 def _loading(run: Run) -> str:
@@ -99,7 +100,7 @@ def _block(finding: Finding, run: Run) -> Iterator[str]:
             yield paint(_FAINT, f"{' ' * (digits - 1)}--> {visible(path)}:{related.location.line}:{related.location.column}")
         yield from _excerpt(related.location, related.label, run, "\x1b[1;36m", digits)
     if len(finding.related) > len(shown):
-        more = _plural(len(finding.related) - len(shown), "more place")
+        more = counted(len(finding.related) - len(shown), "more place")
         yield f"{' ' * (digits - 2)}{paint(_FAINT, '=')} and {more}"
     for line in _remarks(finding):
         yield f"{' ' * (digits - 2)}{paint(_FAINT, '=')} {line}"
@@ -158,10 +159,6 @@ def command(finding: Finding) -> str:
         return ""
     entry = f"./{finding.entry}" if finding.entry.startswith("-") else finding.entry
     return " ".join(["roslaunch", shell_word(entry), *(shell_word(f"{name}:={value}") for name, value in finding.arguments)])
-
-
-def _plural(number: int, word: str) -> str:
-    return f"{number} {word}" if number == 1 else f"{number} {word}s"
 
 
 class _Paint:

@@ -14,7 +14,7 @@ from launchlint.finding import Severity
 from launchlint.late import late
 from launchlint.library.shipped import is_in_library
 from launchlint.rules.stale_package import lacks_all, own_instead
-from launchlint.spelling import closest, distance, one_slip
+from launchlint.spelling import closest, distance, folded, one_slip
 from launchlint.workspace.packages import Hidden, Package, Packages
 from launchlint.workspace.public_packages import public_names
 from launchlint.workspace.source_lists import GITMODULES
@@ -191,14 +191,14 @@ def _one_slip(name: str, names: Sequence[str]) -> str | None:
     """
     if len(name) < SHORTEST_SLIP:
         return None
-    folded = _fold(name)
-    half = (len(folded) - 2) // 2
-    start, end = folded[:half], folded[-half:]
+    wanted = folded(name)
+    half = (len(wanted) - 2) // 2
+    start, end = wanted[:half], wanted[-half:]
     # One slip leaves one of the halves as it is: that spares comparing with thousands of names.
-    alike = ((other, _fold(other)) for other in names if abs(len(other) - len(name)) <= 1)
+    alike = ((other, folded(other)) for other in names if abs(len(other) - len(name)) <= 1)
     similar = [other for other, bare in alike if bare.startswith(start) or bare.endswith(end)]
     slip = one_slip(name, similar)
-    if slip is None or _digits(slip) != _digits(name) or slip.rstrip("s") == name.rstrip("s"):
+    if slip is None or slip.rstrip("s") == name.rstrip("s"):
         return None
     return slip
 
@@ -209,18 +209,10 @@ def _near(name: str, names: Iterable[str]) -> str | None:
     The first word names the maker or the robot: another one (``hero_description``, ``hsrb_description``) is no slip either.
     """
     near = closest(name, names)
-    if near is None or distance(_fold(name), _fold(near)) > max(1, len(name) // LETTERS_FOR_A_SLIP):
+    if near is None or distance(folded(name), folded(near)) > max(1, len(name) // LETTERS_FOR_A_SLIP):
         return None
-    first, other = _fold(name).partition("_")[0], _fold(near).partition("_")[0]
+    first, other = folded(name).partition("_")[0], folded(near).partition("_")[0]
     return near if distance(first, other, 1) <= 1 else None
-
-
-def _fold(name: str) -> str:
-    return name.casefold().replace("-", "_")
-
-
-def _digits(name: str) -> str:
-    return "".join(filter(str.isdigit, name))
 
 
 def _did_you_mean(name: str | None) -> str:

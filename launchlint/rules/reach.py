@@ -6,7 +6,6 @@ from bisect import bisect_right
 from collections.abc import Iterator
 
 from launchlint.model import Launch, ScopedSetting
-from launchlint.source import Origin
 
 _STARTS = frozenset(("node", "test", "group", "include"))
 
@@ -18,23 +17,19 @@ def settings_of(launch: Launch, kind: str) -> Iterator[tuple[ScopedSetting, bool
     may hold nodes is left out by its condition: what one switches off by hand (``if="false"``) may come back as well. An include that
     could not be followed counts as a node. A setting that a later one of its scope replaces is left out where it acts on nothing.
     """
-    replaced = {(setting.replaced.source.path, setting.replaced.span.start) for setting in launch.settings if setting.replaced is not None}
-    leaked = {_key(setting.origin) for setting in launch.parameter_settings if setting.node is not None} if kind == "param" else set()
+    replaced = {setting.replaced.key for setting in launch.settings if setting.replaced is not None}
+    leaked = {setting.origin.place.key for setting in launch.parameter_settings if setting.node is not None} if kind == "param" else set()
     left_out: dict[int, list[int]] | None = None
     for setting in launch.settings:
         if setting.kind != kind:
             continue
-        if setting.reached or _key(setting.origin) in leaked:
+        if setting.reached or setting.origin.place.key in leaked:
             yield setting, True
-        elif _key(setting.origin) not in replaced:
+        elif setting.origin.place.key not in replaced:
             if left_out is None:
                 left_out = _left_out(launch)
             unsure = any(condition.assumed for condition in setting.conditions) or _may_reach(setting, left_out)
             yield setting, None if unsure else False
-
-
-def _key(origin: Origin) -> tuple[str, int]:
-    return (origin.place.source.path, origin.place.span.start)
 
 
 def _left_out(launch: Launch) -> dict[int, list[int]]:

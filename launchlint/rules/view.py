@@ -99,7 +99,7 @@ class LaunchView:
         nodes = ((each.origin, each.scope, not each.executable.endswith(".py")) for each in (*self.launch.nodes, *self.launch.tests))
         for origin, scope, other in (*nodes, *unseen):
             place, around = origin.place, scope
-            while found.get(key := (place.source.path, place.span.start)) not in (True, other):
+            while found.get(key := place.key) not in (True, other):
                 found[key] = other
                 if around is None:
                     break

@@ -22,8 +22,7 @@ def nearby_file(file: str, ending: str = "") -> str | None:
     directory, name = os.path.split(file)
     if not name or "\0" in file:
         return None
-    digits = _digits(name)  # files that differ in a digit stand for different things
-    near = closest(name, [other for other in names(directory) if other.endswith(ending) and _digits(other) == digits])
+    near = closest(name, [other for other in names(directory) if other.endswith(ending)])
     if near is not None:
         return near
     parent, last = os.path.split(directory)
@@ -46,7 +45,3 @@ def _behind_misspelt(directory: str, name: str) -> str | None:
             return f"{near}/{rest}" if near and is_file(meant) and not is_out_of_use(meant, os.path.join(directory, name)) else None
         rest = f"{last}/{rest}"
     return None
-
-
-def _digits(name: str) -> str:
-    return "".join(filter(str.isdigit, name))

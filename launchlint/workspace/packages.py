@@ -256,7 +256,8 @@ class Packages:
 
         A repository is here where a package lies in a directory of its name: then its packages are those, and no others.
         """
-        from launchlint.workspace.source_lists import folded, read_source_lists
+        from launchlint.spelling import folded
+        from launchlint.workspace.source_lists import read_source_lists
 
         if self._listed is None:
             here = {

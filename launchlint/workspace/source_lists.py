@@ -9,6 +9,7 @@ import os
 from collections.abc import Iterable
 
 from launchlint.late import late
+from launchlint.spelling import folded
 from launchlint.workspace.reading import read_bytes
 
 GITMODULES = ".gitmodules"
@@ -26,11 +27,6 @@ _KEY = late(r"\s+['\"]?([\w./~-]+)['\"]?\s*:\s*(?:#.*)?$")
 def is_source_list(name: str) -> bool:
     """Whether a file of this name lists sources: ``.gitmodules``, ``*.repos``, ``*.rosinstall`` and ``*.rosinstall.noetic``."""
     return name == GITMODULES or name.endswith(".repos") or ".rosinstall" in name
-
-
-def folded(name: str) -> str:
-    """``name`` as far as repositories and their packages are called alike: ``FAST-LIO`` holds ``fast_lio``."""
-    return name.casefold().replace("-", "_")
 
 
 def read_source_lists(roots: Iterable[str]) -> dict[str, str]:

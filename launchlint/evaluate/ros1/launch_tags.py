@@ -169,7 +169,7 @@ def arg(file: FileEvaluation, element: Element, context: Context) -> None:
     name, value, default, origin, _, in_group = effect
     place = origin.place
     if default == "" and file.progress.defaults:
-        default = file.progress.defaults.get((place.source.path, place.span.start), default)
+        default = file.progress.defaults.get(place.key, default)
         effect = effect._replace(default=default)
     file.effect(effect)
     file.block.assumed_declarations |= file.assumed

@@ -6,8 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from launchlint.graph.difference import ConnectionChange, Difference, Link, is_default, moved
 from launchlint.graph.topology import Connection, Topology, TopologyNode
+from launchlint.plural import counted
 from launchlint.report.escape import line_start, visible
-from launchlint.report.graph.words import DOES, does, listed, loading, number, remapped, when, wrapped
+from launchlint.report.graph.words import DOES, does, listed, loading, remapped, when, wrapped
 
 MOST_PARTNERS = 5
 MOST_NAMES = 8
@@ -201,4 +202,4 @@ def _connections(changes: Difference) -> Iterator[str]:
             elif each.node not in whole:
                 perhaps += 1
     if perhaps:
-        yield f"  and {number(perhaps, 'name')} that nodes may or may not have"
+        yield f"  and {counted(perhaps, 'name')} that nodes may or may not have"

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from launchlint.graph.difference import Difference
 from launchlint.graph.drawing import Arrow, Box, Drawing, draw
 from launchlint.graph.topology import Topology
+from launchlint.plural import counted
 from launchlint.report.graph.words import loading
 
 MOST = 120
@@ -143,7 +144,7 @@ def _draw(out: _Lines, drawing: Drawing) -> None:
 def _shape(box: Box) -> str:
     label = _label(box.label)
     if box.kind == "folded":
-        return f'[["{label}<br/>{box.members} node{"" if box.members == 1 else "s"}"]]'
+        return f'[["{label}<br/>{counted(box.members, "node")}"]]'
     if box.kind in ("topic", "service", "action"):
         return f'(["{label}"])'
     return f'["{label}<br/>{_label(box.detail)}"]' if box.detail else f'["{label}"]'

@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from launchlint.graph.partners import Partners, meet
 from launchlint.graph.topology import Connection, Topology, TopologyNode, TopologyParam
 from launchlint.library.terms import READ_FROM
+from launchlint.plural import counted
 from launchlint.report.escape import line_start, visible
-from launchlint.report.graph.words import DOES, doubted, listed, loading, missed, number, place, remapped, when, wrapped
+from launchlint.report.graph.words import DOES, doubted, listed, loading, missed, place, remapped, when, wrapped
 
 MOST_PARTNERS = 6
 """Names of partners on one line."""
@@ -61,14 +62,14 @@ def render(topology: Topology, complete: Topology | None = None, *, dangling: bo
 def _counts(topology: Topology) -> str:
     names = {node.name for node in topology.nodes}
     unknown = len({node.name for node in topology.nodes if node.knowledge == "unknown"})
-    nodes = number(len(names), "node") + (f" ({unknown} unknown)" if unknown else "")
+    nodes = counted(len(names), "node") + (f" ({unknown} unknown)" if unknown else "")
     offered = {(each.kind, each.name) for each in topology.connections if each.offers}
     used = {(each.kind, each.name) for each in topology.connections if not each.offers}
     kinds = []
     for kind in ("topic", "service", "action"):
         every = sum(each.kind == kind for each in topology.channels)
         if every:
-            kinds.append(f"{sum(each[0] == kind for each in offered & used)} of {number(every, kind)}")
+            kinds.append(f"{sum(each[0] == kind for each in offered & used)} of {counted(every, kind)}")
     said = [nodes]
     if kinds:
         said.append(f"{', '.join(kinds[:-1])}{' and ' if len(kinds) > 1 else ''}{kinds[-1]} connected")
@@ -171,7 +172,7 @@ def _alone(connections: Iterable[Connection], node: TopologyNode, topology: Topo
     for said, names in lists.items():
         yield from wrapped(f"    {said}: ", list(names))
     if perhaps:
-        yield f"    perhaps {number(perhaps, 'more name')} that nobody else uses (--dangling shows {'it' if perhaps == 1 else 'them'})"
+        yield f"    perhaps {counted(perhaps, 'more name')} that nobody else uses (--dangling shows {'it' if perhaps == 1 else 'them'})"
 
 
 def _params(params: Sequence[TopologyParam], node: TopologyNode, topology: Topology) -> Iterator[str]:
@@ -198,7 +199,7 @@ def _not_shown(topology: Topology, complete: Topology) -> Iterator[str]:
     if hubs:
         said.append(f"{listed(hubs[:MOST_PARTNERS], len(hubs))} (--hubs)")
     if plumbing:
-        said.append(f"{number(plumbing, 'name')} of plumbing (--plumbing)")
+        said.append(f"{counted(plumbing, 'name')} of plumbing (--plumbing)")
     if said:
         yield ""
         yield f"not shown: {', '.join(said)}"

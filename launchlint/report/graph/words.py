@@ -31,11 +31,6 @@ MOST_DOUBTED = 3
 """Those who may be at an empty end that are named."""
 
 
-def number(count: int, one: str, many: str = "") -> str:
-    """``1 node``, ``2 nodes``."""
-    return f"{count} {one if count == 1 else many or one + 's'}"
-
-
 def listed(names: Iterable[str], total: int | None = None) -> str:
     """``/a, /b and 3 more``: names made visible, and how many of ``total`` are not among them."""
     shown = [visible(name) for name in names]

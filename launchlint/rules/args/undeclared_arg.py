@@ -93,7 +93,7 @@ def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
 
 def _switches(problem: UndeclaredArg, view: LaunchView) -> tuple[str, ...]:
     """The args of the entry file that the conditions of the declarations of the arg hang on; ``skipped`` are their places."""
-    starts = {(place.source.path, place.span.start) for place in problem.skipped}
+    starts = {place.key for place in problem.skipped}
     if not starts:
         return ()
     names: set[str] = set()

@@ -114,13 +114,13 @@ def _cause(endpoint: Endpoint, instance: Instance) -> object:
         if not rule.target.startswith("/"):
             return None
         place = rule.remap.origin.place if rule.remap is not None else instance.node.origin.place
-        return (place.source.path, place.span.start)
+        return place.key
     if not endpoint.declared.startswith("/"):
         return None
     if endpoint.declaration.name.startswith("/"):
         return _IN_THE_CODE
     place = instance.node.origin.place
-    return (place.source.path, place.span.start)
+    return place.key
 
 
 def _finding(channel: Channel, copies: list[Endpoint], known: Owners, severity: Severity | None) -> Finding:

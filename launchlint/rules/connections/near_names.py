@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from launchlint.late import late
-from launchlint.spelling import one_slip
+from launchlint.spelling import one_slip, same_digits
 
 SLIP, NAMESPACE, WORDS, SIBLING, TWIN = "slip", "namespace", "words", "sibling", "twin"
 RELATIONS = (SLIP, NAMESPACE, WORDS, SIBLING)
@@ -57,17 +57,13 @@ def _differ_in_a_mark(left: str, right: str) -> bool:
 
 
 def _is_slip(left: str, right: str) -> bool:
-    if abs(len(left) - len(right)) > 1 or _digits(left) != _digits(right):
+    if abs(len(left) - len(right)) > 1 or not same_digits(left, right):
         return False
     # Most names are nothing alike, which is said at once: after one slip one of the two halves still agrees.
     half = min(len(left), len(right)) // 2 - 1
     if left[:half].casefold() != right[:half].casefold() and left[-half:].casefold() != right[-half:].casefold():
         return False
     return one_slip(left, (right,)) is not None
-
-
-def _digits(name: str) -> str:
-    return "".join(filter(str.isdigit, name))
 
 
 def _letters(name: str) -> str:

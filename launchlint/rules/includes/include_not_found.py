@@ -72,7 +72,7 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.template import has_placeholder
 from launchlint.rules.view import LaunchView
 from launchlint.rules.xml.malformed_xml import TEMPLATE
-from launchlint.spelling import closest
+from launchlint.spelling import closest, same_digits
 from launchlint.syntax.ros1.substitutions import parse
 from launchlint.workspace.looking import is_file, names, walk
 from launchlint.workspace.put_aside import is_out_of_use
@@ -234,7 +234,7 @@ def _close(base: str, names: list[str]) -> str | None:
     """The most similar of ``names``, endings left aside; files that differ in a digit stand for different things."""
     stems: dict[str, str] = {}
     for name in names:
-        if _digits(name) == _digits(base) and name != base:
+        if same_digits(name, base) and name != base:
             stems.setdefault(_stem(name), name)
     wanted = _stem(base)
     return stems.get(wanted) or stems.get(closest(wanted, stems) or "")
@@ -243,16 +243,12 @@ def _close(base: str, names: list[str]) -> str | None:
 def _longer(base: str, names: list[str]) -> str | None:
     """The only one of ``names`` that begins with the wanted one, and ends as it does."""
     stem, end = posixpath.splitext(base)
-    found = [name for name in names if name.startswith((f"{stem}_", f"{stem}-")) and name.endswith(end) and _digits(name) == _digits(base)]
+    found = [name for name in names if name.startswith((f"{stem}_", f"{stem}-")) and name.endswith(end) and same_digits(name, base)]
     return found[0] if len(found) == 1 else None
 
 
 def _stem(name: str) -> str:
     return name.partition(".")[0]
-
-
-def _digits(name: str) -> str:
-    return "".join(filter(str.isdigit, name))
 
 
 def _launch_files(directory: str) -> list[str]:

@@ -124,7 +124,7 @@ def _cause(first: Node, second: Node, tried: str, view: LaunchView) -> str:
         return f"{view.launch.entry.path} {tried}"
     if not second.origin.chain:
         return ""
-    ways = ((place.source.path, place.span.start) for node in (first, second) for place in node.origin.chain)
+    ways = (place.key for node in (first, second) for place in node.origin.chain)
     return f"{second.origin.place.source.path} {[*ways]}"
 
 

@@ -66,9 +66,9 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
             yield RULE.fine(place)  # a file that is not here may start it
         if unsure or manager.startswith("~") or _is_remapped(node, full):
             continue
-        slip = _slip(full, names - {node.full_name})
+        slip = one_slip(full, names - {node.full_name})
         # Or the managers that other nodelets name agree, and this one differs in a letter.
-        sibling = None if slip or wanted.count(full) > 1 else _slip(full, {other for other in wanted if other not in names})
+        sibling = None if slip or wanted.count(full) > 1 else one_slip(full, {other for other in wanted if other not in names})
         yield RULE.at(
             Origin(place, node.origin.step),
             f"no node is called {full}, the manager of this nodelet",
@@ -102,16 +102,6 @@ def _is_remapped(node: Node, full: str) -> bool:
     """Whether a remap may lead the nodelet to another manager's service."""
     wanted = (full, f"{full}/load_nodelet")
     return any((remap.source if remap.source.startswith("/") else node.namespace + remap.source) in wanted for remap in node.remaps)
-
-
-def _slip(full: str, names: set[str]) -> str | None:
-    """The one node that ``full`` must be a slip for; names that differ in a digit stand for different robots or cameras."""
-    slip = one_slip(full, names)
-    return None if slip is None or _digits(slip) != _digits(full) else slip
-
-
-def _digits(name: str) -> str:
-    return "".join(filter(str.isdigit, name))
 
 
 def _severity(slip: str | None, managers: bool, declared: bool) -> Severity:

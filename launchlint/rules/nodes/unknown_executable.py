@@ -165,7 +165,7 @@ def _by_library(node: Node, view: GraphView, *, here: bool) -> Iterator[Finding]
         return
     complete = not here and library.has_all_executables(node.package)
     near = surely(name, known)
-    if near is None or not _same_digits(name, near) or library.removed(node.package, "executables", near):
+    if near is None or library.removed(node.package, "executables", near):
         return
     assumed = any(condition.assumed for condition in node.conditions)
     severity = Severity.ERROR if complete and not assumed else Severity.WARNING
@@ -196,12 +196,7 @@ def _slip(name: str, names: list[str]) -> str | None:
     for other in names:
         if other != name and other.removesuffix(".py") == stem:
             return other
-    slip = one_slip(name, names)
-    return None if slip is None or not _same_digits(slip, name) else slip
-
-
-def _same_digits(one: str, other: str) -> bool:
-    return "".join(filter(str.isdigit, one)) == "".join(filter(str.isdigit, other))
+    return one_slip(name, names)
 
 
 def _some(names: Sequence[str]) -> str:

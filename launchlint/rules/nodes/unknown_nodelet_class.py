@@ -163,9 +163,4 @@ def _slip(name: str, names: Iterable[str]) -> str | None:
     """The one name that ``name`` is a slip for; names that differ in a digit stand for different things."""
     if len(name) < SHORTEST_SLIP:
         return None
-    slip = one_slip(name, names)
-    return None if slip is None or _digits(slip) != _digits(name) else slip
-
-
-def _digits(name: str) -> str:
-    return "".join(filter(str.isdigit, name))
+    return one_slip(name, names)

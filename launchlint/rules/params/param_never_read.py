@@ -292,14 +292,14 @@ def _near(name: str, names: list[str]) -> list[str]:
     candidates: list[str] = []
     for other in names:
         part = _differing(name, other)
-        if part is not None and closest(part[0], [part[1]]) is not None and _digits(other) == _digits(name):
+        if part is not None and closest(part[0], [part[1]]) is not None:
             candidates.append(other)
     return [other for other in candidates if closest(name, [other]) is not None]
 
 
 def _is_slip(part: tuple[str, str] | None) -> bool:
     """Whether two parts of names are one letter apart, and not as siblings are: ``vel_x`` and ``vel_y``, ``topic`` and ``topics``."""
-    if part is None or min(map(len, part)) < _SHORTEST_SLIP or _digits(part[0]) != _digits(part[1]):
+    if part is None or min(map(len, part)) < _SHORTEST_SLIP:
         return False
     one, other = part
     words = [pair for pair in zip(one.split("_"), other.split("_"), strict=False) if pair[0] != pair[1]]
@@ -319,7 +319,3 @@ def _listed(private: Sequence[str], *, everything: bool) -> str:
     """What the node reads, for people who look for the right name."""
     more = len(private) > _MOST_NAMES or not everything
     return f"it reads {', '.join(sorted(private)[:_MOST_NAMES])}{' …' if more else ''}" if private else "it reads no private params"
-
-
-def _digits(name: str) -> str:
-    return "".join(filter(str.isdigit, name))

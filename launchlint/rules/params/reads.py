@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.graph.connections import Doubt, Instance
-from launchlint.graph.names import absolute
+from launchlint.graph.names import absolute, around
 from launchlint.library.lookup import Library
 from launchlint.library.program import Program
 
@@ -38,7 +37,7 @@ class Declared(NamedTuple):
 
     def may_be(self, name: str) -> bool:
         """Whether ``name``, something around it or something below it may be one of them."""
-        if name in self.names or name in self.around or any(outer in self.names for outer in _outer(name)):
+        if name in self.names or name in self.around or any(outer in self.names for outer in around(name)):
             return True
         return any(pattern.may_be(name) or pattern.may_be(f"{name}/*") for pattern in self.patterns)
 
@@ -67,15 +66,7 @@ def declared_by(instance: Instance, library: Library) -> Declared:
             else:
                 full = absolute(known, instance.namer.namespace, instance.namer.node)
                 patterns[Doubt("params", full, declaration.name)] = None
-    return Declared(names, frozenset(outer for name in names for outer in _outer(name)), tuple(patterns))
-
-
-def _outer(name: str) -> Iterator[str]:
-    """The names around ``name``, the nearest first."""
-    outer = name.rpartition("/")[0]
-    while outer:
-        yield outer
-        outer = outer.rpartition("/")[0]
+    return Declared(names, frozenset(outer for name in names for outer in around(name)), tuple(patterns))
 
 
 def _pattern(template: str) -> str:

@@ -33,11 +33,11 @@ class SetAgain(NamedTuple):
 def set_again(launch: Launch) -> Iterator[SetAgain]:
     """Each parameter and each next setting of it that surely takes its place."""
     last: dict[str, ParameterSetting] = {}
-    scoped = {_key(setting.origin) for setting in launch.settings if setting.kind == "param"}
+    scoped = {setting.origin.place.key for setting in launch.settings if setting.kind == "param"}
     for setting in launch.parameter_settings:
         earlier = last.get(setting.name)
         last[setting.name] = setting
-        if earlier is None or not (is_known(earlier.value) and is_known(setting.value)) or _key(earlier.origin) in scoped:
+        if earlier is None or not (is_known(earlier.value) and is_known(setting.value)) or earlier.origin.place.key in scoped:
             continue
         if is_certain(earlier) and is_certain(setting) and set(setting.conditions) <= set(earlier.conditions):
             yield SetAgain(setting.name, earlier.origin, setting.origin, earlier.value, setting.value, (earlier, setting))
@@ -48,15 +48,11 @@ def set_again(launch: Launch) -> Iterator[SetAgain]:
             yield SetAgain(problem.name, first, problem.origin, problem.old, problem.new)
 
 
-def _key(origin: Origin) -> tuple[str, int]:
-    return (origin.place.source.path, origin.place.span.start)
-
-
 def _in_one_scope(launch: Launch) -> Iterator[SetAgain]:
     """A ``~param`` that is set again before any node has followed."""
-    settings = {_key(setting.origin): setting for setting in launch.settings if setting.kind == "param"}
+    settings = {setting.origin.place.key: setting for setting in launch.settings if setting.kind == "param"}
     for setting in settings.values():
-        earlier = settings.get((setting.replaced.source.path, setting.replaced.span.start)) if setting.replaced is not None else None
+        earlier = settings.get(setting.replaced.key) if setting.replaced is not None else None
         if earlier is None or earlier.reached or not set(setting.conditions) <= set(earlier.conditions):
             continue
         if any(condition.assumed for condition in (*earlier.conditions, *setting.conditions)):

@@ -73,10 +73,10 @@ def check(view: LaunchView) -> Iterator[Finding]:
 def _in_one_scope(view: LaunchView) -> Iterator[Finding]:
     """A remap that is replaced before any node has followed."""
     launch = view.launch
-    settings = {(item.origin.place.source.path, item.origin.place.span.start): item for item in launch.settings if item.kind == "remap"}
+    settings = {item.origin.place.key: item for item in launch.settings if item.kind == "remap"}
     for setting in settings.values():
         replaced = setting.replaced
-        earlier = None if replaced is None else settings.get((replaced.source.path, replaced.span.start))
+        earlier = None if replaced is None else settings.get(replaced.key)
         if earlier is None or earlier.reached or not set(setting.conditions) <= set(earlier.conditions):
             continue
         if not any(condition.assumed for condition in earlier.conditions):

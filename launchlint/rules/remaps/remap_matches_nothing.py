@@ -106,7 +106,7 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
         acting = set() if names is None else {id(applied.rule.remap) for applied in table}
         for remap in instance.node.remaps:
             if id(remap) not in acting or not (view.launch.complete or is_inside(remap, instance)):
-                fine[_key(remap.origin)] = remap.origin
+                fine[remap.origin.place.key] = remap.origin
         if names is None:
             continue
         for applied in table:
@@ -119,17 +119,13 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
             if applied.source == applied.target:
                 continue  # the rule of remaps to themselves speaks about it
             if not _has(instance, names, applied):
-                missed.setdefault((*_key(origin), topic), []).append(_Miss(origin, instance, applied, names, view.graph))
+                missed.setdefault((*origin.place.key, topic), []).append(_Miss(origin, instance, applied, names, view.graph))
             elif remap_or_none is not None:
-                fine[_key(origin)] = origin
+                fine[origin.place.key] = origin
     yield from (RULE.fine(origin) for origin in fine.values())
     for (path, start, topic), misses in missed.items():
         if (path, start) not in fine:
             yield _finding(misses, topic, view)
-
-
-def _key(origin: Origin) -> tuple[str, int]:
-    return origin.place.source.path, origin.place.span.start
 
 
 def _has(instance: Instance, names: OwnNames, applied: Applied) -> bool:
