@@ -7,14 +7,20 @@ from typing import Any, TypeVar
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
+State = TypeVar("State")
+
+
+_here: list[Any] = []
+"""In a process of a pool, what it keeps for all its items: whatever else a pool hands to its processes is sent anew with each item."""
 
 
 def in_pool(
-    work: Callable[[Item], Result], items: Iterable[Item], workers: int, begin: Callable[..., None], given: tuple[Any, ...]
+    work: Callable[[State, Item], Result], items: Iterable[Item], workers: int, begin: Callable[..., State], given: tuple[Any, ...]
 ) -> Generator[Result, None, None]:
     """What ``work`` makes of each item, in order; only the first ones where processes cannot be had, or one of them was killed.
 
-    Each process calls ``begin(*given)`` first. Close the iterator where it is not read to its end: that ends the processes.
+    Each process calls ``begin(*given)`` first, and gives ``work`` what it returns with each item. Close the iterator where it is not read
+    to its end: that ends the processes.
     """
     from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
@@ -23,7 +29,7 @@ def in_pool(
         with ProcessPoolExecutor(workers, initializer=_begin, initargs=(begin, given)) as pool:
             try:
                 # Not pool.map: interrupted, it cancels its futures, and the pool's own thread then falls over them with a traceback.
-                for future in [pool.submit(work, item) for item in items]:
+                for future in [pool.submit(_work, work, item) for item in items]:
                     yield future.result()
             except (KeyboardInterrupt, GeneratorExit):
                 _end_workers()
@@ -32,12 +38,16 @@ def in_pool(
         return
 
 
-def _begin(begin: Callable[..., None], given: tuple[Any, ...]) -> None:
+def _begin(begin: Callable[..., Any], given: tuple[Any, ...]) -> None:
     """In a new process: Ctrl-C is for the parent, which ends it."""
     import signal
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    begin(*given)
+    _here[:] = [begin(*given)]
+
+
+def _work(work: Callable[[Any, Item], Result], item: Item) -> Result:
+    return work(_here[0], item)
 
 
 def _end_workers() -> None:

@@ -72,6 +72,17 @@ LAZY = {
     "yaml",
 }
 
+# What a module may fill or change while it runs; all else is kept by what it is about: Packages.once, a view's cached_property, an object.
+KEPT_BY_A_MODULE = {
+    ("launchlint.pool", "_here"),  # a pool hands its processes functions of modules, and nothing that lives from item to item
+    ("launchlint.workspace.looking", "_noted"),  # the account of what was looked at, for whoever asks last
+}
+FILLING = {
+    *("add", "append", "appendleft", "clear", "discard", "extend", "insert", "move_to_end", "pop", "popitem", "remove", "setdefault"),
+    "update",
+}
+PLAIN = {"str", "bytes", "int", "bool", "float"}
+
 
 class Import(NamedTuple):
     """One imported module: where, which, and whether it happens when the importing module is loaded or only for type checkers."""
@@ -217,3 +228,87 @@ def test_module_postpones_its_annotations(path: Path) -> None:
         first = statements[0]
         assert isinstance(first, ast.ImportFrom)
         assert (first.module, [alias.name for alias in first.names]) == ("__future__", ["annotations"])
+
+
+def _filled(tree: ast.Module) -> Iterator[tuple[str, int]]:
+    """Names of the module that one of its functions fills, changes or sets anew, with the line."""
+    assigned = [node for node in tree.body if isinstance(node, (ast.Assign, ast.AnnAssign))]
+    names = {each.id for node in assigned for each in ast.walk(node) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)}
+    for function in ast.walk(tree):
+        if not isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            continue
+        inside = list(ast.walk(function))
+        own = {node.arg for node in inside if isinstance(node, ast.arg)}
+        own |= {node.id for node in inside if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+        for node in inside:
+            changed: ast.AST | None = None
+            if isinstance(node, ast.Global):
+                yield from ((name, node.lineno) for name in node.names)
+            elif isinstance(node, ast.Subscript) and isinstance(node.ctx, (ast.Store, ast.Del)):
+                changed = node.value
+            elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in FILLING:
+                changed = node.func.value
+            while isinstance(changed, (ast.Subscript, ast.Attribute)):
+                changed = changed.value
+            if isinstance(changed, ast.Name) and changed.id in names - own:
+                yield changed.id, changed.lineno
+
+
+def test_no_module_keeps_what_it_found() -> None:
+    """A cache belongs to what it is about: it then ends with it, and two runs in one process cannot see each other's answers."""
+    found = {
+        (module, name): f"{module}:{line} fills {name}"
+        for module, path in MODULES.items()
+        for name, line in _filled(ast.parse(path.read_text(encoding="utf-8")))
+    }
+    assert [where for name, where in found.items() if name not in KEPT_BY_A_MODULE] == []
+    assert found.keys() >= KEPT_BY_A_MODULE, "the list above names what is no longer there"
+
+
+@pytest.mark.parametrize(
+    ("code", "names"),
+    [
+        ("_kept: dict[str, int] = {}\ndef f(a):\n    _kept[a] = 1", ["_kept"]),
+        ("_kept = []\ndef f(a):\n    _kept.append(a)", ["_kept"]),
+        ("_kept = None\ndef f(a):\n    global _kept\n    _kept = a", ["_kept"]),
+        ("_kept = {}\ndef f(a):\n    _kept.setdefault(a, []).append(1)", ["_kept"]),
+        ("_table = {1: 2}\ndef f(a):\n    return _table[a]", []),
+        ("found = []\ndef f(a):\n    found = []\n    found.append(a)\n    return found", []),
+    ],
+)
+def test_how_that_is_found(code: str, names: list[str]) -> None:
+    assert sorted({name for name, _ in _filled(ast.parse(code))}) == names
+
+
+def _unbounded(tree: ast.Module) -> Iterator[str]:
+    """Functions that remember without bound, or by something that is no plain value."""
+    for function in ast.walk(tree):
+        if not isinstance(function, ast.FunctionDef):
+            continue
+        for decorator in function.decorator_list:
+            word = ast.unparse(decorator)
+            arguments = [*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs]
+            kinds = {"" if each.annotation is None else ast.unparse(each.annotation) for each in arguments}
+            if (word == "cache" and arguments) or word in ("lru_cache", "lru_cache()", "lru_cache(maxsize=None)"):
+                yield f"{function.name} remembers without bound"
+            elif word.startswith("lru_cache") and kinds - PLAIN:
+                yield f"{function.name} remembers by {', '.join(sorted(kinds - PLAIN))}"
+
+
+def test_functions_that_remember_do_so_within_bounds_and_by_plain_values() -> None:
+    found = [f"{module}: {each}" for module, path in MODULES.items() for each in _unbounded(ast.parse(path.read_text(encoding="utf-8")))]
+    assert found == []
+
+
+@pytest.mark.parametrize(
+    ("code", "said"),
+    [
+        ("@cache\ndef f(a: str): ...", ["f remembers without bound"]),
+        ("@lru_cache\ndef f(a: str): ...", ["f remembers without bound"]),
+        ("@lru_cache(maxsize=4)\ndef f(a: Packages): ...", ["f remembers by Packages"]),
+        ("@lru_cache(maxsize=4)\ndef f(a: str, *, b: int): ...", []),
+        ("@cache\ndef f(): ...", []),
+    ],
+)
+def test_how_those_are_found(code: str, said: list[str]) -> None:
+    assert list(_unbounded(ast.parse(code))) == said

@@ -76,16 +76,13 @@ def _batches(keys: Sequence[Key]) -> Iterator[list[Key]]:
         yield batch
 
 
-_worker: list[OwnSources] = []
-
-
-def _begin(options: Options) -> None:
+def _begin(options: Options) -> OwnSources:
     """In a new worker: what it needs for all its programs."""
     own = EntryChecker(options).own
     assert own is not None
-    _worker[:] = [own]
+    return own
 
 
-def _read(keys: Sequence[Key]) -> list[tuple[Key, Known]]:
-    read = ((key, _worker[0].known(key)) for key in keys)
+def _read(own: OwnSources, keys: Sequence[Key]) -> list[tuple[Key, Known]]:
+    read = ((key, own.known(key)) for key in keys)
     return [(key, known) for key, known in read if known is not None]

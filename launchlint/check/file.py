@@ -63,15 +63,10 @@ def _problems(document: Document) -> Iterator[Problem]:
         yield from validate(document)
 
 
-_KINDS: dict[type[Problem], tuple[Entry, ...]] = {}
-
-
 def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[Finding]:
     """What the rules for this kind of problem say about it."""
-    if not _KINDS:
-        _KINDS.update(by_kind())
     told = view.told if isinstance(view, LaunchView) else {}
-    for rule in _KINDS.get(type(problem), ()):
+    for rule in by_kind().get(type(problem), ()):
         if rule.id in selected:
             key = (id(problem), rule.id)
             if key not in told:

@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from functools import partial
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.options import EntryRequest, Options
@@ -140,17 +140,14 @@ def _batches(requests: Sequence[EntryRequest]) -> Iterator[list[EntryRequest]]:
         yield list(requests[start : start + BATCH])
 
 
-_worker: list[EntryChecker] = []
-
-
-def _start(make: type[EntryChecker], options: Options, overlay: Mapping[str, bytes], remember: bool) -> None:
+def _start(make: type[Checker], options: Options, overlay: Mapping[str, bytes], remember: bool) -> Checker:
     """In a new worker: what it needs for all its batches."""
-    _worker[:] = [make(options, overlay, remember=remember)]
+    return make(options, overlay, remember=remember)
 
 
-def _work(work: Callable[[Any, EntryRequest], Result], batch: list[EntryRequest]) -> list[Result]:
+def _work(work: Callable[[Checker, EntryRequest], Result], checker: Checker, batch: list[EntryRequest]) -> list[Result]:
     with _seldom_collecting():
-        return [work(_worker[0], request) for request in batch]
+        return [work(checker, request) for request in batch]
 
 
 def default_directory() -> str:

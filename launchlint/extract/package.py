@@ -6,9 +6,8 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from launchlint import __version__
-from launchlint.extract.plan import Plan, Skipped, Task, plan
-from launchlint.extract.python.modules import ModuleFinder
-from launchlint.extract.reading import Reading, read
+from launchlint.extract.plan import Plan, Skipped, plan
+from launchlint.extract.reading import ProgramReader, Reading
 
 PARALLEL_FROM = 8
 """Programs from which a second process pays."""
@@ -52,24 +51,12 @@ def _read_all(planned: Plan, jobs: int) -> Iterator[Reading]:
     if jobs > 1 and len(planned.tasks) >= PARALLEL_FROM:
         from launchlint.pool import in_pool
 
-        for reading in in_pool(_read_one, planned.tasks, min(jobs, len(planned.tasks)), _begin, (planned.modules,)):
+        for reading in in_pool(ProgramReader.read, planned.tasks, min(jobs, len(planned.tasks)), ProgramReader, (planned.modules,)):
             done += 1
             yield reading
-    finder = ModuleFinder(planned.modules)
+    reader = ProgramReader(planned.modules)
     for task in planned.tasks[done:]:
-        yield read(task, finder)
-
-
-_finder: list[ModuleFinder] = []
-
-
-def _begin(modules: dict[str, str]) -> None:
-    """In a new worker: what it needs for all its programs."""
-    _finder[:] = [ModuleFinder(modules)]
-
-
-def _read_one(task: Task) -> Reading:
-    return read(task, _finder[0])
+        yield reader.read(task)
 
 
 def _result(planned: Plan, readings: Sequence[Reading]) -> Result:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from launchlint.errors import UsageError
@@ -12,9 +12,13 @@ from launchlint.extract.fact import ELSEWHERE, Doubt, Fact
 from launchlint.extract.literals import SOURCE_ENDS, literals
 from launchlint.extract.plan import Task
 from launchlint.extract.python.modules import ModuleFinder
-from launchlint.extract.python.program import python_program
+from launchlint.extract.python.program import Extracted, python_program
 from launchlint.extract.python.source import SourceError
 from launchlint.workspace.looking import read_bytes, watched
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.extract.cpp.files import Trees
 
 CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 LONGEST_NAME = 1_000
@@ -53,25 +57,45 @@ class Reading(NamedTuple):
     unresolved: int
 
 
-def read(task: Task, finder: ModuleFinder) -> Reading:
-    """Read one program. Never raises for what its source says."""
-    reading, looked_at = watched(lambda: _read(task, finder))
-    for variant in () if reading.program is None else reading.program["variants"].values():
-        if "open" in variant or any("{any}" in entry["name"] for category in CATEGORIES for entry in variant.get(category, ())):
-            found = literals(path for path in looked_at if os.path.splitext(path)[1] in SOURCE_ENDS)
-            variant.update({"literals": found} if found else {})
-    return reading
+class ProgramReader:
+    """Reads programs, and keeps the files that they share: the modules of ``packages`` (directory → name), and headers."""
+
+    def __init__(self, packages: Mapping[str, str]) -> None:
+        self._finder = ModuleFinder(packages)
+        self._trees: Trees | None = None
+
+    def read(self, task: Task) -> Reading:
+        """Read one program. Never raises for what its source says."""
+        reading, looked_at = watched(lambda: _read(task, self))
+        for variant in () if reading.program is None else reading.program["variants"].values():
+            if "open" in variant or any("{any}" in entry["name"] for category in CATEGORIES for entry in variant.get(category, ())):
+                found = literals(path for path in looked_at if os.path.splitext(path)[1] in SOURCE_ENDS)
+                variant.update({"literals": found} if found else {})
+        return reading
+
+    def python(self, task: Task) -> Extracted:
+        """What a program of Python says."""
+        return python_program(task.sources[0], task.origin.root, task.directory, self._finder)
+
+    def cpp(self, task: Task) -> tuple[Sequence[Fact], tuple[Doubt, ...]]:
+        """What a program of C++ says."""
+        from launchlint.extract.cpp import Trees, cpp_program
+
+        if self._trees is None:
+            self._trees = Trees()
+        entry = task.entry or None
+        return cpp_program(task.sources, task.includes, task.origin.root, entry, task.plugins, task.templates, task.packages, self._trees)
 
 
-def _read(task: Task, finder: ModuleFinder) -> Reading:
+def _read(task: Task, reader: ProgramReader) -> Reading:
     options: dict[str, int] = {}
     facts: Sequence[Fact]
     try:
         if task.client == "rospy":
-            found = python_program(task.sources[0], task.origin.root, task.directory, finder)
+            found = reader.python(task)
             facts, doubts, options, silent = found.facts, found.doubts, found.options, not found.uses_rospy
         else:
-            facts, doubts = _cpp(task)
+            facts, doubts = reader.cpp(task)
             foreign = any(each.reason.endswith(ELSEWHERE) for each in doubts)
             silent = not facts and not foreign and not any(_TALKS.search(_bytes(path)) for path in task.sources)
     except (SourceError, UsageError) as error:
@@ -89,12 +113,6 @@ def _read(task: Task, finder: ModuleFinder) -> Reading:
     return Reading(
         task, program, "", sum(entry["name"] != "{any}" for category in CATEGORIES for entry in variant.get(category, ())), unresolved
     )
-
-
-def _cpp(task: Task) -> tuple[Sequence[Fact], tuple[Doubt, ...]]:
-    from launchlint.extract.cpp import cpp_program
-
-    return cpp_program(task.sources, task.includes, task.origin.root, task.entry or None, task.plugins, task.templates, task.packages)
 
 
 def _bytes(path: str) -> bytes:

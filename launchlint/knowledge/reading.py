@@ -8,8 +8,7 @@ from typing import TypeVar
 from launchlint.extract.assembly import Workspace
 from launchlint.extract.origin import Origin
 from launchlint.extract.plan import PackageReader, Task
-from launchlint.extract.python.modules import ModuleFinder
-from launchlint.extract.reading import read
+from launchlint.extract.reading import ProgramReader
 from launchlint.knowledge.checked import checked
 from launchlint.knowledge.entry import Key, Known, States
 from launchlint.workspace import looking
@@ -28,7 +27,7 @@ class SourceReader:
     def __init__(self, packages: Iterable[Package], limits: Iterable[str], states: States) -> None:
         listed = list(packages)
         self._workspace = Workspace(listed, limits)
-        self._finder = ModuleFinder({package.directory: package.name for package in listed})
+        self._programs = ProgramReader({package.directory: package.name for package in listed})
         self._states = states
         self._readers: dict[str, tuple[PackageReader, frozenset[str]]] = {}
 
@@ -44,7 +43,7 @@ class SourceReader:
                 return None, "its package has no source of it"
             if not isinstance(task, Task):
                 return None, task.reason
-            found = read(task, self._finder)
+            found = self._programs.read(task)
         except Exception as error:  # a mistake of launchlint itself: one program must never take the run down
             return None, f"launchlint failed to read it: {type(error).__name__}: {error}"
         if found.program is None:

@@ -64,7 +64,7 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
         why = f"what this file asks of it lies in {own.name}, its own package: {name} may be a former name"
         return Judgement(Severity.WARNING, why, _did_you_mean(own.name))
     key = (name, "" if home is None else home.directory)
-    known = _answers_for(packages)
+    known = packages.once(_answers)
     if key not in known:
         known[key] = _judge(name, packages, home)
     answer = known[key]
@@ -89,15 +89,9 @@ def cause(name: str, severity: Severity) -> str:
     return f"no package {name} {severity.word}"
 
 
-Key = tuple[str, str]
-_latest: list[tuple[Packages, dict[Key, Judgement | None]]] = []
-
-
-def _answers_for(packages: Packages) -> dict[Key, Judgement | None]:
-    """The answers given so far; a run has one set of packages, so that only those of the latest are kept."""
-    if not _latest or _latest[0][0] is not packages:
-        _latest[:] = [(packages, {})]
-    return _latest[0][1]
+def _answers(packages: Packages) -> dict[tuple[str, str], Judgement | None]:
+    """The answers given so far, by the missing name and the home of who misses it."""
+    return {}
 
 
 def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | None:
@@ -119,7 +113,7 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
             why = f"it is this file's own package, and {inner} lies in another one, {outer.name}: rospack does not look below a package"
             severity = Severity.ERROR if packages.complete else Severity.WARNING
             return Judgement(severity, why, f"move {inner} out of {outer.name}, or name its files by $(find {outer.name})")
-    declared = _declared_by(packages, local) | _declared([] if home is None else [home])
+    declared = packages.once(_declared_here) | _declared([] if home is None else [home])
     if packages.complete:
         here = packages.names()
         near = closest(name, here)
@@ -169,14 +163,14 @@ def _shown(path: str, packages: Packages) -> str:
     return min(inside, key=len, default=path)
 
 
-_latest_declared: list[tuple[Packages, set[str]]] = []
+def _local(packages: Packages) -> list[Package]:
+    """The packages of the workspaces."""
+    return [package for place in packages.places[: len(packages.workspaces)] for package in place.everything]
 
 
-def _declared_by(packages: Packages, local: Iterable[Package]) -> set[str]:
-    """What the packages of the workspaces declare, worked out once in a run."""
-    if not _latest_declared or _latest_declared[0][0] is not packages:
-        _latest_declared[:] = [(packages, _declared(local))]
-    return _latest_declared[0][1]
+def _declared_here(packages: Packages) -> set[str]:
+    """What the packages of the workspaces declare."""
+    return _declared(_local(packages))
 
 
 def _declared(packages: Iterable[Package]) -> set[str]:

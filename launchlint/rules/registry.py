@@ -8,6 +8,7 @@ has ``check``). A rule with both speaks in ``tell``, and says in ``check`` where
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 from importlib import import_module
 from sys import modules
 from typing import NamedTuple
@@ -157,7 +158,8 @@ def find(word: str) -> Entry | None:
     return _BY_WORD.get(key if redirect is None else redirect.lower())
 
 
-def by_kind() -> dict[type[Problem], tuple[Entry, ...]]:
+@cache
+def by_kind() -> Mapping[type[Problem], tuple[Entry, ...]]:
     """Kind of problem → the rules that speak about it."""
     kinds: dict[type[Problem], tuple[Entry, ...]] = {}
     for entry in RULES:

@@ -8,7 +8,7 @@ rospkg always adds. Every place is crawled when it is first needed, and only if 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.workspace.crawl import CATKIN_IGNORE, NO_SUBDIRECTORIES, Crawled, crawl_all, examine
@@ -18,14 +18,23 @@ from launchlint.workspace.public_packages import PublicPackages, public_names
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any, Protocol, TypeVar
+
     from launchlint.workspace.arg_uses import ArgUses
-    from launchlint.workspace.container_homes import Homes
     from launchlint.workspace.distributions import Distributions
     from launchlint.workspace.environment_hooks import Hooks
-    from launchlint.workspace.launch_files import LaunchFiles
     from launchlint.workspace.mentions import Mentions
     from launchlint.workspace.releases import Needs
-    from launchlint.workspace.variables import Variables
+
+    class Looked(Protocol):
+        """What was seen, with all that was looked at for it."""
+
+        @property
+        def looked(self) -> frozenset[str]:
+            """Paths (absolute)."""
+
+    Made = TypeVar("Made")
+    Seen = TypeVar("Seen", bound=Looked)
 
 SYSTEM_SHARE = "/usr/share"
 DEBIAN_CATKIN = "/usr/lib/python3/dist-packages/catkin"
@@ -158,6 +167,7 @@ class Packages:
         self._complete = complete
         self._places: list[_Place] | None = None
         self._prefixes: list[Prefix] | None = None
+        self._made: dict[Callable[..., Any], Any] = {}
         self._found: dict[tuple[str, str], Package | None] = {}
         self._of_directory: dict[str, Package | None] = {}
         self._sources: dict[str, _Place] = {}
@@ -165,14 +175,25 @@ class Packages:
         self._duplicates: dict[str, list[Package]] | None = None
         self._hidden: dict[str, Hidden] | None = None
         self._hooks: Hooks | None = None
-        self._variables: Variables | None = None
         self._listed: Mapping[str, str] | None = None
-        self._documented: Mentions | None = None
-        self._arg_uses: ArgUses | None = None
-        self._distributions: Distributions | None = None
         self._needs: dict[str, Needs] = {}
-        self._homes: Homes | None = None
-        self._launch_files: LaunchFiles | None = None
+
+    def once(self, make: Callable[[Packages], Made]) -> Made:
+        """What ``make`` (a class or a function of a module) makes of these packages, made once and kept with them."""
+        if make not in self._made:
+            self._made[make] = make(self)
+        made: Made = self._made[make]
+        return made
+
+    def _survey(self, read: Callable[[Sequence[str]], Seen]) -> Seen:
+        """What ``read`` sees in the workspaces, read once; whoever asks hangs on all that it looked at."""
+        from launchlint.workspace.looking import note
+
+        if read not in self._made:
+            self._made[read] = read(self.workspaces)
+        seen: Seen = self._made[read]
+        note(seen.looked)
+        return seen
 
     def get(self, name: str, near: str) -> Package | None:
         """The package called ``name`` as a launch file at ``near`` gets it; ``None`` where there is none.
@@ -272,13 +293,9 @@ class Packages:
 
     def own_variables(self) -> Mapping[str, str]:
         """The environment variables that files of the workspaces but launch files set or read, each with one (absolute) that does."""
-        from launchlint.workspace.looking import note
         from launchlint.workspace.variables import read_variables
 
-        if self._variables is None:
-            self._variables = read_variables(self.workspaces)
-        note(self._variables.looked)
-        return self._variables.known
+        return self._survey(read_variables).known
 
     def documented_in(self, name: str) -> str | None:
         """A README or another document of the workspaces (absolute) that names package ``name``, or a script, a workflow or an image that
@@ -290,24 +307,19 @@ class Packages:
 
     def documents(self) -> Mentions:
         """What the READMEs and other documents of the workspaces name."""
-        from launchlint.workspace.looking import note
         from launchlint.workspace.mentions import read_documents
 
-        if self._documented is None:
-            self._documented = read_documents(self.workspaces)
-        note(self._documented.looked)
-        return self._documented
+        return self._survey(read_documents)
 
     def distributions(self) -> Distributions:
         """What the workspaces say of ROS distributions and of installing (in a README, a workflow, an image, a script …)."""
-        from launchlint.workspace.distributions import read_distributions
-        from launchlint.workspace.looking import note
+        return self._survey(self._read_distributions)
 
-        if self._distributions is None:
-            own = (each.directory for place in self.places[: len(self.workspaces)] for each in place.everything)
-            self._distributions = read_distributions(self.workspaces, own)
-        note(self._distributions.looked)
-        return self._distributions
+    def _read_distributions(self, workspaces: Sequence[str]) -> Distributions:
+        from launchlint.workspace.distributions import read_distributions
+
+        own = (each.directory for place in self.places[: len(self.workspaces)] for each in place.everything)
+        return read_distributions(workspaces, own)
 
     def needs(self, package: Package) -> frozenset[str]:
         """The packages that ``package`` declares to run, and those that its launch files name."""
@@ -322,32 +334,20 @@ class Packages:
     def arg_uses(self) -> ArgUses:
         """Where files of the workspaces give args to launch files by name."""
         from launchlint.workspace.arg_uses import read_arg_uses
-        from launchlint.workspace.looking import note
 
-        if self._arg_uses is None:
-            self._arg_uses = read_arg_uses(self.workspaces)
-        note(self._arg_uses.looked)
-        return self._arg_uses
+        return self._survey(read_arg_uses)
 
     def launch_files(self, name: str) -> tuple[str, ...]:
         """The launch files (absolute) of the workspaces that are called ``name``, whatever directory they lie in."""
         from launchlint.workspace.launch_files import read_launch_files
-        from launchlint.workspace.looking import note
 
-        if self._launch_files is None:
-            self._launch_files = read_launch_files(self.workspaces)
-        note(self._launch_files.looked)
-        return self._launch_files.known.get(name, ())
+        return self._survey(read_launch_files).known.get(name, ())
 
     def container_users(self) -> frozenset[str]:
         """The users whose home directories the containers of the workspaces have."""
         from launchlint.workspace.container_homes import read_homes
-        from launchlint.workspace.looking import note
 
-        if self._homes is None:
-            self._homes = read_homes(self.workspaces)
-        note(self._homes.looked)
-        return self._homes.users
+        return self._survey(read_homes).users
 
     def duplicates(self) -> dict[str, list[Package]]:
         """Names that several packages of one workspace bear, with these packages in the order of the crawl; sorted by name.

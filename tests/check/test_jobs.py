@@ -72,7 +72,7 @@ def test_a_worker_that_is_killed_costs_time_and_nothing_else(repository: Path) -
         module._work = real
 
 
-def _die(work: object, batch: object) -> object:
+def _die(work: object, checker: object, batch: object) -> object:
     import os
     import signal
 

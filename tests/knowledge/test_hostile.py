@@ -72,7 +72,7 @@ def test_a_mistake_of_launchlint_itself_is_a_reason(workspace: Path, monkeypatch
     def fails(*_: object) -> None:
         raise KeyError("oops")
 
-    monkeypatch.setattr("launchlint.knowledge.reading.read", fails)
+    monkeypatch.setattr("launchlint.knowledge.reading.ProgramReader.read", fails)
     sources = own(workspace)
     assert sources.program(*SCRIPT) is None
     assert sources.reason(*SCRIPT) == "launchlint failed to read it: KeyError: 'oops'"

@@ -17,7 +17,24 @@ _MOST_BYTES = 8 << 20
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]{1,300})[>"]', re.MULTILINE)
 _MOST_KEPT = 4 << 20
 
-_kept: OrderedDict[tuple[str, int, int], Root] = OrderedDict()
+
+class Trees:
+    """The trees of the files that were read last, for programs that share them."""
+
+    def __init__(self) -> None:
+        self._kept: OrderedDict[tuple[str, int, int], Root] = OrderedDict()
+
+    def of(self, path: str, data: bytes) -> Root:
+        """The tree of the file at ``path`` with content ``data``."""
+        key = (os.path.realpath(path), len(data), hash(data))
+        if key in self._kept:
+            self._kept.move_to_end(key)
+            return self._kept[key]
+        tree = parse(data)
+        self._kept[key] = tree
+        while len(self._kept) > 1 and sum(size for _, size, _ in self._kept) > _MOST_KEPT:
+            self._kept.popitem(last=False)
+        return tree
 
 
 class File:
@@ -31,7 +48,7 @@ class File:
 
 
 def read_files(
-    sources: Sequence[str], include_directories: Sequence[str], root: str, templates: Sequence[Template] = ()
+    sources: Sequence[str], include_directories: Sequence[str], root: str, templates: Sequence[Template], trees: Trees
 ) -> tuple[list[File], list[str], list[tuple[str, bool]]]:
     """The files, included ones before those that include them, templates filled in; what could not be read, each with the reason; and the
     headers that are not here, each with whether it stands in quotes.
@@ -62,24 +79,12 @@ def read_files(
         total += len(data)
         if any(each.path == path for each in templates):
             data = filled(data.decode("utf-8", "replace"), path, templates).encode()
-        pending.append((path, _tree(path, data)))
+        pending.append((path, trees.of(path, data)))
         spelled = [(match[2].decode("utf-8", "replace"), match[1] == b'"') for match in _INCLUDE.finditer(data)]
         included = [found_header(name, quoted, path, include_directories) for name, quoted in spelled]
         missing.update((each, None) for each, header in zip(spelled, included, strict=True) if header is None)
         pending += [(each, None) for each in reversed(included) if each is not None]
     return found, problems, list(missing)
-
-
-def _tree(path: str, data: bytes) -> Root:
-    key = (os.path.realpath(path), len(data), hash(data))
-    if key in _kept:
-        _kept.move_to_end(key)
-        return _kept[key]
-    tree = parse(data)
-    _kept[key] = tree
-    while len(_kept) > 1 and sum(size for _, size, _ in _kept) > _MOST_KEPT:
-        _kept.popitem(last=False)
-    return tree
 
 
 def _relative(path: str, root: str) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 
 from launchlint.extract.cpp import nodelet
 from launchlint.extract.cpp.declarations import Declarations
-from launchlint.extract.cpp.files import File, read_files
+from launchlint.extract.cpp.files import File, Trees, read_files
 from launchlint.extract.cpp.foreign import Foreign
 from launchlint.extract.cpp.machine import Argument, Machine
 from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
@@ -39,6 +39,7 @@ def cpp_program(
     plugins: Sequence[Plugin] = (),
     templates: Sequence[Template] = (),
     packages: Collection[str] = (),
+    trees: Trees | None = None,
 ) -> tuple[tuple[Fact, ...], tuple[Doubt, ...]]:
     """What a program says, found by following its source code; nothing is run.
 
@@ -50,6 +51,7 @@ def cpp_program(
         plugins: classes that can be loaded and whose sources are among these.
         templates: those of the sources that the build fills in.
         packages: names of ROS packages, beside those that are public.
+        trees: what is kept of files that several programs read.
 
     Returns:
         Facts, sorted by category, name and place; and doubts, why there may be more than these.
@@ -57,7 +59,7 @@ def cpp_program(
     Raises:
         UsageError: tree-sitter is not installed.
     """
-    files, problems, missing = read_files(sources, include_directories, root, templates)
+    files, problems, missing = read_files(sources, include_directories, root, templates, trees or Trees())
     declarations = Declarations()
     for file in files:
         declarations.read(file.root, file.path)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from functools import lru_cache
 from typing import NamedTuple
 
 from launchlint.fix.format.style import Style
@@ -10,7 +12,6 @@ from launchlint.fix.format.tokens import Token
 from launchlint.syntax.ros1.dialect import TAGS
 
 _ATTRIBUTE = re.compile(r"""([^ \t\n=/>"']+)[ \t\n]*=[ \t\n]*(?:"([^"]*)"|'([^']*)')""")
-_RANKS: dict[str, dict[str, int]] = {}
 
 
 class Attribute(NamedTuple):
@@ -59,10 +60,12 @@ def start_tag(tag: Token, *, closed: bool, style: Style, column: int) -> str:
 
 def in_canonical_order(tag: str, attributes: list[Attribute]) -> list[Attribute]:
     """Those the dialect knows in the order of its table, then all others as they were."""
-    ranks = _RANKS.get(tag)
-    if ranks is None:
-        rule = TAGS.get(tag) or TAGS.get(tag.lower())  # inside <node> and <include> roslaunch takes tags in any case
-        known = () if rule is None else rule.attributes
-        ranks = _RANKS[tag] = {each.name: number for number, each in enumerate(known)}
+    ranks = _ranks(tag)
     last = len(ranks)
     return sorted(attributes, key=lambda each: ranks.get(each.name, last))
+
+
+@lru_cache(maxsize=64)
+def _ranks(tag: str) -> Mapping[str, int]:
+    rule = TAGS.get(tag) or TAGS.get(tag.lower())  # inside <node> and <include> roslaunch takes tags in any case
+    return {each.name: number for number, each in enumerate(() if rule is None else rule.attributes)}

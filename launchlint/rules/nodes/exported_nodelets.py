@@ -37,11 +37,6 @@ class ExportedNodelets:
         return self._everywhere
 
 
-_latest: list[tuple[Packages, ExportedNodelets]] = []
-
-
 def exported_nodelets(packages: Packages) -> ExportedNodelets:
-    """What ``packages`` export. A run has one set of packages, so that only the latest is kept."""
-    if not _latest or _latest[0][0] is not packages:
-        _latest[:] = [(packages, ExportedNodelets(packages))]
-    return _latest[0][1]
+    """What ``packages`` export."""
+    return packages.once(ExportedNodelets)

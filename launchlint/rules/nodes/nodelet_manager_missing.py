@@ -62,7 +62,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
             yield RULE.fine(place)
             continue
         unsure = not launch.complete or not known or not node.knows("namespace") or any(condition.assumed for condition in node.conditions)
-        if not launch.complete and _slip(full, names - {node.full_name}) is None:
+        if not launch.complete and one_slip(full, names - {node.full_name}) is None:
             yield RULE.fine(place)  # a file that is not here may start it
         if unsure or manager.startswith("~") or _is_remapped(node, full):
             continue

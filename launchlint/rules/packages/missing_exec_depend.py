@@ -144,7 +144,7 @@ def check(view: FileView) -> Iterator[Finding]:
     place = _place(manifest, root_of(document.source))
     extra = _GENERATED_EXTRA.fullmatch(posixpath.basename(file)) is not None and is_file(posixpath.join(home.directory, SETUP_ASSISTANT))
     here = any(_is_beside(name, packages, file) for name in missing)
-    ways, later = _ways_for(packages, home.name) if here else ({}, {})
+    ways, later = packages.once(_Ways).to(home.name, packages) if here else ({}, {})
     for name in missing:
         where, how = uses[name]
         manifest_path = shown(home.manifest_path, root_of(document.source))
@@ -183,17 +183,18 @@ def _home(packages: Packages, file: str) -> Package | None:
     return home if home is None or modern is None or modern.directory != home.directory else modern
 
 
-_latest: list[tuple[Packages, str, dict[str, Way], dict[str, Way]]] = []
+class _Ways:
+    """Who needs a package: the latest answer, since files come package by package."""
 
+    def __init__(self, packages: Packages) -> None:
+        self._name: str | None = None
+        self._found: tuple[dict[str, Way], dict[str, Way]] = ({}, {})
 
-def _ways_for(packages: Packages, name: str) -> tuple[dict[str, Way], dict[str, Way]]:
-    """Who needs package ``name``: now, and perhaps once other packages declare what their launch files use, too.
-
-    Files come package by package, so that the latest answer is kept.
-    """
-    if not _latest or _latest[0][0] is not packages or _latest[0][1] != name:
-        _latest[:] = [(packages, name, ways_to(name, packages), ways_to(name, packages, lacking=True))]
-    return _latest[0][2:]
+    def to(self, name: str, packages: Packages) -> tuple[dict[str, Way], dict[str, Way]]:
+        """Who needs package ``name``: now, and perhaps once other packages declare what their launch files use, too."""
+        if self._name != name:
+            self._name, self._found = name, (ways_to(name, packages), ways_to(name, packages, lacking=True))
+        return self._found
 
 
 def together(findings: Sequence[Finding]) -> Finding:

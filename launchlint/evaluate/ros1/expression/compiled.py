@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import warnings
+from functools import lru_cache
 
 from launchlint.evaluate.ros1.expression import ExpressionError, UnknownValue
 
@@ -51,23 +52,22 @@ class Compiled:
         return start + len(rest.decode("utf-8", "ignore"))
 
 
-_kept: dict[str, Compiled | ExpressionError | UnknownValue] = {}
-
-
 def compiled(text: str) -> Compiled:
     """The tree of ``text``, parsed once. Raises ExpressionError (kind SyntaxError) and UnknownValue (too large)."""
-    result = _kept.pop(text, None)
-    if result is None:
-        try:
-            result = _compile(text)
-        except (ExpressionError, UnknownValue) as error:
-            result = error
-        if len(_kept) >= _MOST_KEPT:
-            del _kept[next(iter(_kept))]
-    _kept[text] = result
+    if len(text) > LONGEST_TEXT:
+        raise UnknownValue(f"the expression is longer than {LONGEST_TEXT} characters")
+    result = _outcome(text)
     if isinstance(result, Compiled):
         return result
     raise result.with_traceback(None)
+
+
+@lru_cache(maxsize=_MOST_KEPT)  # every configuration of every entry file that reaches a file asks for the same expressions
+def _outcome(text: str) -> Compiled | ExpressionError | UnknownValue:
+    try:
+        return _compile(text)
+    except (ExpressionError, UnknownValue) as error:
+        return error
 
 
 def line_starts(text: str, skipped: int) -> list[int]:
@@ -107,8 +107,6 @@ def _parse(source: str) -> ast.Expression:
 
 def _check_size(text: str) -> None:
     """Refuse what could hurt the parser: it must not even see such text."""
-    if len(text) > LONGEST_TEXT:
-        raise UnknownValue(f"the expression is longer than {LONGEST_TEXT} characters")
     depth = 0
     for bracket in _BRACKET.finditer(text):
         depth += 1 if bracket[0] in "([{" else -1
