@@ -1,10 +1,12 @@
 """YAML with the line and column of everything, for files that a person writes and may get wrong.
 
-Built from the parser's events, not from its loader: so depth, size and aliases are bounded before anything grows, and a scalar keeps the
-text it was written as.
+A scalar keeps the text it was written as.
 """
 
 from __future__ import annotations
+
+import re
+from bisect import bisect_right
 
 from launchlint.errors import ConfigurationError
 from launchlint.workspace.reading import read_bytes
@@ -12,18 +14,21 @@ from launchlint.workspace.reading import read_bytes
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
-    from typing import Any, NoReturn
+    from typing import NoReturn
+
+    from launchlint.yaml.refusals import YamlError
+    from launchlint.yaml.tree import Node as Written
+    from launchlint.yaml.tree import YamlBeyond
 
 LARGEST_CONFIGURATION = 1 << 20
 _DEEPEST = 32
-_MOST_ALIASES = 100
-_MOST_NODES = 1_000_000
+_MOST_WRITTEN_OUT = 1_000_000
 _LONGEST_SHOWN = 80
 
 _TAG = "tag:yaml.org,2002:"
-_TAGS = frozenset((None, "!", *(_TAG + each for each in ("str", "int", "float", "bool", "null", "seq", "map"))))
+_TAGS = frozenset(_TAG + each for each in ("str", "int", "float", "bool", "null", "seq", "map"))
 
-SCALAR, SEQUENCE, MAPPING = "scalar", "sequence", "mapping"
+SCALAR, SEQUENCE, MAPPING = _KINDS = ("scalar", "sequence", "mapping")
 
 
 class Node:
@@ -133,7 +138,8 @@ def read_document(path: str, largest: int = LARGEST_CONFIGURATION) -> Document:
 
 def parse_document(data: bytes, path: str) -> Document:
     """As :func:`read_document`, for content that has been read already."""
-    import yaml
+    from launchlint.yaml.refusals import YamlError
+    from launchlint.yaml.tree import Reader, YamlBeyond, parse
 
     try:
         text = data.decode("utf-8-sig")
@@ -141,90 +147,50 @@ def parse_document(data: bytes, path: str) -> Document:
         before = data[: error.start]
         line, column = before.count(b"\n") + 1, len(before) - before.rfind(b"\n")
         raise ConfigurationError(f"{path}:{line}:{column}: this is not UTF-8 text; save the file in UTF-8") from error
-    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)(text)
     try:
-        return Document(path, _Builder(loader, path).document())
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        where = f"{path}:{mark.line + 1}:{mark.column + 1}" if mark is not None else path
-        problem = getattr(error, "problem", None) or getattr(error, "reason", None) or "it cannot be parsed"
-        raise ConfigurationError(f"{where}: this is not valid YAML: {problem}") from error
-    finally:
-        loader.dispose()
+        tree = parse(text, Reader("launchlint", pure=False, deepest=_DEEPEST, written_out=_MOST_WRITTEN_OUT, tags=_TAGS))
+    except (YamlError, YamlBeyond) as error:
+        line, column = _position(text, error.offset)
+        raise ConfigurationError(f"{path}:{line}:{column}: {_refused(error)}") from error
+    root = None if tree.root is None else _Nodes(text).of(tree.root)
+    return Document(path, None if root is None or (root.kind == SCALAR and root.type == "null") else root)
 
 
-class _Builder:
-    """Events → nodes, within bounds."""
+def _refused(error: YamlError | YamlBeyond) -> str:
+    """What a person who wrote the file is told."""
+    kind = getattr(error, "kind", "bounds")
+    if kind == "documents":
+        return "a second document starts here, and only one is read; remove the --- line"
+    if kind == "tag":
+        return f"{error.message}; remove it"
+    if kind in ("bounds", "anchor"):
+        return error.message
+    return f"this is not valid YAML: {getattr(error, 'problem', '') or error.message}"
 
-    __slots__ = ("_aliases", "_anchors", "_count", "_loader", "_path", "_yaml")
 
-    def __init__(self, loader: Any, path: str) -> None:
-        import yaml
+def _position(text: str, offset: int) -> tuple[int, int]:
+    return text.count("\n", 0, offset) + 1, offset - text.rfind("\n", 0, offset)
 
-        self._yaml = yaml
-        self._loader = loader
-        self._path = path
-        self._anchors: dict[str, tuple[Node, int]] = {}
-        self._aliases = 0
-        self._count = 0
 
-    def document(self) -> Node | None:
-        yaml, loader = self._yaml, self._loader
-        loader.get_event()  # the start of the stream
-        event = loader.get_event()
-        if isinstance(event, yaml.StreamEndEvent):
-            return None
-        root = self._node(loader.get_event(), 0)
-        loader.get_event()  # the end of the document
-        event = loader.get_event()
-        if not isinstance(event, yaml.StreamEndEvent):
-            self._refuse(event, "a second document starts here, and only one is read; remove the --- line")
-        return None if root.kind == SCALAR and root.type == "null" else root
+class _Nodes:
+    """The nodes of a tree with their lines; what an alias stands for is one node."""
 
-    def _node(self, event: Any, depth: int) -> Node:
-        yaml, loader = self._yaml, self._loader
-        self._count += 1
-        if depth > _DEEPEST:
-            self._refuse(event, f"this is nested more than {_DEEPEST} levels deep")
-        if self._count > _MOST_NODES:
-            self._refuse(event, f"there are more than {_MOST_NODES} values")
-        if isinstance(event, yaml.AliasEvent):
-            return self._alias(event)
-        before = self._count
-        if event.tag not in _TAGS:
-            self._refuse(event, f"the tag {shown(event.tag)} has no meaning here; remove it")
-        kind = SCALAR if isinstance(event, yaml.ScalarEvent) else SEQUENCE if isinstance(event, yaml.SequenceStartEvent) else MAPPING
-        mark = event.start_mark
-        node = Node(kind, mark.line + 1, mark.column + 1)
-        if isinstance(event, yaml.ScalarEvent):
-            node.text = event.value
-            tag = event.tag
-            if tag is None or tag == "!":
-                tag = loader.resolve(yaml.ScalarNode, event.value, event.implicit)
-            node.type = tag.rpartition(":")[2]
-        elif isinstance(event, yaml.SequenceStartEvent):
-            while not isinstance(inner := loader.get_event(), yaml.SequenceEndEvent):
-                node.items.append(self._node(inner, depth + 1))
+    def __init__(self, text: str) -> None:
+        self._starts = [0, *(match.end() for match in re.finditer("\n", text))]
+        self._made: dict[int, Node] = {}
+
+    def of(self, written: Written) -> Node:
+        """``written`` and all that is in it; a tree is no deeper than :data:`_DEEPEST`."""
+        known = self._made.get(id(written))
+        if known is not None:
+            return known
+        line = bisect_right(self._starts, written.start)
+        node = Node(_KINDS[written.kind], line, written.start - self._starts[line - 1] + 1)
+        if node.kind == SCALAR:
+            node.text, node.type = written.value, written.tag.rpartition(":")[2]
+        elif node.kind == SEQUENCE:
+            node.items = [self.of(each) for each in written.value]
         else:
-            while not isinstance(inner := loader.get_event(), yaml.MappingEndEvent):
-                key = self._node(inner, depth + 1)
-                node.pairs.append((key, self._node(loader.get_event(), depth + 1)))
-        anchor = event.anchor
-        if anchor is not None:
-            self._anchors[anchor] = (node, self._count - before + 1)
+            node.pairs = [(self.of(key), self.of(value)) for key, value in written.value]
+        self._made[id(written)] = node
         return node
-
-    def _alias(self, event: Any) -> Node:
-        """The anchored node again; it counts as large as it is, so that aliases of aliases cannot grow without bound."""
-        self._aliases += 1
-        node, size = self._anchors.get(event.anchor, (Node(SCALAR, 0, 0), 0))
-        if size == 0:
-            self._refuse(event, f"there is no anchor &{event.anchor} before this")
-        self._count += size
-        if self._aliases > _MOST_ALIASES or self._count > _MOST_NODES:
-            self._refuse(event, f"there are too many aliases (more than {_MOST_ALIASES}, or of too large parts)")
-        return node
-
-    def _refuse(self, event: Any, message: str) -> NoReturn:
-        mark = event.start_mark
-        raise ConfigurationError(f"{self._path}:{mark.line + 1}:{mark.column + 1}: {message}")

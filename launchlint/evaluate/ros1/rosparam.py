@@ -7,13 +7,16 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from launchlint.evaluate.ros1.values import UnknownValue
-from launchlint.evaluate.ros1.yaml_tree import DEEPEST, Node, YamlError, YamlUnknown, parse, shown
-from launchlint.evaluate.ros1.yaml_values import Constructor, Duplicate
+from launchlint.evaluate.ros1.values import UnknownValue, shown
+from launchlint.evaluate.ros1.yaml_values import Constructor, Duplicate, YamlUnknown, with_angles
+from launchlint.yaml.refusals import YamlError
+from launchlint.yaml.tree import Node, Reader, YamlBeyond, parse
 
 __all__ = ("Duplicate", "Entry", "Loaded", "UnknownValue", "YamlError", "YamlUnknown", "load")
 
 MOST_LEAVES = 200_000
+ROSPARAM = Reader("rosparam")
+"""rosparam.load_str: PyYAML's SafeLoader."""
 
 
 class Entry(NamedTuple):
@@ -54,7 +57,10 @@ def load(text: str, unroll: bool = True, angles: bool = True) -> Loaded:
 
     Raises :class:`YamlError` for what roslaunch refuses, :class:`YamlUnknown` for what is beyond our bounds.
     """
-    tree = parse(text, angles)
+    try:
+        tree = parse(text, ROSPARAM._replace(scalars=with_angles) if angles else ROSPARAM)
+    except YamlBeyond as beyond:
+        raise YamlUnknown(beyond.message) from None
     if tree.root is None:
         return Loaded(None, (), (), ())
     constructor = Constructor()
@@ -75,8 +81,8 @@ def load(text: str, unroll: bool = True, angles: bool = True) -> Loaded:
 def _unroll(node: Node, path: tuple[str, ...], entries: list[Entry], visited: list[int], depth: int) -> None:
     """Append the parameters of the mapping ``node`` (roslaunch.loader.Loader.add_param)."""
     assert node.final is not None
-    if depth > DEEPEST:
-        raise YamlUnknown(f"the YAML text is nested more than {DEEPEST} deep")
+    if depth > ROSPARAM.deepest:
+        raise YamlUnknown(f"the YAML text is nested more than {ROSPARAM.deepest} deep")
     visited[0] += len(node.final) + 1
     if visited[0] > MOST_LEAVES:
         raise YamlUnknown(f"the YAML text sets more than {MOST_LEAVES} parameters")

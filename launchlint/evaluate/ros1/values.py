@@ -46,20 +46,20 @@ def convert_value(text: str, type_: str, *, angles: bool = False) -> Any:
         try:
             return _integer(text)
         except ValueError:
-            raise ValueError(f"{_shown(text)} is not a whole number, which type='int' needs") from None
+            raise ValueError(f"{shown(text)} is not a whole number, which type='int' needs") from None
     if wanted == "double":
         try:
             return float(text)
         except ValueError:
-            raise ValueError(f"{_shown(text)} is not a number, which type='double' needs") from None
+            raise ValueError(f"{shown(text)} is not a number, which type='double' needs") from None
     if wanted in ("bool", "boolean"):
         boolean = _BOOLEANS.get(text.lower().strip())
         if boolean is None:
-            raise ValueError(f"{_shown(text)} is neither true, false, 1 nor 0, which type='{wanted}' needs")
+            raise ValueError(f"{shown(text)} is neither true, false, 1 nor 0, which type='{wanted}' needs")
         return boolean
     if wanted == "yaml":
         return _yaml(text, angles)
-    raise ValueError(f"{_shown(type_)} is not a parameter type; roslaunch knows {', '.join(PARAMETER_TYPES)}")
+    raise ValueError(f"{shown(type_)} is not a parameter type; roslaunch knows {', '.join(PARAMETER_TYPES)}")
 
 
 def type_name(value: object) -> str:
@@ -104,11 +104,12 @@ def _yaml(text: str, angles: bool) -> Any:
     try:
         value = load(text, unroll=False, angles=angles).data
     except YamlError as error:
-        raise ValueError(f"{_shown(text)} is not the YAML that type='yaml' needs: {error.message}") from None
+        raise ValueError(f"{shown(text)} is not the YAML that type='yaml' needs: {error.message}") from None
     if isinstance(value, UnknownValue):
         raise value
     return value
 
 
-def _shown(text: str) -> str:
+def shown(text: str) -> str:
+    """``text`` in quotes, for a message: without control characters, and not too long."""
     return repr(text if len(text) <= 60 else text[:57] + "...")

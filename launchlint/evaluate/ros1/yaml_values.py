@@ -2,23 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
-from launchlint.evaluate.ros1.values import UnknownValue
-from launchlint.evaluate.ros1.yaml_tree import (
-    DEGREES,
-    MAP,
-    MAPPING,
-    RADIANS,
-    SCALAR,
-    SEQ,
-    SEQUENCE,
-    STR,
-    Node,
-    YamlError,
-    YamlUnknown,
-    shown,
-)
+from launchlint.evaluate.ros1.values import UnknownValue, shown
+from launchlint.yaml.refusals import YamlError
+from launchlint.yaml.tree import MAP, MAPPING, SCALAR, SEQ, SEQUENCE, STR, Node, Scalars, yaml_1_1
 
 MOST_PAIRS = 200_000
 _LONGEST_NUMBER = 4_300
@@ -26,7 +15,26 @@ _LONGEST_NUMBER = 4_300
 _INT, _FLOAT = "tag:yaml.org,2002:int", "tag:yaml.org,2002:float"
 _BOOL, _NULL = "tag:yaml.org,2002:bool", "tag:yaml.org,2002:null"
 _MERGE, _VALUE = "tag:yaml.org,2002:merge", "tag:yaml.org,2002:value"
+DEGREES, RADIANS = "!degrees", "!radians"
+_ANGLES = ((DEGREES, re.compile(r"^deg\([^\)]*\)$")), (RADIANS, re.compile(r"^rad\([^\)]*\)$")))
 _BOOLEANS = {"yes": True, "no": False, "true": True, "false": False, "on": True, "off": False}
+
+
+class YamlUnknown(UnknownValue):
+    """The text is beyond our bounds: nothing can be said about it, and it is no error."""
+
+
+def with_angles() -> Scalars:
+    """The rules for plain scalars once rosparam has added ``deg(…)`` and ``rad(…)`` to YAML 1.1."""
+    plain = yaml_1_1()
+
+    def tag_of(text: str) -> str:
+        tag = plain(text)
+        if tag is STR and text[:1] in ("d", "r", "e", "g", "(", "a"):
+            return next((tag for tag, pattern in _ANGLES if pattern.match(text)), STR)
+        return tag
+
+    return tag_of
 
 
 class Duplicate:

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from launchlint.evaluate.ros1.rosparam import Duplicate, UnknownValue, YamlError, YamlUnknown, load
-from launchlint.evaluate.ros1.yaml_tree import Node, parse
+from launchlint.yaml.tree import Node, Reader, parse
 
 REFUSED = "(refused)"
 
@@ -332,7 +332,7 @@ def test_random_texts_are_what_the_pure_python_parser_says(text: str) -> None:
 def test_both_parsers_give_the_same_tree(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
     def tree() -> object:
         try:
-            parsed = parse(text)
+            parsed = parse(text, Reader("rosparam"))
         except YamlError as error:
             return error.message, error.offset
         return _plain(parsed.root), parsed.scalar_colon
