@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from launchlint.graph.difference import Difference
-from launchlint.graph.drawing import Arrow, Box, draw
 from launchlint.graph.topology import Topology
+from launchlint.report.graph.drawing import Arrow, Box, draw
 from launchlint.report.graph.words import loading
 
 LONGEST_LABEL = 1_000

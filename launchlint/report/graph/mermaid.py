@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from launchlint.graph.difference import Difference
-from launchlint.graph.drawing import Arrow, Box, Drawing, draw
 from launchlint.graph.topology import Topology
 from launchlint.plural import counted
+from launchlint.report.graph.drawing import Arrow, Box, Drawing, draw
 from launchlint.report.graph.words import loading
 
 MOST = 120

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from launchlint.graph.difference import difference
-from launchlint.graph.drawing import Arrow, Box, Drawing, draw
 from launchlint.graph.topology import Topology
+from launchlint.report.graph.drawing import Arrow, Box, Drawing, draw
 from tests.graph import tiny
 
 CHANNELS = ("topic", "service", "action")

@@ -10,10 +10,10 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from launchlint.graph.difference import Difference
-from launchlint.graph.folding import Tree
-from launchlint.graph.presence import Part, Presence, changed, whole
 from launchlint.graph.topology import Topology, TopologyNode
 from launchlint.plural import counted
+from launchlint.report.graph.folding import Tree
+from launchlint.report.graph.presence import Part, Presence, changed, whole
 
 BUNDLE = 3
 """From so many names on, an arrow says their number instead."""
