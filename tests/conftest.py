@@ -152,8 +152,28 @@ NEEDS: dict[str, tuple[Callable[[], str | None], str]] = {
 }
 
 
+SLOW = (
+    "tests/action", "tests/cli", "tests/hook", "tests/knowledge", "tests/packaging", "tests/probe",
+    "tests/check/test_cache.py", "tests/check/test_crash.py", "tests/check/test_jobs.py", "tests/evaluate/test_configurations.py",
+    "tests/evaluate/test_random_launch.py", "tests/fix/format/test_properties.py", "tests/fix/test_rule_fixes.py",
+    "tests/library/test_bundled_script.py", "tests/library/test_grow_script.py", "tests/test_example.py", "tests/test_guides.py",
+    "tests/test_hostile.py", "tests/test_readme.py", "tests/test_startup.py", "tests/test_workflows.py",
+)  # fmt: skip
+"""Folders and files whose tests start processes, or try thousands of texts; a single test elsewhere carries the marker ``slow``."""
+
+PROGRAMS_FOR_OUTPUT = ("chromium", "axe", "node", "mermaid", "npm", "graphviz")
+"""Programs for what launchlint writes: their tests are one lane of the workflow that tests pull requests."""
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    slow = tuple(str(ROOT / each) for each in SLOW)
     for item in items:
+        if str(item.path).startswith(slow):
+            item.add_marker("slow")
+        if any(item.get_closest_marker(each) for each in PROGRAMS_FOR_OUTPUT):
+            item.add_marker("browser")
+        elif not any(item.get_closest_marker(each) for each in ("slow", *NEEDS)):
+            item.add_marker("fast")
         for marker, (find, reason) in NEEDS.items():
             if item.get_closest_marker(marker) and find() is None:
                 item.add_marker(pytest.mark.skip(reason=reason))

@@ -273,10 +273,10 @@ def bomb(template: str, first: str, rounds: int) -> str:
     ids=lambda text: text[:20],
 )
 def test_what_is_beyond_the_bounds_is_unknown_and_known_to_be_so_soon(text: str) -> None:
-    started = time.monotonic()
+    started = time.process_time()
     with pytest.raises(YamlUnknown):
         load(text)
-    assert time.monotonic() - started < 10
+    assert time.process_time() - started < 10
 
 
 TOKENS = st.sampled_from(
