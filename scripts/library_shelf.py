@@ -12,7 +12,7 @@ from launchlint.library.merge import merge_programs
 from launchlint.library.shipped import INDEX
 from launchlint.library.template import default_text
 from launchlint.library.write import canonical
-from launchlint.rules.params.reads import UNIVERSAL
+from launchlint.rules.judging.params_read import UNIVERSAL
 
 TABLES = ("executables", "nodelets")
 

@@ -212,6 +212,17 @@ def test_nothing_of_a_checked_repository_can_be_executed() -> None:
     assert found == []
 
 
+def test_groups_of_rules_hold_rules_only() -> None:
+    """A newcomer finds a rule by its group, and what several rules ask in ``judging``, which knows none of them."""
+    groups = {path.parent for path in (PACKAGE / "rules").glob("*/*.py")} - {PACKAGE / "rules" / "judging"}
+    modules = [path for group in sorted(groups) for path in sorted(group.glob("*.py")) if path.stem != "__init__"]
+    assert len(modules) >= 100
+    assert [path.name for path in modules if "\nRULE = Rule(" not in path.read_text(encoding="utf-8")] == []
+    known = tuple(f"launchlint.rules.{group.name}." for group in groups)
+    judging = [entry for entry in inner_imports() if entry.module.startswith("launchlint.rules.judging")]
+    assert [f"{entry.module} imports {entry.target}" for entry in judging if entry.target.startswith(known)] == []
+
+
 @pytest.mark.parametrize("path", MODULES.values(), ids=MODULES.keys())
 def test_module_is_one_room_with_a_name_that_says_something(path: Path) -> None:
     assert path.stem not in SAYS_NOTHING

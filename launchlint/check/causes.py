@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from launchlint.check.fragments import FRAGMENT, told_together
 from launchlint.finding import Finding
 from launchlint.order import most_severe_first, ordered
-from launchlint.rules.joined import joined, spokesman
+from launchlint.rules.judging.joined import joined, spokesman
 from launchlint.rules.registry import find
 
 

@@ -20,7 +20,7 @@ def judged_by_origin(findings: Iterable[Finding], known: Known) -> Iterator[Find
             package = known.packages.package_of(known.file(finding.location.path))
             if package is not None:
                 if package.directory not in copies:
-                    from launchlint.rules.packages.left_out import is_copy
+                    from launchlint.rules.judging.left_out import is_copy
 
                     copies[package.directory] = is_copy(package, known.packages)
                 if copies[package.directory]:

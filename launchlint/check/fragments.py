@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Related, Severity
-from launchlint.rules.joined import joined
+from launchlint.rules.judging.joined import joined
 
 FRAGMENT = "fragment "
 NOTE = "it is a part for other launch files by its name, and nothing here includes it"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from launchlint.rules.connections.near_names import NAMESPACE, SIBLING, SLIP, TWIN, WORDS, relation
+from launchlint.rules.judging.near_names import NAMESPACE, SIBLING, SLIP, TWIN, WORDS, relation
 
 
 @pytest.mark.parametrize(

@@ -35,7 +35,7 @@ from collections.abc import Iterator, Sequence
 from launchlint.evaluate.problems import ArgOutOfScope
 from launchlint.finding import Finding, Severity
 from launchlint.rules.edits import spot
-from launchlint.rules.joined import joined
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.source import Place
 

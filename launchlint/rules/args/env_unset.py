@@ -35,9 +35,9 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import EnvUnset
 from launchlint.finding import Finding, Severity
-from launchlint.rules.first_of_file import all_but_first
-from launchlint.rules.joined import joined
-from launchlint.rules.other_file import root_of, shown
+from launchlint.rules.judging.first_of_file import all_but_first
+from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import one_slip

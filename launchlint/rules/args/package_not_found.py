@@ -58,8 +58,8 @@ from collections.abc import Iterator
 
 from launchlint.evaluate.problems import PackageNotFound
 from launchlint.finding import Finding, Severity
-from launchlint.rules.first_of_file import all_but_first
-from launchlint.rules.missing_package import cause, judge
+from launchlint.rules.judging.first_of_file import all_but_first
+from launchlint.rules.judging.missing_package import cause, judge
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 

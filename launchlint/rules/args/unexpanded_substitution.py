@@ -43,7 +43,7 @@ from launchlint.evaluate.problems import UnexpandedSubstitution
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.late import late
 from launchlint.rules.edits import fix, replace, spot
-from launchlint.rules.left_over import cause_at
+from launchlint.rules.judging.left_over import cause_at
 from launchlint.rules.rule import Rule
 
 _MENDED = ("arg", "find", "env", "anon")

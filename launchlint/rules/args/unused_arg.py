@@ -51,7 +51,7 @@ from collections.abc import Iterator, Sequence
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.rules.edits import fix, remove_element, spot
-from launchlint.rules.joined import joined
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.syntax.ros1.substitutions import expression_in

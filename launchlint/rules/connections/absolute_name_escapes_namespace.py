@@ -52,7 +52,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint, Instance
-from launchlint.rules.connections.places import Owners, acting_origin, how, is_known_to_act, owners
+from launchlint.rules.judging.name_places import Owners, acting_origin, how, is_known_to_act, owners
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 

@@ -52,9 +52,9 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, ConnectionGraph, Endpoint, Instance
 from launchlint.late import late
-from launchlint.rules.connections.conduits import forwarded
-from launchlint.rules.connections.places import Owners, acting_origin, how, is_known_to_act, node_origin, owners
-from launchlint.rules.joined import joined
+from launchlint.rules.judging.conduits import forwarded
+from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.name_places import Owners, acting_origin, how, is_known_to_act, node_origin, owners
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 

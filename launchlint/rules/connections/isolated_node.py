@@ -35,7 +35,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import HUBS, OFFERS, ConnectionGraph, Endpoint, Instance
-from launchlint.rules.connections.places import node_origin
+from launchlint.rules.judging.name_places import node_origin
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 

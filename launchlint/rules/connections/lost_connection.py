@@ -42,7 +42,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import OFFERS, Endpoint, Instance
 from launchlint.graph.difference import ConnectionChange, Link, is_default, moved
-from launchlint.rules.connections.places import acting_origin, node_origin
+from launchlint.rules.judging.name_places import acting_origin, node_origin
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import BaseView
 from launchlint.source import Place

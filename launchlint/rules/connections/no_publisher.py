@@ -57,9 +57,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.connections.meant_for import tell
-from launchlint.rules.connections.misspelt import Repairs
-from launchlint.rules.connections.one_cause import causes
+from launchlint.rules.judging.meant_for import tell
+from launchlint.rules.judging.misspelt import Repairs
+from launchlint.rules.judging.one_cause import causes
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 

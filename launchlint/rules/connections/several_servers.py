@@ -43,7 +43,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint
-from launchlint.rules.connections.places import Owners, acting_origin, how, node_origin, owners
+from launchlint.rules.judging.name_places import Owners, acting_origin, how, node_origin, owners
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 

@@ -37,8 +37,8 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Endpoint, Instance
 from launchlint.model import ParameterSetting
-from launchlint.rules.connections.places import owners
-from launchlint.rules.params.values import is_certain
+from launchlint.rules.judging.name_places import owners
+from launchlint.rules.judging.param_values import is_certain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin

@@ -44,8 +44,8 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint
-from launchlint.rules.connections.places import TALKS, Owners, acting_origin, how, node_origin, owners, remap_origin, with_sources
-from launchlint.rules.connections.same_definition import is_known, may_be_alike, may_be_copies
+from launchlint.rules.judging.name_places import TALKS, Owners, acting_origin, how, node_origin, owners, remap_origin, with_sources
+from launchlint.rules.judging.same_definition import is_known, may_be_alike, may_be_copies
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 

@@ -38,8 +38,8 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
-from launchlint.rules.frames.published import STATIC, Published, has_prefix, published
-from launchlint.rules.joined import joined
+from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.published_frames import STATIC, Published, has_prefix, published
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin

@@ -35,7 +35,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.params.values import is_certain
+from launchlint.rules.judging.param_values import is_certain
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 

@@ -37,9 +37,9 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
-from launchlint.rules.connections.near_names import SLIP, relation
-from launchlint.rules.frames.published import TOPICS, bare, description, has_prefix, published
-from launchlint.rules.params.values import is_certain
+from launchlint.rules.judging.near_names import SLIP, relation
+from launchlint.rules.judging.param_values import is_certain
+from launchlint.rules.judging.published_frames import TOPICS, bare, description, has_prefix, published
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 

@@ -68,7 +68,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Location, Related, Severity
-from launchlint.rules.includes.broken_call import broken_call
+from launchlint.rules.judging.broken_call import broken_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
 

@@ -42,7 +42,7 @@ from collections.abc import Iterator
 
 from launchlint.evaluate.problems import DeprecatedInclude
 from launchlint.finding import Finding, Severity
-from launchlint.rules.other_file import root_of, shown
+from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 

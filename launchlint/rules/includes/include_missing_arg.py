@@ -57,7 +57,7 @@ from collections.abc import Iterator
 from launchlint.evaluate.problems import IncludeMissingArg
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, append_child, fix, spot
-from launchlint.rules.includes.broken_call import broken_call
+from launchlint.rules.judging.broken_call import broken_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin

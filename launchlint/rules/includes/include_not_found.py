@@ -59,17 +59,17 @@ from collections.abc import Iterator, Sequence
 from launchlint.evaluate.problems import IncludeNotFound, IncludeNotLoadable
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import fix, set_value, spot
-from launchlint.rules.includes.default_to_correct import correction, has_arg
-from launchlint.rules.includes.takes_args import is_alike, passed_at, takes
-from launchlint.rules.installed import installed_from
-from launchlint.rules.joined import led_by
-from launchlint.rules.left_over import left_over_in
-from launchlint.rules.made_file import cause_of, made, malformed
-from launchlint.rules.other_file import is_inside, root_of, shown
-from launchlint.rules.robot_file import advice as robots_advice
-from launchlint.rules.robot_file import is_robots
+from launchlint.rules.judging.default_to_correct import correction, has_arg
+from launchlint.rules.judging.installed import installed_from
+from launchlint.rules.judging.joined import led_by
+from launchlint.rules.judging.left_over import left_over_in
+from launchlint.rules.judging.made_file import cause_of, made, malformed
+from launchlint.rules.judging.other_file import is_inside, root_of, shown
+from launchlint.rules.judging.robot_file import advice as robots_advice
+from launchlint.rules.judging.robot_file import is_robots
+from launchlint.rules.judging.takes_args import is_alike, passed_at, takes
+from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
-from launchlint.rules.template import has_placeholder
 from launchlint.rules.view import LaunchView
 from launchlint.rules.xml.malformed_xml import TEMPLATE
 from launchlint.spelling import closest, same_digits

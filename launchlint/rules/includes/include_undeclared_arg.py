@@ -59,7 +59,7 @@ from functools import lru_cache
 from launchlint.evaluate.problems import IncludeUndeclaredArg
 from launchlint.finding import Finding, Severity
 from launchlint.rules.edits import LOADS, passed_under
-from launchlint.rules.includes.broken_call import broken_call
+from launchlint.rules.judging.broken_call import broken_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place

@@ -70,9 +70,9 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.model import Command
-from launchlint.rules.made_file import cause_of, made
+from launchlint.rules.judging.made_file import cause_of, made
+from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.of_environment import hangs_on_environment
-from launchlint.rules.other_file import is_inside, root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin

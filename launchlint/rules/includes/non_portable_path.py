@@ -62,8 +62,8 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.late import late
 from launchlint.rules.edits import Spot, fix, set_value
+from launchlint.rules.judging.template import is_path_to_fill_in
 from launchlint.rules.rule import Rule
-from launchlint.rules.template import is_path_to_fill_in
 from launchlint.rules.view import FileView
 from launchlint.source import Place
 from launchlint.syntax.parts import Literal, Parts, Substitution

@@ -71,9 +71,9 @@ import sys
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.joined import joined
-from launchlint.rules.other_file import line_of, root_of, shown
-from launchlint.rules.package_contents import contents
+from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.other_file import line_of, root_of, shown
+from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin

@@ -78,8 +78,8 @@ from collections.abc import Iterator, Sequence
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Node
 from launchlint.rules.edits import fix, is_literal, set_value, spot
-from launchlint.rules.other_file import root_of, shown
-from launchlint.rules.package_contents import contents
+from launchlint.rules.judging.other_file import root_of, shown
+from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin

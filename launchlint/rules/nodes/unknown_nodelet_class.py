@@ -43,7 +43,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import Instance
 from launchlint.model import Node
 from launchlint.rules.edits import fix, replace, spot
-from launchlint.rules.nodes.exported_nodelets import exported_nodelets
+from launchlint.rules.judging.exported_nodelets import exported_nodelets
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin

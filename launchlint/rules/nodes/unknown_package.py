@@ -57,7 +57,7 @@ from collections.abc import Iterator
 
 from launchlint.evaluate.problems import PackageNotFound
 from launchlint.finding import Finding, Severity
-from launchlint.rules.missing_package import cause, judge
+from launchlint.rules.judging.missing_package import cause, judge
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin, Place

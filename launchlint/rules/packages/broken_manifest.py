@@ -41,7 +41,7 @@ import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.other_file import line_of
+from launchlint.rules.judging.other_file import line_of
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
 

@@ -55,7 +55,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.other_file import line_of, shown
+from launchlint.rules.judging.other_file import line_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
 from launchlint.source import Place, Source

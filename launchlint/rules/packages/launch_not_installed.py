@@ -83,8 +83,8 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
-from launchlint.rules.other_file import is_inside, root_of, shown
-from launchlint.rules.package_contents import contents
+from launchlint.rules.judging.other_file import is_inside, root_of, shown
+from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.workspace.looking import exists, is_file

@@ -76,13 +76,13 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.late import late
-from launchlint.rules.missing_package import is_placeholder
-from launchlint.rules.other_file import is_inside, root_of, shown
-from launchlint.rules.package_contents import contents
-from launchlint.rules.packages.left_out import SETUP_ASSISTANT, is_trial, why_left_out
-from launchlint.rules.packages.metapackages import members
+from launchlint.rules.judging.left_out import SETUP_ASSISTANT, is_trial, why_left_out
+from launchlint.rules.judging.metapackages import members
+from launchlint.rules.judging.missing_package import is_placeholder
+from launchlint.rules.judging.other_file import is_inside, root_of, shown
+from launchlint.rules.judging.package_contents import contents
+from launchlint.rules.judging.stale_package import own_instead
 from launchlint.rules.rule import Rule
-from launchlint.rules.stale_package import own_instead
 from launchlint.rules.view import FileView
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.parts import Parts

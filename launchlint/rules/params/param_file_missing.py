@@ -44,15 +44,15 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import ParamFileMissing
 from launchlint.finding import Finding, Severity
-from launchlint.rules.includes.default_to_correct import has_arg
-from launchlint.rules.installed import installed_from
-from launchlint.rules.joined import led_by
-from launchlint.rules.left_over import left_over_in
-from launchlint.rules.made_file import cause_of, made
-from launchlint.rules.other_file import root_of, shown
-from launchlint.rules.robot_file import advice, is_robots
+from launchlint.rules.judging.default_to_correct import has_arg
+from launchlint.rules.judging.installed import installed_from
+from launchlint.rules.judging.joined import led_by
+from launchlint.rules.judging.left_over import left_over_in
+from launchlint.rules.judging.made_file import cause_of, made
+from launchlint.rules.judging.other_file import root_of, shown
+from launchlint.rules.judging.robot_file import advice, is_robots
+from launchlint.rules.judging.template import is_path_to_fill_in
 from launchlint.rules.rule import Rule
-from launchlint.rules.template import is_path_to_fill_in
 from launchlint.rules.view import LaunchView
 
 RULE = Rule("LL502", "param-file-missing", Severity.ERROR, roslaunch="refuses")

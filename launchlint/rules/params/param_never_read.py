@@ -51,8 +51,8 @@ from launchlint.graph.connections import Instance
 from launchlint.library.lookup import Library
 from launchlint.model import ParameterSetting
 from launchlint.rules.edits import Edits, fix, set_value, spot
-from launchlint.rules.params.reads import UNIVERSAL, declared_by
-from launchlint.rules.params.values import is_certain
+from launchlint.rules.judging.param_values import is_certain
+from launchlint.rules.judging.params_read import UNIVERSAL, declared_by
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.spelling import closest, one_slip

@@ -42,8 +42,8 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.edits import spot
-from launchlint.rules.params.set_again import SetAgain, set_again
-from launchlint.rules.params.values import is_same, shown
+from launchlint.rules.judging.param_values import is_same, shown
+from launchlint.rules.judging.set_again import SetAgain, set_again
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin, Place

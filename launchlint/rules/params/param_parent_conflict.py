@@ -33,7 +33,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.model import ParameterSetting, Unknown
-from launchlint.rules.params.values import is_certain
+from launchlint.rules.judging.param_values import is_certain
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 

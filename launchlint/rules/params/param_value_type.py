@@ -44,8 +44,8 @@ from collections.abc import Iterator
 from launchlint.evaluate.problems import ParamValueType
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
+from launchlint.rules.judging.template import is_to_fill_in
 from launchlint.rules.rule import Rule
-from launchlint.rules.template import is_to_fill_in
 from launchlint.spelling import closest, surely
 
 RULE = Rule("LL501", "param-value-type", Severity.ERROR, roslaunch="refuses", fixable="safe")

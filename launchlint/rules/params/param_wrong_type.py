@@ -40,7 +40,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance, Reading
 from launchlint.late import late
 from launchlint.model import Launch, ParameterSetting
-from launchlint.rules.params.values import is_certain, is_known, shown
+from launchlint.rules.judging.param_values import is_certain, is_known, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.syntax.ros1.substitutions import opens

@@ -44,7 +44,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.model import ParameterSetting
 from launchlint.rules.edits import spot
-from launchlint.rules.params.values import is_certain
+from launchlint.rules.judging.param_values import is_certain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.spelling import distance

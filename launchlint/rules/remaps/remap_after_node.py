@@ -36,7 +36,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import ScopedSetting
 from launchlint.rules.edits import fix, move_before, spot
-from launchlint.rules.reach import settings_of
+from launchlint.rules.judging.reach import settings_of
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 

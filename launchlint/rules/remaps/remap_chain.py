@@ -41,7 +41,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import OFFERS, ConnectionGraph, Instance
 from launchlint.model import Node, Remap
-from launchlint.rules.remaps.resolved import has_known_name, resolve
+from launchlint.rules.judging.resolved_remaps import has_known_name, resolve
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 

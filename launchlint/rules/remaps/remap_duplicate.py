@@ -43,7 +43,7 @@ from launchlint.evaluate.problems import RemapReplaced
 from launchlint.finding import Finding, Severity
 from launchlint.model import Remap
 from launchlint.rules.edits import fix, remove_element, spot
-from launchlint.rules.remaps.resolved import has_known_name, resolve
+from launchlint.rules.judging.resolved_remaps import has_known_name, resolve
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin, Place

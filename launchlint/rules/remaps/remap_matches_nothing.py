@@ -50,9 +50,9 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, kind
-from launchlint.rules.connections.places import is_inside
 from launchlint.rules.edits import fix, remove_element, set_value, spot
-from launchlint.rules.remaps.own_names import OwnNames, own_names
+from launchlint.rules.judging.name_places import is_inside
+from launchlint.rules.judging.own_names import OwnNames, own_names
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin

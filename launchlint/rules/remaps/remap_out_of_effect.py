@@ -35,7 +35,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.reach import settings_of
+from launchlint.rules.judging.reach import settings_of
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 

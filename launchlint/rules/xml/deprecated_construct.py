@@ -48,8 +48,8 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import Instance, Reading
 from launchlint.model import Role
 from launchlint.rules.edits import LOADS, fix, is_literal, remove_attribute, remove_element, rename_attribute, replace, set_value, spot
-from launchlint.rules.other_file import is_inside
-from launchlint.rules.package_contents import contents
+from launchlint.rules.judging.other_file import is_inside
+from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, GraphView, LaunchView
 from launchlint.source import Origin, Place

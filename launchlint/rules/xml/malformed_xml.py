@@ -41,9 +41,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.made_file import malformed
+from launchlint.rules.judging.made_file import malformed
+from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
-from launchlint.rules.template import has_placeholder
 from launchlint.syntax.problems import MalformedXml
 
 RULE = Rule("LL101", "malformed-xml", Severity.ERROR, roslaunch="refuses")

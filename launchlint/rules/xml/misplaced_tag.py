@@ -47,7 +47,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.joined import joined
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.syntax.problems import MisplacedTag
 from launchlint.syntax.ros1.dialect import TAGS

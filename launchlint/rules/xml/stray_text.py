@@ -38,8 +38,8 @@ import re
 from collections.abc import Iterator
 
 from launchlint.finding import Edit, Finding, Fix, Severity
+from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
-from launchlint.rules.template import has_placeholder
 from launchlint.source import Place
 from launchlint.syntax.problems import StrayText
 

@@ -41,7 +41,7 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import Spot, fix, rename_tag, spot
-from launchlint.rules.joined import joined
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely, switched_off
 from launchlint.syntax.problems import UnknownTag

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 
-from launchlint.rules.package_contents import contents
+from launchlint.rules.judging.package_contents import contents
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.put_aside import is_out_of_use
 

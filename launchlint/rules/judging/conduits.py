@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from launchlint.graph.connections import ConnectionGraph, Endpoint, Instance
 from launchlint.library.template import is_template
-from launchlint.rules.connections.places import Owners
+from launchlint.rules.judging.name_places import Owners
 
 ANY = "*"
 

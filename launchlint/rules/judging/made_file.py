@@ -5,8 +5,8 @@ from __future__ import annotations
 import posixpath
 from typing import NamedTuple
 
-from launchlint.rules.other_file import shown
-from launchlint.rules.package_contents import contents
+from launchlint.rules.judging.other_file import shown
+from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.view import LaunchView
 from launchlint.workspace.looking import exists
 
@@ -42,7 +42,7 @@ def made(path: str, view: LaunchView, root: str) -> Made | None:
     That is a submodule of git, a command of the package's CMake files, else a template beside it, else whatever makes what ``.gitignore``
     names, else a node.
     """
-    from launchlint.rules.made_by_node import maker_of
+    from launchlint.rules.judging.made_by_node import maker_of
     from launchlint.workspace.ignored import ignored_by
     from launchlint.workspace.submodules import missing_submodule
     from launchlint.workspace.templates import template_of

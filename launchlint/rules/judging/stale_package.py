@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from launchlint.late import late
-from launchlint.rules.package_contents import contents
+from launchlint.rules.judging.package_contents import contents
 from launchlint.syntax.ros1.substitutions import parse_again
 from launchlint.workspace.looking import exists
 from launchlint.workspace.packages import Package, Packages

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 
 from launchlint.late import late
-from launchlint.rules.packages.metapackages import members
+from launchlint.rules.judging.metapackages import members
 from launchlint.syntax.tree import Document
 from launchlint.workspace.looking import is_file, walk
 from launchlint.workspace.mentions import install_lines, says_install

@@ -7,11 +7,11 @@ from collections.abc import Iterable
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance
 from launchlint.graph.names import kind
-from launchlint.rules.connections.loose_ends import Missed
-from launchlint.rules.connections.misspelt import Repairs
-from launchlint.rules.connections.near_names import NAMESPACE, SLIP
-from launchlint.rules.connections.one_cause import Cause
-from launchlint.rules.connections.places import TALKS, acting_origin, how, node_origin, remap_origin, with_sources, write_remap
+from launchlint.rules.judging.loose_ends import Missed
+from launchlint.rules.judging.misspelt import Repairs
+from launchlint.rules.judging.name_places import TALKS, acting_origin, how, node_origin, remap_origin, with_sources, write_remap
+from launchlint.rules.judging.near_names import NAMESPACE, SLIP
+from launchlint.rules.judging.one_cause import Cause
 from launchlint.rules.rule import Rule
 from launchlint.source import Origin
 

@@ -17,8 +17,8 @@ from typing import NamedTuple
 from launchlint.evaluate.problems import RemapReplaced
 from launchlint.graph.connections import OFFERS, ConnectionGraph, Endpoint, Reading
 from launchlint.graph.names import absolute
-from launchlint.rules.connections.places import Owners, is_inside
-from launchlint.rules.connections.same_definition import stands_for
+from launchlint.rules.judging.name_places import Owners, is_inside
+from launchlint.rules.judging.same_definition import stands_for
 from launchlint.source import Place
 
 _MOST_NODES = 2_000

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from launchlint.finding import Severity
 from launchlint.late import late
 from launchlint.library.shipped import is_in_library
-from launchlint.rules.stale_package import lacks_all, own_instead
+from launchlint.rules.judging.stale_package import lacks_all, own_instead
 from launchlint.spelling import closest, distance, folded, one_slip
 from launchlint.workspace.packages import Hidden, Package, Packages
 from launchlint.workspace.public_packages import public_names

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from launchlint.rules.other_file import is_inside
+from launchlint.rules.judging.other_file import is_inside
 from launchlint.workspace.packages import Packages
 
 _SYSTEM = re.compile(r"/(?:etc|opt(?!/ros/)|var|usr/local|media|mnt|dev|home)/")

@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from launchlint.rules.connections.loose_ends import LooseEnds, Missed
-from launchlint.rules.connections.near_names import NAMESPACE, SIBLING
+from launchlint.rules.judging.loose_ends import LooseEnds, Missed
+from launchlint.rules.judging.near_names import NAMESPACE, SIBLING
 from launchlint.rules.view import GraphView
 
 Apart = tuple[tuple[str, ...], tuple[str, ...]]

@@ -14,10 +14,10 @@ from typing import NamedTuple
 from launchlint.finding import Severity
 from launchlint.graph.connections import HUBS, OFFERS, Channel, Endpoint, Instance
 from launchlint.graph.plausible import Possible
-from launchlint.rules.connections.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
-from launchlint.rules.connections.places import owners
-from launchlint.rules.connections.same_definition import STANDARD, is_known, stands_for
-from launchlint.rules.connections.signs import Signs
+from launchlint.rules.judging.name_places import owners
+from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
+from launchlint.rules.judging.same_definition import STANDARD, is_known, stands_for
+from launchlint.rules.judging.signs import Signs
 from launchlint.rules.view import GraphView
 
 _MOST_CANDIDATES = 40

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from launchlint.evaluate.problems import ParamReplaced
 from launchlint.model import Launch, ParameterSetting
-from launchlint.rules.params.values import is_certain, is_known
+from launchlint.rules.judging.param_values import is_certain, is_known
 from launchlint.source import Origin
 
 TYPE_CHECKING = False

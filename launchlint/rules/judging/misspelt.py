@@ -9,10 +9,10 @@ from launchlint.finding import Fix, Severity
 from launchlint.graph.connections import Endpoint, Instance, Reading
 from launchlint.graph.names import absolute, kind
 from launchlint.library.template import Slot, is_template, parse
-from launchlint.rules.connections.loose_ends import Missed
-from launchlint.rules.connections.near_names import SLIP
-from launchlint.rules.connections.places import TALKS, new_remap
 from launchlint.rules.edits import append_child, fix, remove_element, set_value, spot
+from launchlint.rules.judging.loose_ends import Missed
+from launchlint.rules.judging.name_places import TALKS, new_remap
+from launchlint.rules.judging.near_names import SLIP
 from launchlint.rules.view import GraphView
 from launchlint.source import Place
 from launchlint.syntax.ros1.substitutions import opens
