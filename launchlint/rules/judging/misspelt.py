@@ -135,7 +135,7 @@ def _spelled(written: str, current: str, wanted: str, instance: Instance) -> str
         return ""
     for way, mark, around in (("relative", "", namer.namespace), ("private", "~", namer.private)):
         inside = f"{around.rstrip('/')}/"
-        if kind(written) == way and wanted.startswith(inside):
+        if kind(written) == way and wanted.startswith(inside) and wanted[len(inside) :][:1].isalpha():
             return mark + wanted[len(inside) :]
     return wanted
 

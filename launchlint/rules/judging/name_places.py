@@ -124,7 +124,8 @@ def new_remap(endpoint: Endpoint, instance: Instance, target: str) -> tuple[str,
     prefix = f"/{namespace}/" if namespace else "/"
     says = absolute(endpoint.declared, namespace, instance.namer.node)
     source = endpoint.declared if says == endpoint.unremapped else endpoint.unremapped
-    return source, target[len(prefix) :] if not source.startswith("/") and target.startswith(prefix) else target
+    inside = target[len(prefix) :] if not source.startswith("/") and target.startswith(prefix) else ""
+    return source, inside if inside[:1].isalpha() else target  # roscpp refuses a relative name with a digit at its start
 
 
 def write_remap(endpoint: Endpoint, instance: Instance, target: str) -> str:
