@@ -1,7 +1,8 @@
 """A publisher and a subscriber of one topic speak different types.
 
 The same holds for server and client of a service, and of an action. It is a warning where the two types may be one
-definition under two names: a copy of a message in a package of one's own. The same two programs with the same two types are told of once,
+definition under two names (a copy of a message in a package of one's own), and silent where they are: both are in the workspace, and are
+alike field by field. The same two programs with the same two types are told of once,
 also where several launch files start them.
 
 ## Why it matters
@@ -46,6 +47,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint
 from launchlint.rules.judging.name_places import TALKS, Owners, acting_origin, how, node_origin, owners, remap_origin, with_sources
 from launchlint.rules.judging.same_definition import is_known, may_be_alike, may_be_copies
+from launchlint.rules.judging.written_definition import are_written_alike
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
@@ -61,7 +63,10 @@ def check(view: GraphView) -> Iterator[Finding]:
     """Look at every name that nodes of both sides certainly have."""
     for channel in view.graph.channels.values():
         for offer, use in _mismatches(channel):
-            yield _finding(channel, offer, use, view.once(owners))
+            known = bool(offer.declaration.md5 and use.declaration.md5)
+            alike = not known and are_written_alike(offer.type, use.type, channel.kind, view.packages, view.launch.entry.file)
+            if not alike:
+                yield _finding(channel, offer, use, view.once(owners), alike)
 
 
 def _mismatches(channel: Channel) -> Iterator[tuple[Endpoint, Endpoint]]:
@@ -86,13 +91,12 @@ def _by_type(endpoints: list[Endpoint]) -> dict[tuple[str, str], list[Endpoint]]
     return found
 
 
-def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners) -> Finding:
+def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners, alike: bool | None) -> Finding:
     giver, taker = owner[id(offer)], owner[id(use)]
     acting = offer if remap_origin(offer) is not None and remap_origin(use) is None else use
     other = use if acting is offer else offer
     mine, theirs = owner[id(acting)], owner[id(other)]
-    known = bool(offer.declaration.md5 and use.declaration.md5)
-    copies = not known and may_be_copies(offer.type, use.type, channel.kind)
+    copies = alike is None and may_be_copies(offer.type, use.type, channel.kind)
     notes = [_WHAT_HAPPENS[channel.kind]]
     if copies:
         notes = [f"unless the two are defined alike, field by field: {_WHAT_HAPPENS[channel.kind]}"]

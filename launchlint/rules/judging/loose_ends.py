@@ -163,7 +163,7 @@ class LooseEnds:
         elif not found and len(loose) == 1 and self._are_only_loose_ends(end):
             ends = loose[0][1]
             signs_of = [signs.odd_one_out(each) for each in (end, *ends)]
-            if not offers and signs.is_left_private(end):
+            if not offers and signs.is_left_private(end) and all(self._are_together(end, each) for each in ends):
                 signs_of.append(_PRIVATE.format(end.declared))
             if len(everything) == 1 and not doubts:
                 signs_of += (signs.parting_remap(end, each) for each in ends)
@@ -181,10 +181,16 @@ class LooseEnds:
     def _lost(self, end: Endpoint, giver: tuple[Channel, list[Endpoint]], doubts: tuple[Possible, ...]) -> str:
         """What it says of a private name that no remap leads to its only giver, or of such a giver that nobody takes; else empty."""
         channel, ends = giver
+        if not all(self._are_together(end, each) for each in ends):
+            return ""
         if self._signs.is_left_private(end):
             return _PRIVATE.format(end.declared)
         lost = end.applied and not doubts and not channel.uses and all(self._signs.is_left_private(each) for each in ends)
         return _PRIVATE.format(ends[0].declared) if lost else ""
+
+    def _are_together(self, end: Endpoint, other: Endpoint) -> bool:
+        """Whether the nodes of both ends are in one namespace: what is said elsewhere may be for somebody there who is not here."""
+        return self.owners[id(end)].namer.namespace == self.owners[id(other)].namer.namespace
 
     def _are_only_loose_ends(self, end: Endpoint) -> bool:
         """Whether no more than two names of the type of ``end`` have one side only, one each, beside others of its own node."""
