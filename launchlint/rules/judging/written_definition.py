@@ -6,7 +6,7 @@ The sum is that of the constants and fields without comments, in which the sum o
 
 from __future__ import annotations
 
-import os
+import posixpath
 import re
 from collections.abc import Iterator
 
@@ -71,7 +71,7 @@ class _Definitions:
         package = self._packages.get(package_name, self._near)
         if package is None:
             return None
-        path = os.path.join(package.directory, end, f"{base.removesuffix('Action') if end == 'action' else base}.{end}")
+        path = posixpath.join(package.directory, end, f"{base.removesuffix('Action') if end == 'action' else base}.{end}")
         data = content(path) if is_file(path) else None
         lines = [] if data is None else data.decode("utf-8", "replace").splitlines()
         found = [*_lines(lines, package_name)] if len(lines) <= _MOST_LINES else [_NEITHER]
