@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -168,6 +168,44 @@ def test_imports_point_downward() -> None:
         if room(entry.module) != room(entry.target) and floor(entry.target) > floor(entry.module)
     ]
     assert upward == []
+
+
+MAY_GO_IN_CIRCLES = ("launchlint.extract.cpp", "launchlint.extract.python")
+"""Two interpreters: what a call does and what an expression is need each other. They are imported inside functions there."""
+
+
+def _in_circles(reached: Mapping[str, set[str]]) -> Iterator[list[str]]:
+    """The modules that reach each other: in each circle, all that stand on it."""
+    beyond = {module: _all_behind(module, reached) for module in reached}
+    seen: set[str] = set()
+    for module in sorted(reached):
+        circle = sorted(each for each in beyond[module] if module in beyond.get(each, ()))
+        if circle and module not in seen:
+            seen.update(circle)
+            yield circle
+
+
+def _all_behind(module: str, reached: Mapping[str, set[str]]) -> set[str]:
+    found: set[str] = set()
+    waiting = [module]
+    while waiting:
+        new = reached.get(waiting.pop(), set()) - found
+        found |= new
+        waiting.extend(new)
+    return found
+
+
+def test_modules_of_a_room_do_not_import_each_other_in_circles() -> None:
+    """Nor inside functions: whoever reads one of them would have to read them all."""
+    reached: dict[str, set[str]] = {}
+    for entry in inner_imports():
+        if not entry.for_types and entry.target != entry.module:
+            reached.setdefault(entry.module, set()).add(entry.target)
+    assert [circle for circle in _in_circles(reached) if not circle[0].startswith(MAY_GO_IN_CIRCLES)] == []
+
+
+def test_how_circles_are_found() -> None:
+    assert list(_in_circles({"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": {"a"}})) == [["b", "c"]]
 
 
 def test_rooms_do_not_know_what_is_none_of_their_business() -> None:

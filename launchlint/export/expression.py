@@ -93,9 +93,9 @@ def _reading(written: Written, *, bare: bool) -> str:
     """
     name = written.only_arg
     if name is None:
-        from launchlint.evaluate.ros1.values import convert_value
+        from launchlint.evaluate.ros1.values import automatic
 
-        value = convert_value(written.known, "auto")
+        value = automatic(written.known)
         text = repr(value)
         return text if text.lstrip("-")[:1] not in ("i", "n") else f"float('{text}')"
     plain = name.isidentifier() and not keyword.iskeyword(name) and name not in RESERVED

@@ -12,7 +12,10 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from launchlint.workspace.looking import content, is_directory, names
-from launchlint.workspace.packages import Package
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.packages import Package
 
 _DIRECTORIES = ("env-hooks", "env_hooks", "env-hook", "env_hook")
 _CMAKE_FILE = "CMakeLists.txt"

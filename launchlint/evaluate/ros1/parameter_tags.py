@@ -21,7 +21,8 @@ from launchlint.evaluate.ros1.file import FileEvaluation
 from launchlint.evaluate.ros1.scope import Context, set_private
 from launchlint.evaluate.ros1.scope_tags import check_quotes
 from launchlint.evaluate.ros1.substitution import resolve
-from launchlint.evaluate.ros1.values import PARAMETER_TYPES, UnknownValue, convert_value
+from launchlint.evaluate.ros1.typed_values import PARAMETER_TYPES, convert_value
+from launchlint.evaluate.ros1.values import UnknownValue
 from launchlint.model import Binary, Command, ParameterSetting, Unknown
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source, Span

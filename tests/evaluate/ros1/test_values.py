@@ -9,7 +9,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from launchlint.evaluate.ros1.values import UnknownValue, convert_value, type_name
+from launchlint.evaluate.ros1.typed_values import convert_value
+from launchlint.evaluate.ros1.values import UnknownValue, type_name
 
 REFUSED = "(refused)"
 

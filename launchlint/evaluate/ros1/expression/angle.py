@@ -5,11 +5,11 @@ from __future__ import annotations
 import ast
 from typing import Any
 
-from launchlint.evaluate.ros1.expression import ExpressionError, UnknownValue
 from launchlint.evaluate.ros1.expression.compiled import compiled
 from launchlint.evaluate.ros1.expression.functions import builtin, math_name
 from launchlint.evaluate.ros1.expression.interpreter import Interpreter, Scope
 from launchlint.evaluate.ros1.expression.names import BUILTINS, MATH
+from launchlint.evaluate.ros1.expression.resolver import ExpressionError, UnknownValue
 
 
 class _NoWorld:

@@ -7,7 +7,6 @@ import operator
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from launchlint.evaluate.ros1.expression import EnvironmentUnset, ExpressionError, Resolver, UndefinedArg, UnknownValue
 from launchlint.evaluate.ros1.expression.bounds import (
     CONTAINERS,
     LARGEST_VALUE,
@@ -27,6 +26,7 @@ from launchlint.evaluate.ros1.expression.bounds import (
     too_large,
 )
 from launchlint.evaluate.ros1.expression.compiled import Compiled
+from launchlint.evaluate.ros1.expression.resolver import EnvironmentUnset, ExpressionError, Resolver, UndefinedArg, UnknownValue
 
 _BINARY: dict[type, Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,

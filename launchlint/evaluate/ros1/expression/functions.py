@@ -7,7 +7,6 @@ import math
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from launchlint.evaluate.ros1.expression import ExpressionError, UnknownValue
 from launchlint.evaluate.ros1.expression.bounds import (
     LARGEST_BITS,
     LARGEST_COUNTED,
@@ -18,6 +17,7 @@ from launchlint.evaluate.ros1.expression.bounds import (
     size_of,
     too_large,
 )
+from launchlint.evaluate.ros1.expression.resolver import ExpressionError, UnknownValue
 
 if TYPE_CHECKING:
     from launchlint.evaluate.ros1.expression.interpreter import Interpreter, Scope
@@ -68,7 +68,7 @@ def _bound(function: str, parameters: tuple[str, ...], optional: int, positional
 
 
 def _arg(run: Interpreter, node: ast.AST, scope: Scope | None, positional: list[Any], named: dict[str, Any]) -> Any:
-    from launchlint.evaluate.ros1.values import convert_value
+    from launchlint.evaluate.ros1.values import automatic
 
     (name,) = _bound("arg", ("name",), 0, positional, named)
     if isinstance(name, (list, dict, set)):
@@ -77,7 +77,7 @@ def _arg(run: Interpreter, node: ast.AST, scope: Scope | None, positional: list[
         shown = run.show(name, node)
         words = f"the name of an arg is a text, so there is no arg {shown} (roslaunch says: ArgException: {shown})"
         raise ExpressionError(words, *run.span(node), "ArgException", undefined_arg=shown)
-    return convert_value(run.ask(node, run.resolver.arg, name), "auto")
+    return automatic(run.ask(node, run.resolver.arg, name))
 
 
 def _anon(run: Interpreter, node: ast.AST, scope: Scope | None, positional: list[Any], named: dict[str, Any]) -> Any:

@@ -7,14 +7,14 @@ import operator
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from launchlint.evaluate.ros1.expression import ExpressionError, Resolver, UnknownValue
 from launchlint.evaluate.ros1.expression.bounds import MOST_STEPS, Function, Stream
 from launchlint.evaluate.ros1.expression.compiled import compiled
 from launchlint.evaluate.ros1.expression.computation import Computation, Passing
 from launchlint.evaluate.ros1.expression.functions import builtin, context_function, math_name
 from launchlint.evaluate.ros1.expression.methods import attribute
 from launchlint.evaluate.ros1.expression.names import BUILTINS, CONTEXT_FUNCTIONS, MATH, TRUTH
-from launchlint.evaluate.ros1.values import convert_value
+from launchlint.evaluate.ros1.expression.resolver import ExpressionError, Resolver, UnknownValue
+from launchlint.evaluate.ros1.values import automatic
 
 _MOST_DEPTH = 200
 _UNBOUND = object()
@@ -62,7 +62,7 @@ class Interpreter(Computation):
             if name in MATH:
                 return math_name(name)
             if self.ask(node, self.resolver.has_arg, name):
-                return self.admit(convert_value(self.ask(node, self.resolver.arg, name), "auto"))
+                return self.admit(automatic(self.ask(node, self.resolver.arg, name)))
         inner = scope
         while inner is not None:
             if name in inner.names:

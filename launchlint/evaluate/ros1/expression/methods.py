@@ -6,8 +6,8 @@ import ast
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from launchlint.evaluate.ros1.expression import UnknownValue
 from launchlint.evaluate.ros1.expression.bounds import SETS, Function, Stream, check_order, format_size, size_of, too_large
+from launchlint.evaluate.ros1.expression.resolver import UnknownValue
 
 if TYPE_CHECKING:
     from launchlint.evaluate.ros1.expression.interpreter import Interpreter, Scope

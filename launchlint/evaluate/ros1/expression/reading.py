@@ -8,10 +8,10 @@ from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from types import MappingProxyType
 
-from launchlint.evaluate.ros1.expression import ExpressionError, UnknownValue
 from launchlint.evaluate.ros1.expression.compiled import compiled
 from launchlint.evaluate.ros1.expression.names import RESERVED
-from launchlint.evaluate.ros1.values import convert_value
+from launchlint.evaluate.ros1.expression.resolver import ExpressionError, UnknownValue
+from launchlint.evaluate.ros1.values import automatic
 
 _WORD = re.compile(r"[^\W\d]\w*")
 _KEYWORDS = frozenset("and else False for if in is lambda None not or True".split())
@@ -133,7 +133,7 @@ def _never_equal(text: str) -> Iterator[tuple[int, int, str, str, bool]]:
             name = side.id if isinstance(side, ast.Name) else _arg_call(side) if isinstance(side, ast.Call) else None
             if name is None or name in bound or (isinstance(side, ast.Name) and name in RESERVED):
                 continue
-            if isinstance(other, ast.Constant) and isinstance(other.value, str) and not isinstance(convert_value(other.value, "auto"), str):
+            if isinstance(other, ast.Constant) and isinstance(other.value, str) and not isinstance(automatic(other.value), str):
                 yield (*whole.span(node), name, other.value, isinstance(node.ops[0], ast.NotEq))
 
 
