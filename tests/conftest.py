@@ -153,10 +153,10 @@ NEEDS: dict[str, tuple[Callable[[], str | None], str]] = {
 
 
 SLOW = (
-    "tests/action", "tests/cli", "tests/hook", "tests/knowledge", "tests/packaging", "tests/probe",
-    "tests/check/test_cache.py", "tests/check/test_crash.py", "tests/check/test_jobs.py", "tests/evaluate/test_configurations.py",
-    "tests/evaluate/test_random_launch.py", "tests/fix/format/test_properties.py", "tests/fix/test_rule_fixes.py",
-    "tests/library/test_bundled_script.py", "tests/library/test_grow_script.py", "tests/test_example.py", "tests/test_guides.py",
+    "tests/action", "tests/check", "tests/cli", "tests/evaluate", "tests/export", "tests/extract", "tests/fix/format",
+    "tests/fix/test_rule_fixes.py", "tests/hook", "tests/knowledge", "tests/library/test_bundled_script.py",
+    "tests/library/test_grow_script.py", "tests/library/test_hostile.py", "tests/packaging", "tests/probe", "tests/report",
+    "tests/rules/test_pages.py", "tests/syntax", "tests/test_architecture.py", "tests/test_example.py", "tests/test_guides.py",
     "tests/test_hostile.py", "tests/test_readme.py", "tests/test_startup.py", "tests/test_workflows.py",
 )  # fmt: skip
 """Folders and files whose tests start processes, or try thousands of texts; a single test elsewhere carries the marker ``slow``."""
