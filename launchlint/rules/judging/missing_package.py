@@ -13,7 +13,7 @@ from typing import NamedTuple
 from launchlint.finding import Severity
 from launchlint.late import late
 from launchlint.library.shipped import is_in_library
-from launchlint.rules.judging.stale_package import lacks_all, own_instead
+from launchlint.rules.judging.stale_package import holds_some, lacks_all, own_instead
 from launchlint.spelling import closest, distance, folded, one_slip
 from launchlint.workspace.packages import Hidden, Package, Packages
 from launchlint.workspace.public_packages import public_names
@@ -35,12 +35,16 @@ def is_placeholder(name: str) -> bool:
 
 
 class Judgement(NamedTuple):
-    """How bad it is that a package is not here, ``why`` that can be said (one line), the ``help``, and which package it proposes."""
+    """How bad it is that a package is not here, ``why`` that can be said (one line), the ``help``, and which package it proposes.
+
+    ``beginning`` is a package here with whose name the missing one begins.
+    """
 
     severity: Severity
     why: str
     help: str
     meant: str = ""
+    beginning: str = ""
 
 
 def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | None:
@@ -75,6 +79,10 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
 
 def _held_against_files(answer: Judgement, name: str, text: str, packages: Packages, near: str) -> Judgement:
     """``answer`` without the package that it proposes where that has none of the files which ``text`` asks of ``name``."""
+    begun = packages.get(answer.beginning, near) if answer.beginning else None
+    if begun is not None and holds_some(begun, name, text):
+        why = f"what this file asks of it lies in {begun.name}, with whose name it begins"
+        return Judgement(Severity.WARNING, why, _did_you_mean(begun.name), begun.name)
     meant = packages.get(answer.meant, near) if answer.meant else None
     if meant is None or not (lacking := lacks_all(meant, name, text)):
         return answer
@@ -144,9 +152,10 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
     why = f"no package.xml here declares it, and {unlisted}"
     if near is not None:
         return Judgement(Severity.WARNING, why, _did_you_mean(near), near)
-    ends = ((each, name.removeprefix(each)) for each in packages.names() if name.startswith(each))
+    ends = [(each, name.removeprefix(each)) for each in packages.names() if name.startswith(each)]
     slipped = any(_NUMBER.fullmatch(end) is not None or (end[:1] == "_" and each.endswith(end)) for each, end in ends)
-    return Judgement(Severity.WARNING if slipped else Severity.INFO, why, _add(name))
+    beginning = max((each for each, _ in ends), key=len, default="")
+    return Judgement(Severity.WARNING if slipped else Severity.INFO, why, _add(name), beginning="" if slipped else beginning)
 
 
 def _say_hidden(hidden: Hidden, packages: Packages, home: Package | None) -> Judgement:

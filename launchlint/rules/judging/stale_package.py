@@ -57,6 +57,17 @@ def lacks_all(package: Package, name: str, text: str) -> str:
     return "" if any(exists(posixpath.join(package.directory, file)) for file in asked) else next(iter(asked), "")
 
 
+def holds_some(package: Package, name: str, text: str) -> bool:
+    """Whether ``package`` has a file that a launch file with content ``text`` asks of ``name``, or a directory of it far down."""
+    for file, made in _asked(text).files.get(name, ()):
+        directory = posixpath.dirname(file)
+        if (file and not made and exists(posixpath.join(package.directory, file))) or (
+            "/" in directory and exists(posixpath.join(package.directory, directory))
+        ):
+            return True
+    return False
+
+
 class _Asked(NamedTuple):
     """What a launch file asks of each package: files (True: a substitution follows the name), and the start tags of its programs."""
 
