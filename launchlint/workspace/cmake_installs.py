@@ -66,7 +66,8 @@ def _installed(facts: CMakeFacts, scope: Scope, path: str, is_directory: bool, a
                 only.append(pattern)
     where = section(arguments, "DESTINATION")
     destination = where[0] if where else None
-    facts.installs.append(Install(scope.path(path), is_directory, destination, tuple(only), tuple(without), _runnable(arguments)))
+    optional = "OPTIONAL" in arguments
+    facts.installs.append(Install(scope.path(path), is_directory, destination, tuple(only), tuple(without), _runnable(arguments), optional))
 
 
 def _runnable(arguments: Sequence[Value]) -> tuple[str, ...]:

@@ -26,7 +26,7 @@ class Install(NamedTuple):
 
     ``only`` are the patterns behind FILES_MATCHING (empty: all files), ``without`` those with EXCLUDE; not those of REGEX.
     ``destination`` is ``None`` where it cannot be known. ``runnable`` are the patterns of the files that can be run once they are
-    installed, whatever their permissions in the source: ``*`` for all of them.
+    installed, whatever their permissions in the source: ``*`` for all of them. ``optional``: it need not exist.
     """
 
     path: str
@@ -35,6 +35,7 @@ class Install(NamedTuple):
     only: tuple[str, ...] = ()
     without: tuple[str, ...] = ()
     runnable: tuple[str, ...] = ()
+    optional: bool = False
 
 
 class Target:

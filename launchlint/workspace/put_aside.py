@@ -1,10 +1,12 @@
-"""Directories for what is no longer used: `old`, `graveyard`, `deprecated`."""
+"""Directories for what is no longer used: `old`, `graveyard`, `deprecated`, or where the manifest was renamed."""
 
 from __future__ import annotations
 
 import re
 
 from launchlint.late import late
+from launchlint.spelling import switched_off
+from launchlint.workspace.looking import names as names_in
 
 _ASIDE = late(
     r"(?:.*[_. -])?(?:deprecated|obsolete|outdated|unused|archives?|archived|backups?|bak|old|attic|trash|graveyard)"
@@ -14,11 +16,23 @@ _ASIDE = late(
 """Names of directories for what is no longer used; `backup_camera` and `archive_tools` are none."""
 
 
+_MANIFESTS = ("package.xml", "manifest.xml")
+
+
 def put_aside(path: str) -> str:
     """The directory on the way to ``path`` (with ``/``) that says so; empty where none does."""
     parts = path.split("/")[:-1]
     number = next((number for number, part in enumerate(parts, 1) if _ASIDE.fullmatch(part)), 0)
     return "/".join(parts[:number])
+
+
+def renamed_manifest(directory: str) -> str:
+    """The file in ``directory`` that was its manifest (``unusedmanifest.xml``, ``package.xml~``); empty where it has one, or none was."""
+    listed = names_in(directory)
+    if any(each in _MANIFESTS for each in listed):
+        return ""
+    renamed = next((each for each in listed if switched_off(each, _MANIFESTS)), "")
+    return renamed or next((each for each in listed if each.rstrip("~") in _MANIFESTS), "")
 
 
 def is_out_of_use(path: str, near: str) -> bool:

@@ -1,5 +1,7 @@
 """Which directories are for what somebody put aside, and what becomes of findings in them."""
 
+from pathlib import Path
+
 import pytest
 
 from launchlint.check.known import Known
@@ -7,6 +9,7 @@ from launchlint.check.retired import judged_by_place
 from launchlint.finding import Finding, Location, Severity
 from launchlint.rules.view import EntrySummary
 from launchlint.workspace.packages import Packages
+from launchlint.workspace.put_aside import renamed_manifest
 
 
 def severity(path: str, *, included: tuple[str, ...] = (), entry: str = "launch/robot.launch", seen_by: str = "") -> Severity:
@@ -60,3 +63,19 @@ def test_what_an_entry_elsewhere_shows_matters() -> None:
 def test_a_package_is_used_where_a_file_of_it_is() -> None:
     assert severity("old/robot/package.xml", included=("old/robot/launch/a.launch",)) is Severity.ERROR
     assert severity("old/robot/package.xml", included=("old/robots/launch/a.launch",)) is Severity.INFO
+
+
+@pytest.mark.parametrize("name", ["unusedmanifest.xml", "manifest.xml~", "package.xml.bak", "old_package.xml", "_package.xml"])
+def test_a_renamed_manifest_puts_a_directory_aside(name: str, tmp_path: Path) -> None:
+    (tmp_path / "maps/launch").mkdir(parents=True)
+    (tmp_path / "maps" / name).touch()
+    assert renamed_manifest(str(tmp_path / "maps")) == name
+    assert renamed_manifest(str(tmp_path / "maps/launch")) == ""
+    (tmp_path / "maps/package.xml").touch()
+    assert renamed_manifest(str(tmp_path / "maps")) == ""
+
+
+@pytest.mark.parametrize("name", ["package.xml.in", "package_ros2.xml", "package.xml.em", "plugin.xml", "model_manifest.xml"])
+def test_templates_and_other_files_are_no_renamed_manifests(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).touch()
+    assert renamed_manifest(str(tmp_path)) == ""

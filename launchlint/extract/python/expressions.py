@@ -6,6 +6,7 @@ import ast
 import operator
 from collections.abc import Callable, Sequence
 
+from launchlint.extract.python.arity import takes_fewer
 from launchlint.extract.python.conditions import negated, written
 from launchlint.extract.python.memory import Ended, Memory
 from launchlint.extract.python.text import interpolated, joined, may_be, or_default, percent
@@ -135,19 +136,25 @@ class Expressions(Memory):
         if more:
             keywords[MORE] = UNKNOWN
         if not isinstance(function, Choice):
-            return self.call(function, positional, keywords, node, scope)
+            return self._called(function, positional, keywords, node, scope)
         results: list[tuple[str, Value]] = []
         ways = []
         for condition, each in function.alternatives:
             with self.branch(condition) as branch:
                 try:
-                    results.append((condition, self.call(each, list(positional), dict(keywords), node, scope)))
+                    results.append((condition, self._called(each, list(positional), dict(keywords), node, scope)))
                 except Ended:
                     branch.flow = 4
             ways.append((condition, branch))
         self.join(ways, scope.variables)
         result = choice(results)
         return UNKNOWN if result is MISSING else result
+
+    def _called(self, function: Value, positional: list[Value], keywords: dict[str, Value], node: ast.Call, scope: Scope) -> Value:
+        if takes_fewer(function, len(positional)) and not any(isinstance(each, ast.Starred) for each in node.args):
+            self.doubt(f"it calls {written(node.func)} with more arguments than that takes", scope.module.path, node.lineno)
+            raise Ended
+        return self.call(function, positional, keywords, node, scope)
 
     def _binary(self, node: ast.BinOp, scope: Scope) -> Value:
         left, right = self.evaluate(node.left, scope), self.evaluate(node.right, scope)

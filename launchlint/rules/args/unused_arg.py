@@ -15,7 +15,8 @@ as one, and so are those that are declared with the same words in several files 
 ## Why it matters
 
 Giving the arg a value, on the command line or in an `<include>`, has no effect, and nobody says so. Often a misspelt name is
-behind it: the value that was meant to use the arg uses another one.
+behind it: the value that was meant to use the arg uses another one. Where the file reads an arg of nearly the same name that it does not
+declare, that is said.
 
 ## Example
 
@@ -39,7 +40,7 @@ behind it: the value that was meant to use the arg uses another one.
 ## Fix
 
 `--unsafe-fixes` removes the arg, unless a launch file that is here passes it in an include, or another file gives it with
-`name:=…`. It can no longer be given then.
+`name:=…`, or the file reads an arg of nearly the same name that it does not declare. It can no longer be given then.
 Not while there is an error in the file: that may be what should read it.
 """
 
@@ -54,6 +55,7 @@ from launchlint.rules.edits import fix, remove_element, spot
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
+from launchlint.spelling import closest, distance, folded
 from launchlint.syntax.ros1.substitutions import expression_in
 from launchlint.syntax.tree import Comment, Document, Element
 
@@ -61,6 +63,8 @@ NO_EFFECT = "a value that is given for it has no effect"
 NO_DEFAULT = "{} has no default; roslaunch asks for it only where it is read, so that the file starts without it"
 _MOST_ALIKE = 40
 """Args by which copies of a file are recognised; each finding carries them."""
+_SHORT = 3
+"""Names of so many letters are one letter away from many others."""
 RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
 
 # Not the grammar of substitutions: whatever looks like a read counts as one, closed or not, also in comments. What is wrong with it is told
@@ -98,9 +102,10 @@ def check(view: FileView) -> Iterator[Finding]:
         for name, elements in declared.items()
         if name not in read and not any(_is_check(element) or element.index in kept for element in elements)
     }
+    meant = {name: near for name in unread if (near := _read_instead(name, _asked_names(document) - declared.keys()))}
     reasons = {name: _why_idle(name, elements, in_comments) for name, elements in unread.items()}
     causes = {
-        reason: _cause([unread[name] for name, each in reasons.items() if each == reason], reason, document)
+        reason: _cause([unread[name] for name, each in reasons.items() if each == reason and name not in meant], reason, document)
         for reason in dict.fromkeys(reasons.values())
     }
     for name, elements in unread.items():
@@ -113,10 +118,12 @@ def check(view: FileView) -> Iterator[Finding]:
             label="unused",
             related=tuple((place, "declared here too") for place in others),
             notes=(idle or NO_EFFECT, *([NO_DEFAULT.format(name)] if _lacks_default(elements) else [])),
-            cause=causes[idle],
-            help=f"remove it here and in the includes that pass it, or use it as $(arg {name})",
+            cause=f"{document.source.path} {name} for {meant[name]}" if name in meant else causes[idle],
+            help=f"this file reads $(arg {meant[name]}) and declares no {meant[name]}: give both one name"
+            if name in meant
+            else f"remove it here and in the includes that pass it, or use it as $(arg {name})",
             fix=None
-            if others
+            if others or name in meant
             else fix("remove the arg", remove_element(spot(view, first)), safe=False, changes=f"{name} can no longer be given"),
         )
 
@@ -162,6 +169,23 @@ def _why_idle(name: str, elements: list[Element], in_comments: set[str]) -> str:
     if all(element.attributes.keys() & {"value", "default"} == {"value"} for element in elements):
         return "it has a fixed value, which nobody uses"
     return ""
+
+
+def _asked_names(document: Document) -> set[str]:
+    """Names that a ``$(arg …)`` of the file reads."""
+    texts = (text for each in document.elements for text in (each.text, *(attribute.value for attribute in each.attributes.values())))
+    return {name for text in texts if "$(arg" in text for name in READ.findall(text)}
+
+
+def _read_instead(name: str, undeclared: set[str]) -> str:
+    """The arg that is read and not declared of which ``name`` may be the declaration; empty where there is none.
+
+    Here one letter or digit more is a slip as well: an arg that nobody declares is no neighbour of this one.
+    """
+    near = closest(name, sorted(undeclared))
+    if near is None and len(name) > _SHORT:
+        near = min((each for each in undeclared if distance(folded(name), folded(each), 1) <= 1), default=None)
+    return near or ""
 
 
 def _lacks_default(elements: list[Element]) -> bool:

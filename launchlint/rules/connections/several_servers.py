@@ -1,7 +1,8 @@
 """Two nodes serve one service or action name.
 
 What it does: it looks for services and actions with two servers in different processes. It is an error where some node of the launch
-calls the service, and for every action; a warning where a node may call it, or not, and an info where none is known to. Servers that run
+calls the service, and for every action; a warning where a node may call it, or not, and an info where none is known to. It is a warning
+at most where one of two servers is known only from reading its source, which nobody saw run. Servers that run
 one program with the same args and remaps answer alike: that the program is started several times is a warning at most. Names that
 belong to the machinery of nodes, and servers that may or may not be there, do not count. The same nodes in several launch files are told of
 once.
@@ -79,6 +80,12 @@ def _is_called(channel: Channel) -> bool:
     return channel.kind == "action" or any(use.certain for use in channel.uses)
 
 
+def _is_sure(server: Endpoint) -> bool:
+    """Whether a person wrote the name down, or a node was seen with it: what is only read from source may not be reached."""
+    evidence = server.declaration.evidence
+    return not evidence or any(each["by"] != "static" for each in evidence)
+
+
 def _are_one_program(servers: list[Endpoint], known: Owners) -> bool:
     """Whether the servers are one program that is started several times in the same way."""
     nodes = [known[id(server)] for server in servers]
@@ -103,6 +110,8 @@ def _finding(shared: list[Clash], known: Owners) -> Finding:
         also.append(f"they share {', '.join(others[:6])}{more}, too")
     notes = [words for words in (how(server, known[id(server)]) for server in (first, last)) if words]
     severity = RULE.severity if _is_called(channel) else Severity.WARNING if channel.uses else Severity.INFO
+    if severity is Severity.ERROR and sum(map(_is_sure, servers)) < 2:
+        severity = Severity.WARNING
     message = f"the {channel.kind} {channel.name} has {len(servers)} servers: {names}"
     if _are_one_program(servers, known):
         severity = Severity.WARNING if severity is Severity.ERROR else severity

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 from launchlint.finding import Severity
 from launchlint.late import late
-from launchlint.library.shipped import is_in_library
-from launchlint.rules.judging.stale_package import holds_some, lacks_all, own_instead
+from launchlint.library.shipped import Bundled, is_in_library
+from launchlint.rules.judging.stale_package import holds_some, lacks_all, own_instead, programs_asked
 from launchlint.spelling import closest, distance, folded, one_slip
 from launchlint.workspace.packages import Hidden, Package, Packages
 from launchlint.workspace.public_packages import public_names
@@ -58,7 +58,7 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
     (``arm_2``, ``arm_config_config``). Info: any other, also one that begins like one that is here: it may well lie in another
     repository of the same people, or of this project.
     One slip from a public package is help and no more: no list holds all packages. A package is proposed only where it has a file that
-    is asked for by ``$(find name)/…``, if any is.
+    is asked for by ``$(find name)/…``, if any is; a public one of another maker only where it is known to have a program that is asked for.
     """
     if packages.has(name) or is_placeholder(name):
         return None
@@ -84,12 +84,27 @@ def _held_against_files(answer: Judgement, name: str, text: str, packages: Packa
         why = f"what this file asks of it lies in {begun.name}, with whose name it begins"
         return Judgement(Severity.WARNING, why, _did_you_mean(begun.name), begun.name)
     meant = packages.get(answer.meant, near) if answer.meant else None
+    if meant is None and _is_of_another_maker(answer.meant, name, packages) and not _starts_one_of(answer.meant, name, text):
+        return answer._replace(help=_add(name), meant="")
     if meant is None or not (lacking := lacks_all(meant, name, text)):
         return answer
     if packages.complete:
         return answer._replace(help=_add(name), meant="")
     why = f"{answer.meant} is here, and has no {lacking}: another package seems to be meant, which no list here knows"
     return Judgement(min(answer.severity, Severity.WARNING), why, _add(name))
+
+
+def _is_of_another_maker(meant: str, name: str, packages: Packages) -> bool:
+    """Whether ``meant`` is known only from the public index, and its first word, that of the maker or robot, is not that of ``name``."""
+    if not meant or meant not in public_names() or meant in packages.once(_declared_here):
+        return False
+    return folded(meant).partition("_")[0] != folded(name).partition("_")[0]
+
+
+def _starts_one_of(meant: str, name: str, text: str) -> bool:
+    """Whether the library knows in ``meant`` a program that ``text`` asks of ``name``."""
+    known = Bundled().package(meant) or {}
+    return not programs_asked(name, text).isdisjoint(known.get("executables", ()))
 
 
 def cause(name: str, severity: Severity) -> str:

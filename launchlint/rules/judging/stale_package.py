@@ -68,6 +68,11 @@ def holds_some(package: Package, name: str, text: str) -> bool:
     return False
 
 
+def programs_asked(name: str, text: str) -> set[str]:
+    """The programs of the package ``name`` that a launch file with content ``text`` starts."""
+    return {found[1] for tag in _asked(text).started.get(name, ()) if (found := _TYPE.search(tag)) is not None}
+
+
 class _Asked(NamedTuple):
     """What a launch file asks of each package: files (True: a substitution follows the name), and the start tags of its programs."""
 

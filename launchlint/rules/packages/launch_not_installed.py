@@ -6,8 +6,9 @@ and what an `EXCLUDE` of `install(DIRECTORY …)` leaves out: that is done on pu
 where the package installs nothing but headers, and where all it has is `catkin_install_python`, which makes scripts run in a devel space,
 too, or it installs none of the programs that it builds (a rest of a template), or nothing but programs, libraries, headers and descriptions
 of plugins, which is what catkin's template offers, and was never released; unless a script, a workflow, an image or a README installs what
-is built. And it is one for a file beside `CMakeLists.txt` where another one of its name is installed. All files of one directory that are
-missing for one reason are told of at once.
+is built. Where one of the files that it installs by name does not exist, installing fails, and it is an info, too. And it is one for a file
+beside `CMakeLists.txt` where another one of its name is installed. All files of one directory that are missing for one reason are told of
+at once.
 
 ## Why it matters
 
@@ -97,6 +98,7 @@ if TYPE_CHECKING:
 
 RULE = Rule("LL702", "launch-not-installed", Severity.WARNING)
 DEVEL = "it has catkin_install_python only, which a devel space needs, too; nothing here installs the package"
+FAILS = "it installs {}, which does not exist, so that installing fails: nobody installs the package as it is"
 OFFERED = "it installs only what catkin's template offers (programs, libraries, headers), and nothing here installs the package"
 LEFT = "it installs none of the programs that it builds, and nothing here installs the package"
 
@@ -118,6 +120,11 @@ def _is_installed(package: Package, packages: Packages) -> bool:
 def _is_data(install: Install) -> bool:
     """Whether files for people or nodes to read are installed: descriptions of plugins come with a library."""
     return (install.destination or "share").partition("/")[0] == "share" and (install.is_directory or not install.path.endswith(".xml"))
+
+
+def _fails(install: Install, package: Package) -> bool:
+    """Whether a file of the package is to be installed that is not there; git keeps no empty directory, so that those say nothing."""
+    return not install.is_directory and not install.optional and is_inside(install.path, (package.directory,)) and not exists(install.path)
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -154,6 +161,9 @@ def check(view: FileView) -> Iterator[Finding]:
     if not directory:
         namesakes = (f"{posixpath.relpath(each, package.directory)}/{inside}" for each in installed.directories)
         reason = next((f"it installs {each}" for each in namesakes if is_file(posixpath.join(package.directory, each))), reason)
+    absent = next((each.path for each in installed.installs if _fails(each, package)), "")
+    if absent:
+        reason = FAILS.format(posixpath.relpath(absent, package.directory))
     severity = Severity.INFO if headers or reason else RULE.severity
     meant = f"it installs {'headers' if headers else 'other files'}, so that the package is meant to be installed"
     yield RULE.at(

@@ -55,6 +55,7 @@ _TAKES = {"bool": ("bool",), "int": ("int", "double"), "double": ("double", "int
 """The types of values that ros::param::get takes for the type asked for."""
 _WORDS = {"bool": "a bool", "int": "an int", "double": "a double", "str": "a string", "list": "a list", "dict": "a mapping"}
 _CONTAINERS = ("list", "dict")
+_SWITCHES = ("true", "false")
 _EXPONENT = late(r"([-+]?[0-9]+)(\.[0-9]*)?[eE]([-+]?)([0-9]+)")
 """A number with an exponent. roslaunch wants a point in it (roslaunch.loader.convert_value), PyYAML a point and a sign."""
 
@@ -132,7 +133,7 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
         severity=Severity.INFO if means_default or value == "" else None,
         label=f"{_WORDS[type_]}, not {_WORDS[one]}",
         notes=("roscpp turns an int into a double and the reverse, nothing else, and says nothing",) if instance.client != "rospy" else (),
-        help=_help(setting, one, type_),
+        help=_help(setting, one, type_, default if known and isinstance(default, str) else ""),
         topic=f"{instance.program} {reading.declared}",
     )
 
@@ -150,6 +151,13 @@ def _is_number(value: Any, default: Any) -> bool:
         return float(value) == float(default)
     except ValueError:
         return False
+
+
+def _looks_alike(text: str, type_: str) -> bool:
+    """Whether a text that is meant as one looks like a value of ``type_``: a serial number of digits, ``false``."""
+    if type_ == "bool":
+        return text.lower() in _SWITCHES
+    return not text.strip("0123456789.eE+-")
 
 
 def _rounded(setting: ParameterSetting, instance: Instance, reading: Reading) -> Finding:
@@ -184,13 +192,15 @@ def _type(value: Any) -> str | None:
     return None
 
 
-def _help(setting: ParameterSetting, wanted: str, type_: str) -> str:
+def _help(setting: ParameterSetting, wanted: str, type_: str, default: str) -> str:
     value, in_yaml = setting.value, setting.tag == "rosparam"
     if wanted == "bool" and type_ in ("int", "str") and str(value).lower() in ("0", "1", "true", "false"):
         word = "true" if str(value).lower() in ("1", "true") else "false"
         return f"write {word}, without quotes" if in_yaml else f'write value="{word}"' + (' type="bool"' if type_ == "str" else "")
     if wanted == "str" and type_ not in _CONTAINERS:
-        return f'put it in quotes: "{value}"' if in_yaml else 'add type="str"'
+        as_text = f'put it in quotes: "{value}"' if in_yaml else 'add type="str"'
+        # The words of an enumeration are read as strings, too, and a number is none of them.
+        return as_text if not default or _looks_alike(default, type_) else f'give a text such as "{default}"'
     number = _EXPONENT.fullmatch(value) if wanted == "double" and type_ == "str" else None
     if number is not None:
         whole, fraction, sign, exponent = number.groups()
