@@ -22,6 +22,9 @@ _BASES = re.compile(r"(?<!:):(?!:)")
 _ANGLES = re.compile(r"<[^<>]*>")
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _OWNER = re.compile(r"(\w+)\s*::\s*~?\w+\W*\Z")
+_PARAMETERS = re.compile(r"\b(?:void|bool|char|short|int|long|float|double|unsigned|signed|const|auto)\b|\w\s*[&*]|\w\s+\w|>\s*\w|\.\.\.")
+"""What stands in the brackets of a declared function, and not in those of a variable that is made from values."""
+_NEW = re.compile(r"\bnew\s")
 _NOTHING = frozenset("using typedef friend extern static const constexpr class struct enum union template namespace".split())
 _LONGEST = 1_000
 _MOST_NESTED = 8
@@ -78,12 +81,14 @@ def _names(chunk: str, has_body: bool) -> tuple[str, ...] | None:
     if declared is not None:
         words = [each for each in _WORD.findall(_BASES.split(declared[1])[0]) if each not in ("final", "class", "struct")]
         return tuple(words)
-    head, bracket, _ = chunk.partition("(")
+    head, bracket, inside = chunk.partition("(")
     if "=" in head and "operator" not in head:
         if bracket and not has_body:
             return None  # what is called here runs as soon as the library is loaded
         head, bracket = head.partition("=")[0], ""
     words = _WORD.findall(head)
+    if bracket and not has_body and _is_made_from_values(words, inside):
+        bracket = ""
     if bracket and len(words) == 1 and "::" not in head:
         return None  # a macro: what it makes is not known
     if not words:
@@ -94,6 +99,11 @@ def _names(chunk: str, has_body: bool) -> tuple[str, ...] | None:
     if len(words) == 1 or not _NOTHING.isdisjoint(words[:-1] if words[0] != "template" else words[1:-1]) or (bracket and not has_body):
         return ()
     return (words[-1],)
+
+
+def _is_made_from_values(words: Sequence[str], inside: str) -> bool:
+    """Whether a declaration with brackets is of a variable. Texts are blanked out: a function without parameters counts, too."""
+    return len(words) > 1 and words[0] not in ("void", "explicit", "virtual") and not _PARAMETERS.search(_NEW.sub("", inside))
 
 
 class Library:

@@ -29,6 +29,8 @@ from tests.extract.test_package import MANIFEST, grow
         ("static void own() {}\nnamespace { void hidden() {} }", set()),
         ('extern "C" { void plain() {} }', {"plain"}),
         ("int A::count = 0; Thing shared;", {"A", "shared"}),
+        ('namespace n { std::string topic("talk"); Shared* shared(new Shared); int many(3), own; }', {"topic", "shared", "many"}),
+        ("void none(); n::A made(n::B); bool both(A& a, B* b); std::string of(std::vector<int> x);", {"made"}),
         ("namespace m = n; using namespace n; class B; typedef A C;", set()),
         ('// void A::go() {\n/* void B::go() { */ const char* text = "void C::go() {";\nvoid D::go() {}', {"D"}),
         ("PLUGINLIB_EXPORT_CLASS(n::A, nodelet::Nodelet)\nvoid B::go() {}", {"B"}),
