@@ -329,6 +329,7 @@ def test_programs_that_import_nothing_of_ros_are_none(tmp_path: Path) -> None:
             "demo/scripts/as_python_2": head + "import demo.old\n",
             "demo/scripts/worked_out": head + "import importlib\nimportlib.import_module('demo.talk')\n",
             "demo/scripts/by_text": head + "__import__('demo.talk')\n",
+            "demo/scripts/by_builtin": head + "import __builtin__\n__builtin__.__import__('demo.talk')\n",
             "demo/scripts/stranger": head + "from demo import strange\nstrange.go()\n",
         },
     )
@@ -337,6 +338,7 @@ def test_programs_that_import_nothing_of_ros_are_none(tmp_path: Path) -> None:
     programs = extract([str(root)]).document["packages"]["demo"]["executables"]
     assert {name: each["class"] for name, each in sorted(programs.items())} == {
         "as_python_2": "rospy",
+        "by_builtin": "rospy",
         "by_module": "rospy",
         "by_text": "rospy",
         "deep": "rospy",

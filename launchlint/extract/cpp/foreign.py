@@ -83,11 +83,20 @@ class Foreign:
                     return header
         return found
 
-    def may_declare(self, space: str) -> bool:
-        """Whether a namespace may be one of these headers: they are of other packages, and it is that of no package that is known."""
+    def may_declare(self, space: str, included: bool) -> bool:
+        """Whether a namespace, of which the message asked for is not included, may be one of these headers and call it by another name.
+
+        They are of other packages, and it is the namespace of one of them, or of no package that is known.
+
+        Args:
+            space: the namespace.
+            included: whether messages of a package of that name are included.
+        """
+        if _MESSAGES.fullmatch(space):
+            return not included and space not in self._packages  # ``msgs``: a short name for some package
         if not self._words or is_of_messages(space) or space in PACKAGES:
             return False
-        return space not in self._packages and space not in public_names()
+        return _plain(space) in self._words or (not included and space not in self._packages and space not in public_names())
 
     def _in(self, word: str) -> str | None:
         if word in self._words:

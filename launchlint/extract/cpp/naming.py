@@ -221,7 +221,7 @@ class Names:
         if opened is not None:
             included = [f"{used}/{each}" for used in opened for each in reversed(spellings) if f"{used}/{each}" in known]
             return included[0] if len(included) == 1 else ""
-        if len(parts) == 2 and self._foreign.may_declare(parts[0]) and not any(each.startswith(f"{parts[0]}/") for each in known):
+        if len(parts) == 2 and self._foreign.may_declare(parts[0], any(each.startswith(f"{parts[0]}/") for each in known)):
             return ""
         if len(parts) == 2 and parts[0] not in ("std", "boost", "ros", "Eigen", "cv", "pcl", "tf", "tf2"):
             return f"{parts[0]}/{spellings[-1]}"

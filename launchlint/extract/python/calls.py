@@ -106,7 +106,7 @@ class Calls(Expressions):
         """A module by a name that the program has worked out."""
         raise NotImplementedError
 
-    def made_code(self, word: str, positional: list[Value], node: ast.AST, scope: Scope) -> Value:
+    def made_code(self, word: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
         """Code, or the name of a module, that the program has worked out."""
         raise NotImplementedError
 
@@ -154,7 +154,7 @@ class Calls(Expressions):
             if word in ("exit", "quit"):
                 raise Ended
             if word in ("eval", "exec", "execfile", "__import__"):
-                return self.made_code(word, positional, node, scope)
+                return self.made_code(word, positional, keywords, node, scope)
             if word == "object.__new__" and positional and isinstance(positional[0], Class):
                 return self.instance(positional[0])
             if word == "super":

@@ -101,13 +101,13 @@ class Definitions(Calls):
             return maker if isinstance(node, ast.Subscript) else value  # Base[T]
         return value
 
-    def made_code(self, word: str, positional: list[Value], node: ast.AST, scope: Scope) -> Value:
+    def made_code(self, word: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
         """``eval``, ``exec``, ``execfile`` and ``__import__``."""
-        code = positional[0] if positional else UNKNOWN
-        made = Call(self, word, positional, {}, node, scope)
+        made = Call(self, word, positional, keywords, node, scope)
+        code = made.get(0, "name", UNKNOWN)
         if word == "__import__":
             loaded = self.module(code, made)
-            first = code.partition(".")[0] if isinstance(code, str) and len(positional) < 4 else code
+            first = code.partition(".")[0] if isinstance(code, str) and made.get(3, "fromlist", None) is None else code
             return loaded if first == code else self.module(first, made)
         if word == "eval" and (isinstance(code, Param) or (isinstance(code, Text) and code.template.startswith(("{arg:", "{option:")))):
             return UNKNOWN  # a value that somebody writes into a launch file

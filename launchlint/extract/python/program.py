@@ -230,6 +230,8 @@ class _Run(Statements):
             self.uses_rospy = True
         if level == 0 and top in _NEVER_FOLLOWED:
             return External(name)
+        if level == 0 and name == "__builtin__":
+            return External("builtins")  # as Python 2 calls it
         if level:
             base = scope.module.name.split(".")
             base = base[: len(base) - level + (1 if scope.module.path.endswith("__init__.py") else 0)]

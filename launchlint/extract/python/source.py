@@ -102,6 +102,8 @@ def _look_through(source: Source) -> None:
                 continue
             if kind is ast.Constant:
                 continue
+            if kind is ast.Attribute:
+                source.makes_code = source.makes_code or node.attr == "__import__"  # type: ignore[attr-defined]
             if kind is ast.Import or kind is ast.ImportFrom:
                 imports.append(node)  # type: ignore[arg-type]
             for name in kind._fields:

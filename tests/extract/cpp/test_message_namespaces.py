@@ -23,6 +23,14 @@ SAID = {
     "not inside, included elsewhere": (OUTER, "msgs::Unseen", ""),
     "a package's own namespace": ("namespace our { using namespace std; }\n", "our::Thing", "our/Thing"),
     "a header that is not here": ("#include <moveit/some_terrain/terrain.h>\n", "terrain_modelling::TerrainMsg", ""),
+    "a header of that package that is not here": ("#include <costmap_converter/some_words.h>\n", "costmap_converter::Thing", ""),
+    "a message beside such a header": (
+        "#include <costmap_converter/some_words.h>\n#include <costmap_converter/Thing.h>\n",
+        "costmap_converter::Thing",
+        "costmap_converter/Thing",
+    ),
+    "a short name for some package": ("", "msgs::Thing", ""),
+    "a package of that short name": ("#include <msgs/Thing.h>\n", "msgs::Thing", "msgs/Thing"),
     "a message package beside it": ("#include <moveit/some_terrain/terrain.h>\n", "tall_msgs::Thing", "tall_msgs/Thing"),
     "a known package beside it": (
         "#include <moveit/some_terrain/terrain.h>\n",
