@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from launchlint.library.template import UNKNOWN, Thing, Undetermined
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 QUESTIONS = ("param", "arg", "option", "remap")
 """What a condition can ask about, apart from ``not``, ``all``, ``any`` and ``text``."""
 
+_MEMBER = re.compile(r"\{([a-z]{1,20})\}")
 _FALSE_WORDS = frozenset({"", "0", "false", "False", "FALSE", "no", "off"})
 
 
@@ -80,11 +82,30 @@ def _is_true(value: Any) -> bool:
     return value not in _FALSE_WORDS if isinstance(value, str) else bool(value)
 
 
+def pattern_of(like: str) -> re.Pattern[str] | None:
+    """What ``{topic}@{type}`` asks of an argument; None where it is no such pattern.
+
+    Each name stands for one character or more, and for none of those that stand outside the names.
+    """
+    words = _MEMBER.split(like)
+    outside, names = words[::2], words[1::2]
+    if not names or len(set(names)) < len(names) or not all(outside[1:-1]) or any(brace in text for text in outside for brace in "{}"):
+        return None
+    some = f"[^{re.escape(''.join(outside))}]+" if any(outside) else ".+"
+    return re.compile("".join(f"(?P<{word}>{some})" if number % 2 else re.escape(word) for number, word in enumerate(words)))
+
+
 def things(each: Any, situation: Situation) -> list[Thing] | Undetermined:
     """What a (validated) ``each`` goes through: :data:`UNKNOWN` where that cannot be known."""
     if "args" in each:
         found = situation.arguments_from(each["args"])
-        return UNKNOWN if isinstance(found, Undetermined) else [Thing(value, value) for value in found]
+        if isinstance(found, Undetermined):
+            return UNKNOWN
+        if "like" not in each:
+            return [Thing(value, value) for value in found]
+        pattern = pattern_of(each["like"])
+        fitting = [(value, pattern.fullmatch(value)) for value in found] if pattern is not None else []
+        return [Thing(value, match.groupdict()) for value, match in fitting if match is not None]
     value = situation.param(each["param"] if "param" in each else each["words"])
     if value is None:
         value = each.get("default", [])

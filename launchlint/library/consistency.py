@@ -9,6 +9,7 @@ import json
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
+from launchlint.library.condition import pattern_of
 from launchlint.library.format import LISTS
 from launchlint.library.lookup import LONGEST_LIKE
 from launchlint.library.template import Slot, Template, is_template, parse
@@ -133,8 +134,8 @@ def _template(parts: Template, each: Any, options: Any) -> Iterator[str]:
             yield f"{_spelled(slot)} has no value: {_option_advice(slot.key, options)}"
         if slot.kind == "each" and each is None:
             yield f"{_spelled(slot)} has no value: the entry has no `each`"
-        elif slot.kind == "each" and slot.key and "param" not in each:
-            yield f"{_spelled(slot)} has no value: only the things of a param have members"
+        elif slot.kind == "each" and slot.key and not _is_member(slot.key, each):
+            yield f"{_spelled(slot)} has no value: only the things of a param have members, and args that are `like` a pattern"
         elif slot.kind == "each" and not slot.key and slot.default is not None:
             yield "{each} always has a value: its default is never used"
         for inner in _slots(slot.default or ()):
@@ -149,6 +150,11 @@ def _template(parts: Template, each: Any, options: Any) -> Iterator[str]:
                 yield f"the default of {_spelled(slot)} is never used: without {_spelled(implying)} there is no name at all"
             elif slot.kind == "arg" and each is not None and 0 < int(slot.key) <= each.get("args", 0):
                 yield f"the default of {_spelled(slot)} is never used: `each` goes through later arguments"
+
+
+def _is_member(key: str, each: Any) -> bool:
+    pattern = pattern_of(each.get("like", ""))
+    return "param" in each or (pattern is not None and key in pattern.groupindex)
 
 
 def _implied(slot: Slot, needed: Iterable[Slot]) -> Slot | None:

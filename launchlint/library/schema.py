@@ -68,4 +68,8 @@ _CONDITION_SCHEMA: Mapping[str, Any] = {
     ]
 }
 _WORDS: Mapping[str, Any] = {"default": {"type": "array", "items": {"type": "string"}}}
-_EACH_SCHEMA: Mapping[str, Any] = {"oneOf": [_one("args", _ARGUMENT), _one("param", _STRING, _WORDS), _one("words", _STRING, _WORDS)]}
+_PARTS = r"^[^{}]*(\{[a-z]{1,20}\}[^{}]+)*\{[a-z]{1,20}\}[^{}]*$"
+_LIKE: Mapping[str, Any] = {"like": {"type": "string", "maxLength": 1000, "pattern": _PARTS}}
+_EACH_SCHEMA: Mapping[str, Any] = {
+    "oneOf": [_one("args", _ARGUMENT, _LIKE), _one("param", _STRING, _WORDS), _one("words", _STRING, _WORDS)]
+}

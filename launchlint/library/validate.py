@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from launchlint.library.condition import QUESTIONS
+from launchlint.library.condition import QUESTIONS, pattern_of
 from launchlint.library.format import (
     DEEPEST_CONDITION,
     LIBRARY,
@@ -211,10 +211,13 @@ def _each(value: Any, path: Path) -> Iterator[Fault]:
     kind = asked[0]
     if kind == "args":
         yield from _position((*path, kind), value[kind])
+        like = value.get("like", "{x}")
+        if not isinstance(like, str) or len(like) > LONGEST_NAME or pattern_of(like) is None:
+            yield Fault((*path, "like"), "this must be names in braces, each once, with something between them: {topic}@{type}")
     elif not isinstance(value[kind], str) or not value[kind] or len(value[kind]) > LONGEST_NAME:
         yield Fault((*path, kind), "this must be the name of a param")
     for key in value:
-        if key not in (kind, *(() if kind == "args" else ("default",))):
+        if key not in (kind, "like" if kind == "args" else "default"):
             yield Fault((*path, key), f"`each` over {kind} has no key {json.dumps(key[:80], ensure_ascii=False)}")
     default = value.get("default", [])
     if not isinstance(default, list) or not all(isinstance(item, str) for item in default):

@@ -52,6 +52,7 @@ def test_template(declared: str, args: str, inside: str, names: list[str], tmp_p
     ("each", "declared", "args", "inside", "names"),
     [
         ({"args": 2}, "{each}", "out a /b ~c", "", ["/b", "/ns/a", "/ns/n/c"]),
+        ({"args": 1, "like": "{topic}@{type}[{x}"}, "{each:topic}", "/a@p/T[x c@p/T@x b@p/T[x", "", ["/a", "/ns/b"]),
         ({"param": "~topics"}, "{each}", "", "<rosparam>topics: [a, b]</rosparam>", ["/ns/a", "/ns/b"]),
         ({"param": "~topics"}, "{each:topic}", "", "<rosparam>topics: {a: {topic: x}, b: {}}</rosparam>", ["/ns/x"]),
         ({"param": "~topics", "default": ["d"]}, "{each}", "", "", ["/ns/d"]),

@@ -84,6 +84,16 @@ def test_condition_on_the_command_line(condition: Any, expected: bool) -> None:
     [
         ({"args": 2}, Node(("out", "a", "b")), [Thing("a", "a"), Thing("b", "b")]),
         ({"args": 2}, Node(("out",)), []),
+        (
+            {"args": 1, "like": "{topic}@{type}[{other}"},
+            Node(("/a@std_msgs/Int8[x.Int", "/b@std_msgs/Int8@x.Int", "/c@[", "@std_msgs/Int8[x", "d", "/e@p/T[q")),
+            [
+                Thing("/a@std_msgs/Int8[x.Int", {"topic": "/a", "type": "std_msgs/Int8", "other": "x.Int"}),
+                Thing("/e@p/T[q", {"topic": "/e", "type": "p/T", "other": "q"}),
+            ],
+        ),
+        ({"args": 1, "like": "{all}"}, Node(("a@b",)), [Thing("a@b", {"all": "a@b"})]),
+        ({"args": 1, "like": "{topic}@{type}"}, Node((UNKNOWN,)), UNKNOWN),
         ({"args": 2}, Node(("out", UNKNOWN)), UNKNOWN),
         ({"param": "~topics"}, Node(params={"~topics": ["a", "b"]}), [Thing("a", "a"), Thing("b", "b")]),
         ({"param": "~topics"}, Node(params={"~topics": {"a": {"x": 1}}}), [Thing("a", {"x": 1})]),

@@ -44,13 +44,14 @@ def test_what_has_an_effect_is_no_fault() -> None:
         {"name": "{each}", "each": {"args": 2}},
         {"name": "{each}", "each": {"args": 3}},
         {"name": "{each}_{arg:3|x}", "each": {"args": 2}},
+        {"name": "{each:topic}", "type": "{each:type}", "each": {"args": 2, "like": "{topic}@{type}"}},
         {"name": "{each:topic|{each}}", "each": {"param": "~topics"}},
         {"name": "out", "type": "a/B", "condition": {"param": "~x"}},
         {"name": "out", "type": "a/C", "condition": {"not": {"param": "~x"}}},
         {"name": "{remap:in}/compressed", "type": "{param:~type|std_msgs/String}"},
         {"name": "{{odd"},
         options={"-r": 1},
-    ) == ["11/name: \"{odd\" cannot be a part of a name: letters, digits, _, / and ~ can"]  # fmt: skip
+    ) == ["12/name: \"{odd\" cannot be a part of a name: letters, digits, _, / and ~ can"]  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -66,7 +67,14 @@ def test_what_has_an_effect_is_no_fault() -> None:
             '0/condition/not/all/1/option: the option "--rate" is never given: `options` has -R, -l',
         ),
         ({"name": "{each}"}, "0/name: {each} has no value: the entry has no `each`"),
-        ({"name": "{each:x}", "each": {"args": 1}}, "0/name: {each:x} has no value: only the things of a param have members"),
+        (
+            {"name": "{each:x}", "each": {"args": 1}},
+            "0/name: {each:x} has no value: only the things of a param have members, and args that are `like` a pattern",
+        ),
+        (
+            {"name": "{each:x}", "each": {"args": 1, "like": "{topic}@{type}"}},
+            "0/name: {each:x} has no value: only the things of a param have members, and args that are `like` a pattern",
+        ),
         ({"name": "{each|x}", "each": {"args": 1}}, "0/name: {each} always has a value: its default is never used"),
         ({"name": "x", "each": {"args": 1}}, "0/each: each of these things gives the same name: put {each} into the name"),
         ({"name": "{arg:2|{arg:2}_x}"}, "0/name: the default of {arg:2} is asked for only where {arg:2} has no value either"),

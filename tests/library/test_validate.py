@@ -104,12 +104,17 @@ SHAPES = [
     (condition('{"not": {"param": §5}}'), "this must be a string"),
     (each("§[]"), "`each` has one of the keys args, param, words"),
     (each('{"args": §"2"}'), "this must be the number of an argument, counted from 1 or from -1"),
+    (each('{"args": 2, "like": §"topic"}'), "this must be names in braces, each once, with something between them: {topic}@{type}"),
+    (each('{"args": 2, "like": §"{a}{b}"}'), "this must be names in braces, each once, with something between them: {topic}@{type}"),
+    (each('{"args": 2, "like": §"{a}@{B}"}'), "this must be names in braces, each once, with something between them: {topic}@{type}"),
+    (each('{"args": 2, "like": §5}'), "this must be names in braces, each once, with something between them: {topic}@{type}"),
     (each('{"args": 2, "default": §["x"]}'), '`each` over args has no key "default"'),
     (each('{"param": §1}'), "this must be the name of a param"),
     (each('{"words": "~x", "default": §"a b"}'), "this must be a list of strings"),
 ]
 
 GRAMMAR = [
+    (each('{"args": 2, "like": §"{a}@{a}"}'), "this must be names in braces, each once, with something between them: {topic}@{type}"),
     (frame('{"name": §"/map", "role": "used"}'), '"/map" is no frame: it has no blanks, no ~ and no / before it'),
     (
         frame('{"name": §"{arg:0}", "role": "used"}'),
