@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import NamedTuple
 
-from launchlint.workspace import looking
 from launchlint.workspace.packages import Package, Packages
 
 TYPE_CHECKING = False
@@ -26,10 +25,6 @@ class Home(NamedTuple):
     copies: int
 
 
-BUILT_BY = ("CMakeLists.txt", "setup.py", "Makefile")
-"""What builds a package. A copy without any of these is an installed one: it has no sources."""
-
-
 class OwnSources:
     """What the packages of the workspaces say of their programs. Never raises.
 
@@ -45,7 +40,7 @@ class OwnSources:
         self._root = root
         self._directory = directory
         self._moved = moved
-        self._homes: dict[str, tuple[Home | None, frozenset[str]]] = {}
+        self._homes: dict[str, Home | None] = {}
         self._classes: dict[str, frozenset[str]] = {}
         self._asked: set[Key] = set()
 
@@ -102,20 +97,11 @@ class OwnSources:
         return "" if home is None else self._programs.digest(key, home)
 
     def home(self, name: str) -> Home | None:
-        """The package of this name in the first workspace that has one; of several copies those count that are built there."""
+        """The package of this name in the first workspace that has one."""
         if name not in self._homes:
-            self._homes[name] = looking.watched(lambda: self._find(name))
-        home, looked = self._homes[name]
-        looking.note(looked)
-        return home
-
-    def _find(self, name: str) -> Home | None:
-        for root, packages in self.places():
-            copies = packages.get(name)
-            if copies:
-                built = [each for each in copies if _is_built(each)] if len(copies) > 1 else copies
-                return Home((built or copies)[0], root, len(built or copies))
-        return None
+            found = ((root, packages[name]) for root, packages in self.places() if name in packages)
+            self._homes[name] = next((Home(copies[0], root, len(copies)) for root, copies in found), None)
+        return self._homes[name]
 
     def places(self) -> Iterator[tuple[str, Mapping[str, list[Package]]]]:
         """Each workspace with its packages by name."""
@@ -152,10 +138,6 @@ class OwnSources:
             return os.path.relpath(os.path.join(root, at.removeprefix(":")), self._root).replace(os.sep, "/")
 
         return {**program, "variants": {name: _placed(variant, place) for name, variant in program.get("variants", {}).items()}}
-
-
-def _is_built(package: Package) -> bool:
-    return any(looking.is_file(os.path.join(package.directory, name)) for name in BUILT_BY)
 
 
 def moved(path: str, start: str, goal: str) -> str:

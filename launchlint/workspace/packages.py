@@ -3,6 +3,8 @@
 Where several places have a package of one name, the order is: the workspaces as given, the entries of
 ``ROS_PACKAGE_PATH``, then installed prefixes (``CMAKE_PREFIX_PATH``, ``/opt/ros/$ROS_DISTRO``) and last ``/usr/share``, which Debian's
 rospkg always adds. Every place is crawled when it is first needed, and only if no earlier one has the name.
+
+Different from rospkg on purpose: where one place has the source of a package and an installed copy of it, the source counts.
 """
 
 from __future__ import annotations
@@ -13,7 +15,7 @@ from typing import NamedTuple
 
 from launchlint.workspace.crawl import CATKIN_IGNORE, NO_SUBDIRECTORIES, Crawled, crawl_all, examine
 from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE, Manifest, read_manifest
-from launchlint.workspace.prefixes import Prefix, prefixes
+from launchlint.workspace.prefixes import Prefix, is_installed, prefixes
 from launchlint.workspace.public_packages import PublicPackages, public_names
 
 TYPE_CHECKING = False
@@ -122,7 +124,7 @@ class _Place:
 
     @property
     def by_name(self) -> dict[str, list[Package]]:
-        """The packages ``$(find)`` can answer, those of one name in the order of the crawl."""
+        """The packages ``$(find)`` can answer, those of one name in the order of the crawl; none that is installed where a source is."""
         return self._by_name if self.everything else {}
 
     @property
@@ -147,6 +149,9 @@ class _Place:
             for package in self._all:
                 if package.name and not package.is_metapackage and not package.broken:
                     self._by_name.setdefault(package.name, []).append(package)
+            for name, copies in self._by_name.items():
+                if len(copies) > 1:
+                    self._by_name[name] = [each for each in copies if not is_installed(each.directory)] or copies
         return self._all
 
 

@@ -10,6 +10,8 @@ from collections.abc import Mapping
 
 MARKER = ".catkin"
 _LARGEST_MARKER = 1 << 16
+_BUILT_BY = ("CMakeLists.txt", "setup.py", "Makefile")
+"""What builds a package: it is not installed with it."""
 
 
 class Prefix:
@@ -66,3 +68,10 @@ def _has_ros(path: str) -> bool:
             return any(entry.name.startswith("ros") and entry.is_dir() for entry in scan)
     except OSError:
         return False
+
+
+def is_installed(package: str) -> bool:
+    """Whether the package in this directory is an installed one: it lies in ``PREFIX/share``, without what would build it."""
+    if os.path.basename(os.path.dirname(package)) != "share":
+        return False
+    return not any(os.path.isfile(os.path.join(package, name)) for name in _BUILT_BY)

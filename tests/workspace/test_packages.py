@@ -57,6 +57,20 @@ def test_usr_share_only_where_no_workspace_was_given(grow: Grow) -> None:
     assert [each.root for each in Packages([f"{root}/one"], {}, explicit=True).places] == [f"{root}/one"]
 
 
+def test_the_source_of_a_package_counts_before_an_installed_copy(grow: Grow) -> None:
+    root = grow({"install/share/p/package.xml": "package p", "src/p/package.xml": "package p", "install/share/q/package.xml": "package q"})
+    packages = Packages([str(root)], {}, explicit=True)
+    assert packages.find("p", f"{root}/install/share/p/a.launch") == f"{root}/src/p"
+    assert packages.find("q", f"{root}/a.launch") == f"{root}/install/share/q"
+    assert packages.duplicates() == {}
+
+
+def test_a_source_may_lie_in_a_directory_called_share(grow: Grow) -> None:
+    built = {"share/p/package.xml": "package p", "share/p/CMakeLists.txt": "project(p)", "src/p/package.xml": "package p"}
+    packages = Packages([str(grow(built))], {}, explicit=True)
+    assert list(packages.duplicates()) == ["p"]
+
+
 def test_of_several_copies_the_nearest_is_taken_then_the_first(grow: Grow) -> None:
     root = grow({f"{each}/package.xml": "package p" for each in ("a/p", "b/c/p", "b/p", "pp")})
     packages = Packages([str(root)], {}, explicit=True)
