@@ -12,6 +12,9 @@ _ENDS = (
 )
 """What is put behind the name of the file that is made: ``robot.launch.in``; or before its own ending: ``robot.in.launch``."""
 _XML_ENDS = (".urdf", ".srdf", ".sdf", ".xml", ".world", ".model")
+_WORDS = ("template", "example", "sample")
+"""What may stand at the end of its own name: ``robot_template.yaml``. A launch file ``robot_example.launch`` shows how to use another."""
+_LAUNCH_ENDS = (".launch", ".xml", ".test")
 
 
 def template_of(path: str) -> str | None:
@@ -21,6 +24,7 @@ def template_of(path: str) -> str | None:
     wanted = [f"{name}{each}" for each in _ENDS]
     if end:
         wanted += [f"{stem}{each}{end}" for each in _ENDS]
+        wanted += [f"{stem}{mark}{word}{end}" for word in _WORDS for mark in "_-" if word == "template" or end not in _LAUNCH_ENDS]
     if end in _XML_ENDS:
         wanted += [f"{stem}{each}" for each in (".xacro", ".urdf.xacro", ".xml.xacro")]
     listed = set(names(directory))

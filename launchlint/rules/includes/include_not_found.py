@@ -3,7 +3,8 @@
 What it does: it looks for the `file` of every `<include>` whose name can be worked out. A plain relative name is looked up where
 roslaunch is started, not beside the including file. It is a warning where the answer hangs on this machine: for absolute names outside
 the workspace, for relative names that do exist beside the including file, and for files that `CMakeLists.txt` may install. It is an info
-where only the default of an arg leads there that all files which include this one override,
+where only the default of an arg leads there that all files which include this one override, or a default such as `none` that stands for
+no choice,
 for files of the robot (below `/etc`, `/opt`, `/home` and the like, outside of the workspace), for names made from an environment
 variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a template that lies beside
 it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration, or by what `.gitignore`
@@ -59,7 +60,7 @@ from collections.abc import Iterator, Sequence
 from launchlint.evaluate.problems import IncludeNotFound, IncludeNotLoadable
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import fix, set_value, spot
-from launchlint.rules.judging.default_to_correct import correction, has_arg
+from launchlint.rules.judging.default_to_correct import correction, has_arg, unchosen
 from launchlint.rules.judging.installed import installed_from
 from launchlint.rules.judging.joined import led_by
 from launchlint.rules.judging.left_over import left_over_in
@@ -72,7 +73,7 @@ from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.rules.xml.malformed_xml import TEMPLATE
-from launchlint.spelling import closest, same_digits
+from launchlint.spelling import closest, same_digits, same_letters
 from launchlint.syntax.ros1.substitutions import parse
 from launchlint.workspace.looking import is_file, names, walk
 from launchlint.workspace.put_aside import is_out_of_use
@@ -135,6 +136,10 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
         severity, advice = Severity.INFO, maker.help
     elif outside and installed is None and is_robots(file, view.packages, root):
         severity, advice = Severity.INFO, robots_advice(file)
+    choice = unchosen(problem, written, view) if maker is None and installed is None and not relative and not environment else None
+    if choice is not None:
+        severity, advice, repair = Severity.INFO, choice[1], None
+        notes.append(choice[0])
     if environment:
         severity = Severity.INFO
         advice = "give the variable the value it has on the robot, under env: in .launchlint.yaml, or correct the path"
@@ -157,7 +162,9 @@ def together(findings: Sequence[Finding]) -> Finding:
         return led_by(findings, "LL101")._replace(severity=broken.severity)
     if broken is not None:
         return led_by(findings, "LL101")
-    return led_by(findings, "LL215")
+    told = led_by(findings, "LL215")
+    portable = next((each for each in findings if each.rule == "LL406"), None)  # the same name, as it is written
+    return told if portable is None or told.help != _CORRECT else told._replace(help=portable.help)
 
 
 def _keeps_args(written: str, meant: str) -> bool:
@@ -201,7 +208,7 @@ def _suggestion(file: str, problem: IncludeNotFound, written: str, view: LaunchV
     directory, base = posixpath.split(absolute)
     taken = {posixpath.abspath(source.file), *view.included_by.get(source, ())}
     beside = [name for name in _launch_files(directory) if posixpath.join(directory, name) not in taken and is_alike(base, name)]
-    near = _close(base, beside) or _longer(base, beside)
+    near = _close(base, beside) or _longer(base, beside) or same_letters(base, beside)
     if near is not None and not takes(posixpath.join(directory, near), passed):
         near = None
     package = view.packages.package_of(directory)

@@ -70,16 +70,16 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.model import Command
+from launchlint.rules.judging.elsewhere import elsewhere
 from launchlint.rules.judging.made_file import cause_of, made
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.of_environment import hangs_on_environment
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
-from launchlint.spelling import differs_in_meaning, one_slip
+from launchlint.spelling import one_slip
 from launchlint.workspace.looking import exists, names, walk
 from launchlint.workspace.nearby import nearby_file
-from launchlint.workspace.put_aside import is_out_of_use
 
 RULE = Rule("LL411", "named-file-missing", Severity.WARNING)
 
@@ -171,7 +171,7 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         severity, notes = Severity.INFO, [*notes, maker.why]
     elif near is None and not _has_any(package.directory, ending):
         severity, notes = Severity.INFO, [*notes, f"no {ending} file at all is in {package.name}: it may be made, or come from elsewhere"]
-    near = near or _elsewhere(path, package.directory)
+    near = near or elsewhere(path, package, view)
     advice = f"did you mean {near}?" if near is not None else "correct the path, or add the file"
     yield RULE.at(
         use.origin,
@@ -183,22 +183,6 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         topic=path,
         shared_cause=cause_of(path, maker),
     )
-
-
-def _elsewhere(path: str, package: str) -> str | None:
-    """The only file of this name in the package, or else the only one in its directory whose name has more, or fewer, words."""
-    directory, name = posixpath.split(path)
-    same = [posixpath.join(parent, name) for parent, listed in walk(package, _MOST_DIRECTORIES) if name in listed]
-    if len(same) == 1 and not is_out_of_use(same[0], path):
-        return posixpath.relpath(same[0], package)
-    stem, ending = posixpath.splitext(name)
-    others = ((other, other.removesuffix(ending)) for other in names(directory) if other.endswith(ending))
-    longer = [other for other, words in others if _goes_on(words, stem) or _goes_on(stem, words)]
-    return longer[0] if len(longer) == 1 and not differs_in_meaning(longer[0], name) else None
-
-
-def _goes_on(longer: str, stem: str) -> bool:
-    return longer.startswith((f"{stem}_", f"{stem}-"))
 
 
 def _has_any(directory: str, ending: str) -> bool:

@@ -62,6 +62,7 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.late import late
 from launchlint.rules.edits import Spot, fix, set_value
+from launchlint.rules.judging.made_file import cause_of
 from launchlint.rules.judging.template import is_path_to_fill_in
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
@@ -117,8 +118,14 @@ def _finding(fault: _Fault, at: Spot, fix: Fix | None) -> Finding:
     span = at.element.start_span if at.attribute is None else at.attribute.shown_span
     return RULE.at(
         Place(at.document.source, span), fault.message, severity=fault.severity, label="not portable", notes=(fault.note,),
-        help=fault.help, fix=fix, cause=fault.cause,
+        help=fault.help, fix=fix, cause=fault.cause, shared_cause=_missing(at),
     )  # fmt: skip
+
+
+def _missing(at: Spot) -> str:
+    """What LL401 tells, too: that the file which an include names so is not there."""
+    name = "" if at.attribute is None or at.element.tag != "include" or at.attribute.name != "file" else at.attribute.value
+    return cause_of(name, None) if name.startswith("/") and "$" not in name and not exists(name) else ""
 
 
 def _home(parts: Parts, view: FileView) -> _Fault | None:

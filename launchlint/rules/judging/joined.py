@@ -17,9 +17,10 @@ def joined(findings: Sequence[Finding], first: Finding | None = None) -> Finding
     """The :func:`spokesman` of ``findings`` (or the one given as ``first``) with the others as related places, and all repairs as one."""
     first = spokesman(findings) if first is None else first
     others = [finding for finding in findings if finding is not first]
+    elsewhere = [finding for finding in others if finding.location != first.location]
     related = {item.location: item for item in first.related}
-    new = [finding for finding in others if finding.location not in related]
-    for finding in others:
+    new = [finding for finding in elsewhere if finding.location not in related]
+    for finding in elsewhere:
         related.setdefault(finding.location, Related(finding.location, finding.label or finding.message))
         for item in finding.related:
             related.setdefault(item.location, item)

@@ -10,8 +10,9 @@ robot: a path outside of all packages, a relative one, and one that `CMakeLists.
 files (`/etc`, `/opt`, `/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; where an arg gives a relative
 path; where the path is made from an environment variable, whose value here says little; and where the file is made: by a command of
 `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, or by what `.gitignore` keeps out of the repository; where
-it lies in a git submodule that is not checked out; and where only the default of an arg leads there that all files which include this one
-override. A directory that is missing is told once, with all files that would be in it.
+it lies in a git submodule that is not checked out; where only the default of an arg leads there that all files which include this one
+override; and where that default is `none` or the like and files for other values are there. A directory that is missing is told once,
+with all files that would be in it.
 
 ## Example
 
@@ -40,11 +41,13 @@ radius: 0.1
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import ParamFileMissing
 from launchlint.finding import Finding, Severity
-from launchlint.rules.judging.default_to_correct import has_arg
+from launchlint.rules.judging.default_to_correct import has_arg, unchosen
+from launchlint.rules.judging.elsewhere import elsewhere
 from launchlint.rules.judging.installed import installed_from
 from launchlint.rules.judging.joined import led_by
 from launchlint.rules.judging.left_over import left_over_in
@@ -74,12 +77,12 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         notes.append("it is in no package that is here, so that it may be there on the robot")
     name = path.rpartition("/")[2] or path
     severity = None
-    elsewhere = installed_from(problem.file, view.packages) if missing and not problem.relative else None
-    look = missing and not problem.relative and not problem.environment and elsewhere is None
+    installed = installed_from(problem.file, view.packages) if missing and not problem.relative else None
+    look = missing and not problem.relative and not problem.environment and installed is None
     maker = made(problem.file, view, root_of(problem.place.source)) if look else None
     if path and problem.environment:
         severity = Severity.INFO
-    elif elsewhere is not None:
+    elif installed is not None:
         severity = Severity.WARNING
         notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")
     elif maker is not None:
@@ -93,6 +96,10 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     robots = missing and maker is None and look and is_robots(problem.file, view.packages, root_of(problem.place.source))
     if robots:
         severity = Severity.INFO
+    choice = unchosen(problem, problem.place.text, view) if look and maker is None else None
+    if choice is not None:
+        severity = Severity.INFO
+        notes.append(choice[0])
     placeholder = missing and is_path_to_fill_in(path)
     if placeholder:
         severity = Severity.INFO
@@ -114,7 +121,9 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         if maker is not None
         else advice(path)
         if robots
-        else _advice(problem, problem.near if elsewhere is None else shown(elsewhere, root_of(problem.place.source))),
+        else choice[1]
+        if choice is not None
+        else _advice(problem, _near(problem, view) if installed is None else shown(installed, root_of(problem.place.source))),
         shared_cause=left_over_in(problem.file, view) or (cause_of(problem.file, maker) if look and path and not placeholder else ""),
     )
 
@@ -122,6 +131,14 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
 def together(findings: Sequence[Finding]) -> Finding:
     """One for all: text that was meant to be replaced is told before the names of files that have it."""
     return led_by(findings, "LL215")
+
+
+def _near(problem: ParamFileMissing, view: LaunchView) -> str | None:
+    """The file that was probably meant: around the place, else anywhere in its package."""
+    if problem.near is not None or problem.relative or not problem.missing:
+        return problem.near
+    package = view.packages.package_of(problem.file)
+    return None if package is None else elsewhere(posixpath.normpath(problem.file), package, view)
 
 
 def _advice(problem: ParamFileMissing, near: str | None) -> str:

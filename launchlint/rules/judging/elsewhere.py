@@ -1,0 +1,31 @@
+"""Where else in its package the file is that was looked for."""
+
+from __future__ import annotations
+
+import posixpath
+
+from launchlint.rules.judging.package_contents import contents
+from launchlint.rules.view import LaunchView
+from launchlint.spelling import differs_in_meaning
+from launchlint.workspace.looking import names
+from launchlint.workspace.packages import Package
+from launchlint.workspace.put_aside import is_out_of_use
+
+
+def elsewhere(path: str, package: Package, view: LaunchView) -> str | None:
+    """What was probably meant by ``path`` (absolute, in ``package``, not there); ``None`` where nothing is like it.
+
+    That is the only file of this name in the package, or else the only one in its directory whose name has more, or fewer, words.
+    """
+    directory, name = posixpath.split(path)
+    same = [posixpath.join(parent, name) for parent, listed in contents(view.packages).directories(package) if name in listed]
+    if len(same) == 1 and not is_out_of_use(same[0], path):
+        return posixpath.relpath(same[0], package.directory)
+    stem, ending = posixpath.splitext(name)
+    others = ((other, other.removesuffix(ending)) for other in names(directory) if other.endswith(ending))
+    longer = [other for other, words in others if _goes_on(words, stem) or _goes_on(stem, words)]
+    return longer[0] if len(longer) == 1 and not differs_in_meaning(longer[0], name) else None
+
+
+def _goes_on(longer: str, stem: str) -> bool:
+    return longer.startswith((f"{stem}_", f"{stem}-"))
