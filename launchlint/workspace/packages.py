@@ -2,9 +2,8 @@
 
 Where several places have a package of one name, the order is: the workspaces as given, the entries of
 ``ROS_PACKAGE_PATH``, then installed prefixes (``CMAKE_PREFIX_PATH``, ``/opt/ros/$ROS_DISTRO``) and last ``/usr/share``, which Debian's
-rospkg always adds. Every place is crawled when it is first needed, and only if no earlier one has the name.
-
-Different from rospkg on purpose: where one place has the source of a package and an installed copy of it, the source counts.
+rospkg always adds. Every place is crawled when it is first needed, and only if no earlier one has the name. Where one
+place has the source of a package and an installed copy of it, the source counts, whatever rospkg would meet first.
 """
 
 from __future__ import annotations
@@ -150,8 +149,7 @@ class _Place:
                 if package.name and not package.is_metapackage and not package.broken:
                     self._by_name.setdefault(package.name, []).append(package)
             for name, copies in self._by_name.items():
-                if len(copies) > 1:
-                    self._by_name[name] = [each for each in copies if not is_installed(each.directory)] or copies
+                self._by_name[name] = [each for each in copies if len(copies) > 1 and not is_installed(each.directory)] or copies
         return self._all
 
 
@@ -215,8 +213,7 @@ class Packages:
 
     def find(self, name: str, near: str) -> str | None:
         """The directory of package ``name``, as ``$(find name)`` answers it (rospkg.RosPack.get_path)."""
-        package = self.get(name, near)
-        return None if package is None else package.directory
+        return None if (package := self.get(name, near)) is None else package.directory
 
     def has(self, name: str) -> bool:
         """Whether any place has a package of this name."""
