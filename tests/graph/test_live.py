@@ -110,5 +110,5 @@ def test_the_live_types_are_the_predicted_ones(name: str, comparisons: dict[str,
 
 
 def test_ci_installs_what_the_launch_files_start(root: Path) -> None:
-    words = (root / ".ci" / "run").read_text(encoding="utf-8").split()
+    words = (root / ".ci" / "debian-packages").read_text(encoding="utf-8").split()
     assert [package for package in live.DEBIAN if package not in words] == []
