@@ -14,6 +14,7 @@ from typing import NamedTuple
 from launchlint.finding import Severity
 from launchlint.graph.connections import HUBS, OFFERS, Channel, Endpoint, Instance
 from launchlint.graph.plausible import Possible
+from launchlint.library.shipped import is_in_library
 from launchlint.rules.judging.name_places import owners
 from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
 from launchlint.rules.judging.same_definition import STANDARD, is_known, stands_for
@@ -227,6 +228,8 @@ class LooseEnds:
         if loose and (self._are_only_ends(end) or (alone and source and not doubtful and self._are_only_two(end, other))):
             return Severity.WARNING
         if how == NAMESPACE:
+            if not offers and not end.applied and self._is_of_absent_program(end.name, other.name):
+                return Severity.INFO if alone else None
             same = loose and end.declared == other.declared
             waits = not offers and (loose or bool(end.applied))
             sure = same or waits or (source and (loose or (offers and alone)))
@@ -237,6 +240,12 @@ class LooseEnds:
         if not how:
             return Severity.INFO if alone and not doubtful and (source if offers else loose) else None
         return Severity.INFO if alone or (loose and source) else None
+
+    def _is_of_absent_program(self, name: str, other: str) -> bool:
+        """Whether ``name``, and not ``other``, lies below the name of a known program that is not started here: that gives it."""
+        apart = set(name.split("/")[1:-1]) - set(other.split("/"))
+        here = {each.name.rpartition("/")[2] for each in self.graph.instances} if apart else set()
+        return any(each not in here and is_in_library(each) for each in sorted(apart))
 
     def _in_doubt(self, end: Endpoint, other: Endpoint, how: str, doubts: tuple[Possible, ...], level: Severity | None) -> Severity | None:
         """How sure that is of two loose ends beside which there are others that could be at one of them, though nothing says so."""
