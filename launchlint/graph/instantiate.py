@@ -116,7 +116,7 @@ def _filled(declaration: Declaration, start: Start) -> Iterator[tuple[str | Unde
         if name is None or name == "":
             continue
         if isinstance(name, str) and name.startswith("~/") and declaration.name.startswith("~{"):
-            name = name[1:]  # a private NodeHandle that is given a global name by a param or an argument
+            name = name[1:]  # a private NodeHandle is asked for a name that a param or an argument makes global
         type_ = fill(parse(declaration.type), start, item) if is_template(declaration.type) else declaration.type
         yield name, type_ if isinstance(type_, str) else ""
 

@@ -2,7 +2,8 @@
 
 What a person wrote comes before what was seen in a run, that before what was read from source (:mod:`.merge`); of equals the user's
 libraries, the last one first, come before the one that launchlint ships. Only what is asked for is read. What the checked packages' own
-sources say is asked for where nobody described or ran the program (:mod:`.precedence`).
+sources say is asked for unless a library of the user describes the program or saw it run, and comes before what launchlint ships of the
+public version (:mod:`.precedence`).
 """
 
 from __future__ import annotations
@@ -157,7 +158,7 @@ class Library:
             return [*given, *shipped]
         from launchlint.library.precedence import heard, suffices
 
-        own = None if suffices(given, shipped) else self._own.program(package, table, name)
+        own = None if suffices(given) else self._own.program(package, table, name)
         return [*given, *shipped] if own is None else heard(given, own, shipped)
 
     def wants_sources(self, package: str, table: str, name: str) -> bool:
@@ -166,7 +167,7 @@ class Library:
             return False
         from launchlint.library.precedence import suffices
 
-        return not suffices(_about(self._given(package), table, name), _about(self._shipped(package), table, name))
+        return not suffices(_about(self._given(package), table, name))
 
     def why_unknown(self, table: str, name: str, package: str = "") -> str:
         """Why the sources of a program say nothing of it; empty where it is not of the checked packages."""

@@ -29,22 +29,27 @@ def trust(said: Said) -> int:
     return best or STATIC
 
 
-def suffices(given: Sequence[Said], shipped: Sequence[Said]) -> bool:
-    """Whether the sources of the program need not be read: somebody ran it, or a person described it.
-
-    ``given`` are the user's libraries, ``shipped`` the one of launchlint: what it saw was another version of a program that lies here.
+def suffices(given: Sequence[Said]) -> bool:
+    """Whether the sources of a program of the checked packages need not be read: in the user's libraries (``given``) somebody ran it, or
+    a person described it. What launchlint ships was said of the public version; what lies here is a copy, and runs.
     """
-    return any(trust(each) > STATIC for each in given) or any(trust(each) == MANUAL for each in shipped)
+    return any(trust(each) > STATIC for each in given)
 
 
 def heard(given: Sequence[Said], own: Said, shipped: Sequence[Said]) -> list[Said]:
     """All that is heard beside ``own``, what the program's sources say here and now; the most trusted of equals first.
 
     What was read of them at another time counts no more: of the user's libraries, unless these sources leave something open; of the
-    library that launchlint ships, in any case. Where the sources say nothing, what was seen in a run stands alone.
+    library that launchlint ships, in any case. What that has of a run or from a person counts as far as these sources leave something open
+    (:mod:`.vendored`). Where they say nothing, it stands alone.
     """
     seen = [each for each in shipped if trust(each) > STATIC]
     if not any(variant.get(category) for variant in own.get("variants", {}).values() for category in CATEGORIES) and (given or seen):
         return [*given, *seen]
     is_open = any("open" in variant for variant in own.get("variants", {}).values())
-    return [own, *(given if is_open else ()), *seen]
+    mine = [own]
+    if seen:
+        from launchlint.library.vendored import copy_first
+
+        mine = copy_first(own, seen, by_hand=any(trust(each) == MANUAL for each in seen))
+    return [mine[0], *(given if is_open else ()), *mine[1:]]

@@ -228,7 +228,8 @@ def default_text(name: str) -> str:
     """
     if not is_template(name):
         return name
-    return _default_of(parse(name))
+    text = _default_of(parse(name))
+    return f"~{text[1:].lstrip('/')}" if text.startswith("~/") else text
 
 
 def _default_of(parts: Template) -> str:

@@ -12,6 +12,7 @@ import pytest
 
 from launchlint.knowledge import reading
 from launchlint.knowledge.own import OwnSources
+from launchlint.library.lookup import Library
 from launchlint.workspace import reading as disk
 from launchlint.workspace.packages import Packages
 from tests.cli.running import PACKAGE, write
@@ -192,3 +193,28 @@ def test_a_nodelet_is_found_by_its_class(workspace: Path) -> None:
         assert sources.packages_of_class(name, everywhere=True) == ["other"]
         assert names(sources.program("other", "nodelets", name), "subscribers")[0][:2] == ("sunk", "std_msgs/String")
     assert own(workspace).packages_of_class("strange/Sink", everywhere=False) == []
+
+
+def test_a_copy_of_a_public_package_is_what_runs(workspace: Path) -> None:
+    text = """\
+#include <ros/ros.h>
+#include <nav_msgs/GetMap.h>
+#include <nav_msgs/OccupancyGrid.h>
+
+bool answer(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response&) { return true; }
+
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "map_server");
+  ros::NodeHandle node;
+  ros::ServiceServer service = node.advertiseService("static_map", answer);
+  ros::Publisher publisher = node.advertise<nav_msgs::OccupancyGrid>("map", 1, true);
+  ros::spin();
+}
+"""
+    cmake = "cmake_minimum_required(VERSION 3.0)\nproject(map_server)\nfind_package(catkin)\nadd_executable(map_server main.cpp)\n"
+    files = {"package.xml": PACKAGE.format(name="map_server"), "CMakeLists.txt": cmake, "main.cpp": text}
+    write(workspace, {f"map_server/{name}": content for name, content in files.items()})
+    found = [Library(own=each).executable("map_server", "map_server") for each in (None, own(workspace))]
+    names = [sorted(each.name for each in program.variants[0].declarations if each.category != "params") for program in found if program]
+    assert names == [["change_map", "map", "map_metadata", "static_map"], ["map", "static_map"]]

@@ -73,6 +73,7 @@ def test_fill_with_each(template: str, each: Any, expected: Any) -> None:
     [
         ("scan", "scan"),
         ("{param:~topic|scan}", "scan"),
+        ("~/{param:~camera|/left}/image", "~left/image"),
         ("{arg:2|{arg:1}_relay}", "{arg:1}_relay"),
         ("{remap:in}/compressed", "in/compressed"),
         ("{parent:camera/image}/camera_info", "camera/camera_info"),

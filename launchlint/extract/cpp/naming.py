@@ -17,6 +17,8 @@ _POINTER_ENDS = ("ConstPtr", "Ptr", "ConstSharedPtr", "SharedPtr", "const_ptr", 
 _PARTS_OF_SERVICE = ("Request", "Response", "RequestType", "ResponseType")
 _NAME = re.compile(r"[A-Za-z]\w*")
 _ABSOLUTE = re.compile(r"(?:\{param:[^|{}]*\|)+/")
+_PRIVATE = re.compile(r"~/(?!\{(?:param|arg|option):)")
+"""``~`` says the same, unless a value follows that may have a slash in front: behind ``~/`` it is private all the same (names::append)."""
 _EMPTY = re.compile(r"~?\{param:[^|{}]*\|\}")
 _ANY_MESSAGE = frozenset(("topic_tools::ShapeShifter", "ShapeShifter", "RosIntrospection::ShapeShifter", "rosbag::MessageInstance"))
 _CLOUDS = ("pcl::PointCloud", "pcl::PCLPointCloud2", "pcl::PointCloudXYZ")
@@ -296,7 +298,7 @@ def is_anchored(name: str) -> bool:
 def below(namespace: str, name: str) -> str:
     """The namespace of a node handle made of another one and a name."""
     if name.startswith("~"):
-        return "~" + name[1:].lstrip("/")
+        return "~/" + name[1:].lstrip("/") if name.strip("~/") else "~"
     return name if name == UNKNOWN_SPACE else in_namespace(namespace, name)
 
 
@@ -311,7 +313,7 @@ def finished(name: str) -> str:
     elif name.startswith("~" + NODE_NAME):
         name = "~" + name[2:].lstrip("/")
     name = name.replace(NODE_NAME, ANY).replace(NODE_NAMESPACE, ANY).replace(PLUGIN, ANY)
-    name = re.sub(r"/{2,}", "/", name).replace("~/", "~")
+    name = _PRIVATE.sub("~", re.sub(r"/{2,}", "/", name))
     if _EMPTY.fullmatch(name):
         name = name[:-2] + "}"  # no topic can be called by an empty default
     while ANY + ANY in name:

@@ -169,6 +169,12 @@ def test_classes_of_well_known_packages_make_what_is_known_of_them(tmp_path: Pat
     assert doubted(tmp_path, in_main(body)) == reasons
 
 
+def test_a_move_group_hears_the_joints_only_once_it_is_asked_for_the_state(tmp_path: Path) -> None:
+    facts, _ = program(tmp_path, in_main('moveit::planning_interface::MoveGroupInterface arm("arm");'))
+    heard = {fact.name: fact.condition for fact in facts if fact.category == "subscribers"}
+    assert heard == {"joint_states": "the state of the robot is asked for", "/tf": "", "/tf_static": ""}
+
+
 def test_a_base_class_that_is_not_here_may_talk(tmp_path: Path) -> None:
     source = "struct Node : public {base} {{ Node() {{}} }};\nint main() {{ Node node; }}"
     assert doubted(tmp_path, source.format(base="robot::Skill")) == {"the base class robot::Skill is not in these sources": CATEGORIES}

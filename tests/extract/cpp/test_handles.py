@@ -15,6 +15,28 @@ CASES = {
     "sub": ('ros::NodeHandle nh("arm");\nnh.advertise<std_msgs::String>("a", 5);', "publishers arm/a std_msgs/String 3 queue=5"),
     "global": ('ros::NodeHandle nh("/arm");\nnh.advertise<std_msgs::String>("a", 5);', "publishers /arm/a std_msgs/String 3 queue=5"),
     "global name": ('ros::NodeHandle nh("~");\nnh.advertise<std_msgs::String>("/a", 5);', "publishers /a std_msgs/String 3 queue=5"),
+    "private, named by a param": (
+        """
+        std::string name = ros::param::param<std::string>("~camera", "camera");
+        ros::NodeHandle nh("~/" + name);
+        nh.advertise<std_msgs::String>("a", 5);
+        """,
+        """
+        params ~camera str 2 default="camera"
+        publishers ~/{param:~camera|camera}/a std_msgs/String 4 queue=5
+        """,
+    ),
+    "a name of a param in a private one": (
+        """
+        std::string name = ros::param::param<std::string>("~camera", "camera");
+        ros::NodeHandle nh(ros::NodeHandle("~"), name);
+        nh.advertise<std_msgs::String>("a", 5);
+        """,
+        """
+        params ~camera str 2 default="camera"
+        publishers ~{param:~camera|camera}/a std_msgs/String 4 queue=5
+        """,
+    ),
     "nested": (
         'ros::NodeHandle nh("~");\nros::NodeHandle arm(nh, "arm");\narm.advertise<std_msgs::String>("a", 5);',
         "publishers ~arm/a std_msgs/String 4 queue=5",

@@ -24,13 +24,14 @@ _ARGUMENT = re.compile(r"<(\d)(?:\|([^>]*))?>")
 
 
 class Say(NamedTuple):
-    """One name that an object makes."""
+    """One name that an object makes; ``condition`` says in words what must happen to it first."""
 
     category: str
     name: str
     type: str = ""
     role: str = ""
     latched: bool = False
+    condition: str = ""
 
 
 class Model(NamedTuple):
@@ -73,7 +74,7 @@ _MOVE_GROUP = Model(
         ),
         Say("publishers", "trajectory_execution_event", "std_msgs/String"),
         Say("publishers", "attached_collision_object", "moveit_msgs/AttachedCollisionObject"),
-        Say("subscribers", "joint_states", "sensor_msgs/JointState"),
+        Say("subscribers", "joint_states", "sensor_msgs/JointState", condition="the state of the robot is asked for"),
         Say("params", f"move_group/{ANY}"),
         *_TF,
         *_ROBOT,
@@ -229,6 +230,7 @@ def modelled(asked: Call, model: Model) -> Value:
     handles = [each.value for each in asked.arguments if any(isinstance(one, Handle) for _, one in choices(each.value))]
     handle = handles[0] if handles else Handle("")
     given = [each.value for each in asked.arguments if not any(isinstance(one, Handle) for _, one in choices(each.value))]
+    before = len(machine.conditions)
     for each in model.says:
         names = _names(each.name, given)
         found: list[tuple[str, Value]] = []
@@ -236,7 +238,9 @@ def modelled(asked: Call, model: Model) -> Value:
             inner = params.named(space if isinstance(space, Handle) else Handle(""), names)
             found += [(condition or one, value) for one, value in choices(inner)]
         more = {key: value for key, value in (("role", each.role), ("latched", each.latched)) if value}
+        machine.conditions += [each.condition] if each.condition else []
         machine.fact(each.category, either(found), asked.node, asked.frame, type=each.type, **more)
+        del machine.conditions[before:]
     for category in model.opens:
         machine.doubt(category, model.reason, asked.node, asked.frame)
     machine.serial += 1
