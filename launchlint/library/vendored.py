@@ -102,9 +102,19 @@ def _completed(entry: Said, other: Said | None) -> Said:
 
 
 def _without_parts(mine: Said, described: Sequence[Said]) -> Said:
-    """``mine`` without names known in part, of the categories of which one of these has names, or says that there may be any more."""
-    told = {category for variant in described for category in CATEGORIES if category in variant or category in variant.get("open", ())}
-    return {key: [each for each in value if ANY not in each["name"]] if key in told else value for key, value in mine.items()}
+    """``mine`` without names known in part, of the categories of which one of these has names, or says that there may be any more.
+
+    Where one says that there may be more, names that the sources are not sure of say nothing else.
+    """
+    opened = {category for variant in described for category in variant.get("open", ())}
+    told = opened | {category for variant in described for category in CATEGORIES if category in variant}
+    return {key: [each for each in value if not _is_part(each, key in opened)] if key in told else value for key, value in mine.items()}
+
+
+def _is_part(entry: Said, is_open: bool) -> bool:
+    condition = entry.get("condition", {})
+    unsure = "text" in condition or any("text" in each for each in condition.get("any", ()))
+    return ANY in entry["name"] or (is_open and unsure)
 
 
 def _key(category: str, entry: Said) -> tuple[str, str, str]:

@@ -109,3 +109,11 @@ def test_only_a_person_knows_what_names_known_in_part_are() -> None:
 def test_which_part_of_a_name_is_remapped_is_known_of_the_public_version(public: str, name: str) -> None:
     own = executable(publishers=[entry("camera/image", "static")])
     assert [each for each, _, _ in told(joined(own, executable(publishers=[entry(public, "manual")]))["default"])] == [name]
+
+
+@pytest.mark.parametrize(("opened", "names"), [({}, ["fix", "robot_1/odom"]), ({"publishers": "robots of the world"}, ["fix"])])
+def test_names_that_may_be_there_are_told_unless_a_person_leaves_it_open(opened: dict[str, str], names: list[str]) -> None:
+    robot = entry("robot_1/odom", "static", condition={"text": "robots > 1"})
+    own = executable(publishers=[entry("fix", "static"), robot], open={"publishers": "a loop"}, literals=["fix", "odom"])
+    known = joined(own, executable(publishers=[entry("fix", "manual")], open=opened))["default"]
+    assert [name for name, _, _ in told(known)] == names
