@@ -15,6 +15,7 @@ from launchlint.late import late
 from launchlint.library.shipped import Bundled, is_in_library
 from launchlint.rules.judging.stale_package import holds_some, lacks_all, own_instead, programs_asked
 from launchlint.spelling import closest, distance, folded, one_slip
+from launchlint.workspace.looking import note, watched
 from launchlint.workspace.packages import Hidden, Package, Packages
 from launchlint.workspace.public_packages import public_names
 from launchlint.workspace.source_lists import GITMODULES
@@ -62,6 +63,21 @@ def judge(name: str, packages: Packages, near: str, text: str) -> Judgement | No
     """
     if packages.has(name) or is_placeholder(name):
         return None
+    key = (name, near, text)  # of all configurations of a file alike
+    told = packages.once(_told)
+    if key not in told:
+        told[key] = watched(lambda: _judge_in(name, packages, near, text))
+    answer, looked = told[key]
+    note(looked)
+    return answer
+
+
+def _told(packages: Packages) -> dict[tuple[str, str, str], tuple[Judgement | None, frozenset[str]]]:
+    """The answers given so far, by the missing name and the file that uses it, and what they hang on."""
+    return {}
+
+
+def _judge_in(name: str, packages: Packages, near: str, text: str) -> Judgement | None:
     home = packages.package_of(near)
     own = None if packages.complete else own_instead(name, text, packages, near)
     if own is not None and packages.listed_in(name) is None:
