@@ -5,7 +5,8 @@ Variables that every login or ROS installation sets are not told of, nor those t
 `package.xml` needs. Others may be set on the robot and not where this check runs; `env:` in `.launchlint.yaml` gives them a value for the
 check. The variables of a file are told of together. It is an info where the workspace itself sets or reads the variable elsewhere (a shell
 file, a Dockerfile, a service, `os.environ` or `getenv`), where a document of it or a comment of the launch file names the variable (then
-people are told to set it), and where three or more launch files read it: it is the project's own.
+people are told to set it), where it is a secret by its name (`DB_PASSWORD`, `API_TOKEN`), and where
+three or more launch files read it: it is the project's own.
 
 ## Why it matters
 
@@ -35,6 +36,7 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import EnvUnset
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
 from launchlint.rules.judging.first_of_file import all_but_first
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.other_file import root_of, shown
@@ -56,6 +58,10 @@ USUAL = (
 OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE")
 
 
+SECRET = "it holds a secret, by its name: it belongs into no file, and without it nothing is to start"
+_IS_SECRET = late(r"(?:^|_)(?:PW|PWD|PASS|PASSWD|PASSWORD|TOKEN|SECRET|(?:API_?)?KEY)$")
+
+
 def check(view: LaunchView) -> Iterator[Fine]:
     """Tell of each variable once in a file."""
     return all_but_first(RULE, ((each, each.variable) for each in view.launch.noticed(EnvUnset)))
@@ -67,8 +73,10 @@ def tell(problem: EnvUnset, view: LaunchView) -> Iterator[Finding]:
     if _is_set(name, view):
         return
     slip = slip_of(name)
-    reason = "" if slip is not None else _elsewhere(name, problem, view)
+    reason = "" if slip is not None else SECRET if _IS_SECRET.search(name) is not None else _elsewhere(name, problem, view)
     given = f"write $(optenv {name} DEFAULT), or give it a value under env: in .launchlint.yaml if it is always set"
+    if reason == SECRET:
+        given = "set it before roslaunch is called; give it any value under env: in .launchlint.yaml for the check"
     yield RULE.at(
         problem.origin,
         f"the environment variable {name} is not set here",

@@ -5,8 +5,8 @@ workspace. It is an error where roslaunch itself fails because of it: `command` 
 read the file. Files that are there to be written (behind `-o` or `>`, of a recorder) are passed over; logs, bags and the like, too, unless
 a file of nearly that name is there. It is an info where a file is made: by a command of `CMakeLists.txt`, from a template that
 lies beside it, by another node, or by what `.gitignore` keeps out of the repository; where it lies in a git submodule that is not checked
-out; and where the package has no file of that kind at all. Silent it is where the name is made from an environment variable, also by way
-of args. What LL401 or LL502 tells is not told again.
+out; where the package has no file of that kind at all; and where args make the name and it takes another value than a default. Silent it
+is where the name is made from an environment variable, also by way of args. What LL401 or LL502 tells is not told again.
 
 ## Why it matters
 
@@ -78,6 +78,7 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
 from launchlint.spelling import one_slip
+from launchlint.syntax.ros1.substitutions import opens
 from launchlint.workspace.looking import exists, names, walk
 from launchlint.workspace.nearby import nearby_file
 
@@ -169,6 +170,8 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
     severity, notes = (Severity.ERROR, ["roslaunch runs the command, and stops where it fails"]) if fails else (None, [])
     if maker is not None:
         severity, notes = Severity.INFO, [*notes, maker.why]
+    elif view.launch.given and opens(written):
+        severity, notes = Severity.INFO, [*notes, "the name is made from args, and these values are only one choice"]
     elif near is None and not _has_any(package.directory, ending):
         severity, notes = Severity.INFO, [*notes, f"no {ending} file at all is in {package.name}: it may be made, or come from elsewhere"]
     near = near or elsewhere(path, package, view)

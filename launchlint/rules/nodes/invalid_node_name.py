@@ -1,7 +1,8 @@
 """A node has a name that ROS does not allow.
 
 What it does: it looks at the resolved `name` of nodes and tests. A slash or a leading `~` is an error, because roslaunch refuses
-the file. Other characters than letters, digits and `_`, a digit at the start, and an empty name are warnings.
+the file; a slash is a warning where args make the name and it takes another value than a default. Other characters than letters, digits
+and `_`, a digit at the start, and an empty name are warnings.
 
 ## Why it matters
 
@@ -49,10 +50,13 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
     name, reason = problem.name, problem.reason
     if reason == "slash":
         namespace, _, base = name.strip("/").rpartition("/")
+        literal = is_literal(problem.place, name)
+        advice = f'write name="{base}" ns="{namespace}"' if namespace else f'write name="{base}"'
         yield RULE.at(
             problem.origin, f"the node name {name} has a slash in it", label="a node name has no namespace",
+            severity=Severity.WARNING if view.launch.given and not literal else None,
             notes=("roslaunch stops with: node name cannot contain a namespace",),
-            help=f'write name="{base}" ns="{namespace}"' if namespace else f'write name="{base}"',
+            help=advice if literal else f"give the arg a value without a slash, as {base}, and the namespace in ns",
             fix=_split(problem, view, name, base, namespace),
         )  # fmt: skip
     elif reason == "private":

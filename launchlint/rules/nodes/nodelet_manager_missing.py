@@ -3,8 +3,9 @@
 What it does: for every `nodelet load CLASS MANAGER` it resolves the manager's name as the node does and looks for a node of that
 full name. It is an error where the name is one slip away from a node of the launch, a warning where the launch has other managers
 or other nodelets spell the name a letter otherwise, and an info where it has none at all: a file may be meant to be included
-beside a manager, or to be started beside one. It is silent where a launch file includes this one together with files that are not here:
-these may start the manager.
+beside a manager, or to be started beside one. Where it takes an arg of another value than its default to load the nodelet, each is one
+level lower: whoever gives that may start a manager, too. It is silent where a launch file includes this one together with files that
+are not here: these may start the manager.
 
 ## Why it matters
 
@@ -72,7 +73,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
         yield RULE.at(
             Origin(place, node.origin.step),
             f"no node is called {full}, the manager of this nodelet",
-            severity=_severity(slip, bool(managers) or sibling is not None, view.declared_entry),
+            severity=_severity(slip, bool(managers) or sibling is not None, view.declared_entry, by_default=not launch.given),
             label="no such manager",
             notes=(*here, "the nodelet waits for its manager for ever"),
             help=_help(full, slip or sibling or _near(full, managers)),
@@ -104,16 +105,18 @@ def _is_remapped(node: Node, full: str) -> bool:
     return any((remap.source if remap.source.startswith("/") else node.namespace + remap.source) in wanted for remap in node.remaps)
 
 
-def _severity(slip: str | None, managers: bool, declared: bool) -> Severity:
+def _severity(slip: str | None, managers: bool, declared: bool, *, by_default: bool) -> Severity:
+    """An error only where nothing has to be given for it: who switches the nodelet on may switch its manager on, too, or start one."""
     if slip is not None:
-        return Severity.ERROR
-    level = Severity.WARNING if managers else Severity.INFO
-    return Severity(level + 1) if declared else level
+        return Severity.ERROR if by_default else Severity.WARNING
+    level = Severity.WARNING if managers and by_default else Severity.INFO
+    return Severity(level + 1) if declared and by_default else level
 
 
 def _near(full: str, managers: set[str]) -> str | None:
     """A manager of the same name in another namespace, or one of a similar name."""
     base = full.rpartition("/")[2]
+    managers = {name for name in managers if "//" not in name}
     same = sorted(name for name in managers if name.rpartition("/")[2] == base)
     return same[0] if same else closest(full, managers)
 
