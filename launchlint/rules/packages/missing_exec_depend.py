@@ -65,7 +65,8 @@ farm, a fresh robot) the launch fails, unless something else brings the package 
 only is left alone, and so is what needs this package itself to be built: the dependency would close a ring, and catkin would build
 nothing any more. Where two packages would only need each other to run, catkin has no objection; no fix makes such a ring either, since the
 file may belong into the other package. A fix is not called safe where it names a package of the workspace with launch files of its own:
-that one's fix could close the ring from the other side.
+that one's fix could close the ring from the other side. Nor is it where no distribution that the workspace is for (Kinetic and later, where
+it names none) has released the package: rosdep would not find it.
 """
 
 from __future__ import annotations
@@ -91,6 +92,7 @@ from launchlint.syntax.tree import Document, Element
 from launchlint.workspace.build_order import ways_to
 from launchlint.workspace.looking import is_file
 from launchlint.workspace.public_packages import public_names
+from launchlint.workspace.releases import never_released
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -113,6 +115,10 @@ RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports
 
 _FIND = late(r"\bfind\(\s*['\"]([^'\"]*)['\"]\s*\)")
 """As an expression asks for a package."""
+
+
+_RECENT = ("kinetic", "melodic", "noetic")
+"""What a workspace that names no distribution is taken to be for."""
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -172,8 +178,16 @@ def check(view: FileView) -> Iterator[Finding]:
             help=_MOVE.format(document.source.path) if way is not None else f"{'change it to' if tested else 'add'} {line}",
             topic=name,
             cause="" if tested else manifest_path,
-            fix=None if tested or (reason and not extra) or way is not None else _fix(place, manifest, line, safe=name not in later),
+            fix=None
+            if tested or (reason and not extra) or way is not None
+            else _fix(place, manifest, line, safe=name not in later and _can_be_had(name, packages)),
         )
+
+
+def _can_be_had(name: str, packages: Packages) -> bool:
+    """Whether rosdep finds the package: it is here, or was released for a distribution that the workspace is for."""
+    meant = packages.distributions().meant or _RECENT
+    return packages.has(name) or any(not never_released((name,), distribution) for distribution in meant)
 
 
 def _home(packages: Packages, file: str) -> Package | None:
