@@ -39,6 +39,10 @@ class Spot(NamedTuple):
         return self.document.source
 
 
+MOST_ATTRIBUTES = 500
+"""Of one element, among which the one at a place is looked for."""
+
+
 def fix(message: str, edits: Edits, *, safe: bool, changes: str = "") -> Fix | None:
     """The fix made of ``edits``, None where there are none; ``changes`` as in :class:`~launchlint.finding.Fix`."""
     return Fix(message, safe, edits, changes) if edits else None
@@ -58,6 +62,8 @@ def spot(view: object, place: Place) -> Spot | None:
     element = begun_before(document, at)
     if element is None or not _is_written(document, element) or not element.start_span.start <= at < element.start_span.end:
         return None
+    if len(element.attributes) > MOST_ATTRIBUTES:
+        return Spot(document, element, None)  # nobody has written it by hand; to look through all of them for each takes too long
     inside = (each for each in element.attributes.values() if each.span.start <= at < each.span.end and _has_name(document, each))
     return Spot(document, element, next(inside, None))
 

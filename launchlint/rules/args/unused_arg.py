@@ -65,6 +65,8 @@ _MOST_ALIKE = 40
 """Args by which copies of a file are recognised; each finding carries them."""
 _SHORT = 3
 """Names of so many letters are one letter away from many others."""
+_MOST_UNDECLARED = 40
+"""Names that a file reads and does not declare, with each of which an arg that it does not read is compared."""
 RULE = Rule("LL206", "unused-arg", Severity.WARNING, fixable="unsafe")
 
 # Not the grammar of substitutions: whatever looks like a read counts as one, closed or not, also in comments. What is wrong with it is told
@@ -102,7 +104,8 @@ def check(view: FileView) -> Iterator[Finding]:
         for name, elements in declared.items()
         if name not in read and not any(_is_check(element) or element.index in kept for element in elements)
     }
-    meant = {name: near for name in unread if (near := _read_instead(name, _asked_names(document) - declared.keys()))}
+    undeclared = sorted(_asked_names(document) - declared.keys()) if unread else []
+    meant = {name: near for name in unread if (near := _read_instead(name, undeclared))}
     reasons = {name: _why_idle(name, elements, in_comments) for name, elements in unread.items()}
     causes = {
         reason: _cause([unread[name] for name, each in reasons.items() if each == reason and name not in meant], reason, document)
@@ -177,12 +180,14 @@ def _asked_names(document: Document) -> set[str]:
     return {name for text in texts if "$(arg" in text for name in READ.findall(text)}
 
 
-def _read_instead(name: str, undeclared: set[str]) -> str:
+def _read_instead(name: str, undeclared: Sequence[str]) -> str:
     """The arg that is read and not declared of which ``name`` may be the declaration; empty where there is none.
 
     Here one letter or digit more is a slip as well: an arg that nobody declares is no neighbour of this one.
     """
-    near = closest(name, sorted(undeclared))
+    if len(undeclared) > _MOST_UNDECLARED:
+        return ""
+    near = closest(name, undeclared)
     if near is None and len(name) > _SHORT:
         near = min((each for each in undeclared if distance(folded(name), folded(each), 1) <= 1), default=None)
     return near or ""

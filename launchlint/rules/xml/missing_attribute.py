@@ -31,7 +31,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
-from launchlint.rules.edits import spot
+from launchlint.rules.edits import MOST_ATTRIBUTES, spot
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest
 from launchlint.syntax.problems import MissingAttribute
@@ -83,7 +83,7 @@ def _advice(tag: str, name: str) -> str:
 
 def name_instead(element: Element) -> str | None:
     """The attribute that is the name itself, as in ``<arg speed="2"/>``; ``None`` where there is no such one, or more than one."""
-    if element.tag not in ("arg", "param") or "name" in element.attributes:
+    if element.tag not in ("arg", "param") or "name" in element.attributes or len(element.attributes) > MOST_ATTRIBUTES:
         return None
     known = TAGS[element.tag].known
     strange = [each for each in element.attributes if each not in known]
