@@ -67,6 +67,7 @@ class LooseEnds:
         self._by_type: dict[tuple[str, bool, str], list[Channel]] | None = None
         self._connected: dict[int, bool] = {}
         self._programs = Counter(instance.program for instance in self.graph.instances)
+        self._started = {instance.name.rpartition("/")[2] for instance in self.graph.instances}
         self._compared = 0
         self._possible: dict[tuple[int, bool], tuple[Possible, ...] | None] = {}
 
@@ -244,8 +245,7 @@ class LooseEnds:
     def _is_of_absent_program(self, name: str, other: str) -> bool:
         """Whether ``name``, and not ``other``, lies below the name of a known program that is not started here: that gives it."""
         apart = set(name.split("/")[1:-1]) - set(other.split("/"))
-        here = {each.name.rpartition("/")[2] for each in self.graph.instances} if apart else set()
-        return any(each not in here and is_in_library(each) for each in sorted(apart))
+        return any(each not in self._started and is_in_library(each) for each in apart)
 
     def _in_doubt(self, end: Endpoint, other: Endpoint, how: str, doubts: tuple[Possible, ...], level: Severity | None) -> Severity | None:
         """How sure that is of two loose ends beside which there are others that could be at one of them, though nothing says so."""
