@@ -1,0 +1,344 @@
+"""What a ROS 2 launch file describes: actions, and the texts and conditions in them, before anything is executed.
+
+All front ends (XML, YAML and Python) make these, each with its place; :mod:`launchlint.evaluate.ros2` executes them in document order, with
+a context that says what the texts stand for. Fields have the names that launch and launch_ros give them in Python.
+
+Source: ``launch.actions``, ``launch_ros.actions``, ``launch.substitutions`` and their ``parse`` methods for launch's front ends.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from launchlint.source import Place
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Literal, TypeAlias
+
+
+class Substitution(NamedTuple):
+    """``$(name argument …)``: computed when its action is executed. ``name`` is the front end's (``var``, ``find-pkg-share``)."""
+
+    name: str
+    arguments: tuple[Text, ...]
+    place: Place
+
+
+class Text(NamedTuple):
+    """A value of an action: pieces that are joined to one string when the action is executed. Without pieces it is the empty string."""
+
+    pieces: tuple[str | Substitution, ...]
+    place: Place
+
+    @property
+    def literal(self) -> str | None:
+        """The string itself, where nothing in it is computed."""
+        if not self.pieces:
+            return ""
+        return self.pieces[0] if len(self.pieces) == 1 and isinstance(self.pieces[0], str) else None
+
+
+class Condition(NamedTuple):
+    """Whether an action is executed: ``if`` and ``unless`` have one operand; ``equals`` and ``not-equals`` (Python only) two."""
+
+    kind: Literal["if", "unless", "equals", "not-equals"]
+    operands: tuple[Text, ...]
+    place: Place
+
+
+class Pair(NamedTuple):
+    """A name with a value: an arg passed to an include, a variable kept by a group, an environment variable, an extra argument."""
+
+    name: Text
+    value: Text
+    place: Place
+
+
+class Remap(NamedTuple):
+    """One remapping, as written."""
+
+    source: Text
+    target: Text
+    place: Place
+
+
+class TypedValue(NamedTuple):
+    """The value of a ``<param>``: ``type`` is what launch's ``type`` attribute says (None: to be guessed by launch's YAML rules).
+
+    ``value`` is one text, or a tuple of them where the front end gave a list (``value-sep``, a list in YAML). What YAML wrote as a number
+    or a boolean stands in ``plain``, and ``value`` is its text.
+    """
+
+    value: Text | tuple[Text, ...]
+    type: str | None = None
+    plain: bool | int | float | str | tuple[bool | int | float | str, ...] | None = None
+
+
+class Parameter(NamedTuple):
+    """``<param name value>``; ``nested`` holds its own ``<param>`` children, and then there is no value."""
+
+    name: Text
+    value: TypedValue | None
+    nested: tuple[Parameter, ...]
+    place: Place
+
+
+class ParameterFile(NamedTuple):
+    """``<param from allow_substs>``."""
+
+    file: Text
+    allow_substs: Text | bool
+    place: Place
+
+
+ParameterSource: TypeAlias = "Parameter | ParameterFile"
+
+
+class Argument(NamedTuple):
+    """``<arg>``: declares, and sets the default where nothing is set."""
+
+    name: str
+    default: Text | None
+    description: str
+    choices: tuple[str, ...] | None
+    place: Place
+    condition: Condition | None = None
+
+
+class Let(NamedTuple):
+    """``<let>``."""
+
+    name: Text
+    value: Text
+    place: Place
+    condition: Condition | None = None
+
+
+class Include(NamedTuple):
+    """``<include>``: ``arguments`` in order."""
+
+    file: Text
+    arguments: tuple[Pair, ...]
+    place: Place
+    condition: Condition | None = None
+
+
+class Group(NamedTuple):
+    """``<group>``: ``keep`` are the launch configurations that it sets (``GroupAction(launch_configurations=…)``)."""
+
+    actions: tuple[Action, ...]
+    scoped: bool | Text
+    forwarding: bool | Text
+    keep: tuple[Pair, ...]
+    place: Place
+    condition: Condition | None = None
+
+
+class Process(NamedTuple):
+    """What every started process has. Fields that the file does not give are None.
+
+    ``command`` is the ``cmd`` of ``<executable>`` as words of texts; ``arguments`` the ``args``, split as launch splits them (see
+    ``ExecuteProcess._parse_cmdline``), ``ros_arguments`` likewise.
+    """
+
+    name: Text | None = None
+    cwd: Text | None = None
+    prefix: Text | None = None
+    output: Text | None = None
+    respawn: Text | bool | None = None
+    respawn_delay: float | None = None
+    respawn_max_retries: int | None = None
+    sigterm_timeout: Text | None = None
+    sigkill_timeout: Text | None = None
+    emulate_tty: Text | bool | None = None
+    shell: bool | None = None
+    on_exit: Literal["shutdown"] | tuple[Action, ...] | None = None
+    environment: tuple[Pair, ...] = ()
+    additional_environment: tuple[Pair, ...] = ()
+
+
+class Executable(NamedTuple):
+    """``<executable cmd>``."""
+
+    command: tuple[Text, ...]
+    process: Process
+    place: Place
+    condition: Condition | None = None
+
+
+class Node(NamedTuple):
+    """``<node>``, ``<node_container>`` and (Python) ``LifecycleNode``.
+
+    ``namespace`` None: not given. ``package`` None: an executable on the path.
+    """
+
+    kind: Literal["node", "container", "lifecycle"]
+    package: Text | None
+    executable: Text
+    name: Text | None
+    namespace: Text | None
+    arguments: tuple[Text, ...]
+    ros_arguments: tuple[Text, ...]
+    remaps: tuple[Remap, ...]
+    parameters: tuple[ParameterSource, ...]
+    components: tuple[Component, ...]
+    process: Process
+    place: Place
+    condition: Condition | None = None
+
+
+class Component(NamedTuple):
+    """``<composable_node>``: part of a container or of ``<load_composable_node>``."""
+
+    package: Text
+    plugin: Text
+    name: Text | None
+    namespace: Text | None
+    remaps: tuple[Remap, ...]
+    parameters: tuple[ParameterSource, ...]
+    extra_arguments: tuple[Parameter, ...]
+    place: Place
+    condition: Condition | None = None
+
+
+class LoadComponents(NamedTuple):
+    """``<load_composable_node target>``."""
+
+    target: Text
+    components: tuple[Component, ...]
+    place: Place
+    condition: Condition | None = None
+
+
+class PushNamespace(NamedTuple):
+    """``<push_ros_namespace>``."""
+
+    namespace: Text
+    place: Place
+    condition: Condition | None = None
+
+
+class SetRemap(NamedTuple):
+    """``<set_remap>``."""
+
+    source: Text
+    target: Text
+    place: Place
+    condition: Condition | None = None
+
+
+class SetParameter(NamedTuple):
+    """``<set_parameter>``."""
+
+    name: Text
+    value: TypedValue
+    place: Place
+    condition: Condition | None = None
+
+
+class SetParametersFromFile(NamedTuple):
+    """``<set_parameters_from_file>``."""
+
+    file: Text
+    place: Place
+    condition: Condition | None = None
+
+
+class SetUseSimTime(NamedTuple):
+    """``<set_use_sim_time>``."""
+
+    value: Text | bool
+    place: Place
+    condition: Condition | None = None
+
+
+class SetEnvironment(NamedTuple):
+    """``<set_env>``."""
+
+    name: Text
+    value: Text
+    place: Place
+    condition: Condition | None = None
+
+
+class UnsetEnvironment(NamedTuple):
+    """``<unset_env>``."""
+
+    name: Text
+    place: Place
+    condition: Condition | None = None
+
+
+class AppendEnvironment(NamedTuple):
+    """``<append_env>``."""
+
+    name: Text
+    value: Text
+    prepend: Text | bool
+    separator: Text | None
+    place: Place
+    condition: Condition | None = None
+
+
+class ResetEnvironment(NamedTuple):
+    """``<reset_env>``."""
+
+    place: Place
+    condition: Condition | None = None
+
+
+class Reset(NamedTuple):
+    """``<reset>``: forgets the launch configurations but those in ``keep``."""
+
+    keep: tuple[Pair, ...]
+    place: Place
+    condition: Condition | None = None
+
+
+class SetLogDirectory(NamedTuple):
+    """``<set_ros_log_dir>``."""
+
+    directory: Text
+    place: Place
+    condition: Condition | None = None
+
+
+class Log(NamedTuple):
+    """``<log>``."""
+
+    message: Text
+    level: Text | None
+    place: Place
+    condition: Condition | None = None
+
+
+class Shutdown(NamedTuple):
+    """``<shutdown>``."""
+
+    reason: Text
+    place: Place
+    condition: Condition | None = None
+
+
+class Timer(NamedTuple):
+    """``<timer>`` and ``<ros_timer>``: ``actions`` are executed later."""
+
+    period: Text | float
+    actions: tuple[Action, ...]
+    place: Place
+    condition: Condition | None = None
+
+
+Action: TypeAlias = (
+    "Argument | Let | Include | Group | Executable | Node | LoadComponents | PushNamespace | SetRemap | SetParameter"
+    " | SetParametersFromFile | SetUseSimTime | SetEnvironment | UnsetEnvironment | AppendEnvironment | ResetEnvironment"
+    " | Reset | SetLogDirectory | Log | Shutdown | Timer"
+)
+
+
+class Description(NamedTuple):
+    """All that one file describes, in order; ``actions`` hold what could be understood where launch refuses the file."""
+
+    actions: tuple[Action, ...]
+    place: Place
