@@ -21,8 +21,14 @@ if TYPE_CHECKING:
     Kind = TypeVar("Kind", bound=Problem)
     Role = Literal["package", "executable", "name", "test_name", "namespace", "arguments", "prefix", "machine", "output", "cwd", "remaps"]
     """What a part of a node is for, whatever a dialect calls what it is written in (``pkg``, ``ns``, ``args`` …)."""
+    DialectName = Literal["ros1", "ros2"]
+    """Who starts a launch file; what is done with it in a way of its own, :mod:`launchlint.dialects` holds."""
+    from typing import Final
 else:
-    Role = str
+    Role = DialectName = str
+
+ROS1: Final = "ros1"
+ROS2: Final = "ros2"
 
 
 class Unknown:
@@ -247,7 +253,7 @@ class Launch(NamedTuple):
     refuse to load the file, else None. ``parameters`` holds the final setting of each name, ``parameter_settings`` all of them in order.
     ``executables`` are the rosparam dump and delete steps as ``(command, parameter, file)``. ``files`` are the names of the loaded launch
     files in order. ``complete`` is false where an include could not be followed, so that there may be more nodes than are known. In the
-    namespaces ``more_parameters`` there may be more parameters than are known.
+    namespaces ``more_parameters`` there may be more parameters than are known. ``dialect`` is that of the entry file.
     """
 
     entry: Source
@@ -269,6 +275,7 @@ class Launch(NamedTuple):
     files: tuple[str, ...]
     complete: bool
     more_parameters: tuple[str, ...] = ()
+    dialect: DialectName = ROS1
 
     def noticed(self, kind: type[Kind]) -> Iterator[Kind]:
         """The problems of one kind."""

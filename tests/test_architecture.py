@@ -27,6 +27,7 @@ FLOORS = (
     ("knowledge",),
     ("library",),
     ("extract",),
+    ("dialects",),
     ("evaluate",),
     ("syntax",),
     ("workspace",),

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator, Mapping
 
 from launchlint.check.empty_reach import may_be_caused
 from launchlint.evaluate.assemble import Evaluation
-from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.problems import DuplicateNode, IncludeMissingArg, RequiredArgUnset
+from launchlint.evaluate.ros1.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.model import Launch, Unknown
 from launchlint.problem import Problem

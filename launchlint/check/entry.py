@@ -13,13 +13,12 @@ from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, intern
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.stops import put_right, put_right_later, stops_everybody
 from launchlint.check.verdict import judged, plainly
+from launchlint.dialects.door import configurations, evaluate, named
 from launchlint.evaluate.assemble import Evaluation
-from launchlint.evaluate.configurations import configurations
-from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.problems import IncludeMissingArg, IncludeUndeclaredArg, RequiredArgUnset, UndeclaredArg, UsedBeforeDeclaration
 from launchlint.evaluate.session import Session
 from launchlint.finding import Finding, Key, Location, Severity
-from launchlint.model import Launch
+from launchlint.model import ROS1, Launch
 from launchlint.problem import Problem
 from launchlint.rules.registry import RULES, Entry, rule_of
 from launchlint.rules.rule import Fine
@@ -36,6 +35,7 @@ if TYPE_CHECKING:
     from launchlint.graph.earlier import Earlier
     from launchlint.knowledge.own import OwnSources
     from launchlint.library.lookup import Library
+    from launchlint.model import DialectName
 
 CRASHED = Verdict("cannot be told", INTERNAL_ERROR, "launchlint itself crashed on it")
 ALONE_KINDS = frozenset({RequiredArgUnset, UndeclaredArg, UsedBeforeDeclaration})
@@ -148,7 +148,7 @@ class EntryChecker:
             count += 1
             for path, document in evaluation.documents.items():
                 if path not in files:
-                    files[path] = self._file(session, path, document)
+                    files[path] = self._file(session, path, document, evaluation.launch.dialect)
             for path, indices in evaluation.visited.items():
                 visited.setdefault(path, set()).update(indices)
             for include in evaluation.launch.includes:
@@ -217,12 +217,12 @@ class EntryChecker:
         content = self.session.read(request.file)
         return self.session if content.data is None else self.session.with_text(request.at, content.data)
 
-    def _file(self, session: Session, path: str, document: Document) -> FileResult:
+    def _file(self, session: Session, path: str, document: Document, dialect: DialectName) -> FileResult:
         shared = session is self.session
         if shared and path in self._files:
             return self._files[path]
         before = noted() if self.remember else ()
-        result = check_file(FileView(document, self.packages, self.options.style), self.rules)
+        result = check_file(FileView(document, self.packages, self.options.style, named(dialect)), self.rules)
         if self.remember:
             result = result._replace(looks=tuple((path, state(path)) for path in sorted(noted())))
             note(before)
@@ -240,6 +240,8 @@ class EntryChecker:
             if before is None and stops_everybody(problem, view):
                 before = problem
         for rule in self.launch_rules:
+            if launch.dialect not in rule.dialects:
+                continue
             for found in run_rule(rule, view, launch.entry.path):
                 yield found if isinstance(found, Fine) else self._at_home(put_right_later(found, before), evaluation, assumed=False)
         if self.graph_rules and (launch.nodes or launch.tests or launch.parameter_settings):
@@ -267,6 +269,8 @@ class EntryChecker:
             self._sights.append(_sight(graph))
         view = GraphView(graph, self.library, self.packages, request.declared, evaluation.documents, self._connected_before)
         for rule in self.graph_rules:
+            if evaluation.launch.dialect not in rule.dialects:
+                continue
             for found in run_rule(rule, view, evaluation.launch.entry.path):
                 yield found if isinstance(found, Fine) else self._at_home(found, evaluation, assumed=False)
 
@@ -316,7 +320,7 @@ class EntryChecker:
 
 def _told_at_declarations(session: Session, file: str, evaluation: Evaluation, pinned: frozenset[str]) -> Evaluation:
     """As :func:`launchlint.check.empty_defaults.told_at_declarations`, which is not even imported where roslaunch loads the file."""
-    if evaluation.launch.refused is None:
+    if evaluation.launch.refused is None or evaluation.launch.dialect != ROS1:
         return evaluation
     from launchlint.check.empty_defaults import told_at_declarations
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.finding import Finding, Location
+from launchlint.model import ROS1
 from launchlint.problem import Problem
 from launchlint.rules.registry import Entry, by_kind
 from launchlint.rules.rule import Fine
@@ -39,11 +40,11 @@ def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
     document = view.document
     selected = frozenset(rule.id for rule in rules)
     findings: list[Guarded] = []
-    for problem in _problems(document):
+    for problem in view.dialect.validate(document):
         findings += [Guarded(finding, _guard(document, finding.location)) for finding in tell(problem, view, selected)]
     if document.launch is not None:
         for rule in rules:
-            if rule.view == "file":
+            if rule.view == "file" and view.dialect.name in rule.dialects:
                 told = run_rule(rule, view, document.source.path)
                 findings += [Guarded(found, _guard(document, found.location)) for found in told if isinstance(found, Finding)]
     suppressions: tuple[Suppression, ...] = ()
@@ -55,19 +56,12 @@ def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
     return FileResult(document.source.path, tuple(findings), suppressions, root)
 
 
-def _problems(document: Document) -> Iterator[Problem]:
-    yield from document.problems
-    if document.launch is not None:
-        from launchlint.syntax.ros1.validate import validate
-
-        yield from validate(document)
-
-
 def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[Finding]:
-    """What the rules for this kind of problem say about it."""
+    """What the rules for this kind of problem say about it, those that speak of the dialect of ``view``."""
     told = view.told if isinstance(view, LaunchView) else {}
+    dialect = view.dialect.name if isinstance(view, (FileView, LaunchView)) else ROS1
     for rule in by_kind().get(type(problem), ()):
-        if rule.id in selected:
+        if rule.id in selected and dialect in rule.dialects:
             key = (id(problem), rule.id)
             if key not in told:
                 told[key] = _told(rule, problem, view)

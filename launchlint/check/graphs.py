@@ -9,8 +9,7 @@ from contextlib import contextmanager
 from launchlint.check.changed import Changed, changed
 from launchlint.check.entry import EntryChecker
 from launchlint.check.options import EntryRequest, Options
-from launchlint.evaluate.configurations import configurations
-from launchlint.evaluate.launch import evaluate
+from launchlint.dialects.door import configurations, evaluate
 from launchlint.graph.connect import connect
 from launchlint.graph.connections import ConnectionGraph
 from launchlint.graph.details import details

@@ -14,8 +14,8 @@ from itertools import islice, product
 
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.block import Side
-from launchlint.evaluate.launch import Entered, enter_entry
 from launchlint.evaluate.ros1.arg_flow import ArgFlow, Pairs
+from launchlint.evaluate.ros1.launch import Entered, enter_entry
 from launchlint.evaluate.session import Session
 from launchlint.model import Branch
 from launchlint.syntax.ros1.substitutions import expression_in

@@ -9,8 +9,8 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from launchlint.evaluate.configurations import configurations
-from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.ros1.file import Exhausted
+from launchlint.evaluate.ros1.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.export.expression import VARIABLES, NotCovered, variables_read
 from launchlint.export.frame import Plan

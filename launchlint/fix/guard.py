@@ -10,9 +10,8 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
 from typing import NamedTuple
 
+from launchlint.dialects.door import configurations, evaluate
 from launchlint.evaluate.assemble import Evaluation
-from launchlint.evaluate.configurations import configurations
-from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.session import Read, Session
 from launchlint.fix.hidden import Hidden
 from launchlint.fix.meaning import difference, meaning

@@ -16,17 +16,19 @@ from typing import NamedTuple
 import launchlint.evaluate.problems as evaluate
 import launchlint.syntax.problems as syntax
 from launchlint.finding import Severity
+from launchlint.model import ROS1, ROS2, DialectName
 from launchlint.problem import Problem
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+BOTH: tuple[DialectName, ...] = (ROS1, ROS2)
 ERROR, WARNING, INFO = Severity.ERROR, Severity.WARNING, Severity.INFO
 
 
 class Entry(NamedTuple):
-    """One line of the registry."""
+    """One line of the registry. ``dialects``: those whose launch files the rule speaks of; it is not run on others."""
 
     id: str
     name: str
@@ -35,6 +37,7 @@ class Entry(NamedTuple):
     view: str = "problem"
     on: tuple[type[Problem], ...] = ()
     default: bool = True
+    dialects: tuple[DialectName, ...] = (ROS1,)
 
     def load(self) -> Any:
         """Import and return the rule's module."""

@@ -8,6 +8,9 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import NamedTuple
 
+from launchlint.dialects.door import named
+from launchlint.dialects.record import Dialect
+from launchlint.dialects.ros1 import DIALECT as ROS1_DIALECT
 from launchlint.finding import Finding, Location
 from launchlint.fix.format.style import Style
 from launchlint.model import Launch
@@ -31,11 +34,15 @@ if TYPE_CHECKING:
 
 
 class FileView(NamedTuple):
-    """The syntax view: one launch file as it is written, the packages around it, and what the project's normal form is like."""
+    """The syntax view: one launch file as it is written, the packages around it, and what the project's normal form is like.
+
+    ``dialect`` is the one that it was read in.
+    """
 
     document: Document
     packages: Packages
     style: Style = Style()
+    dialect: Dialect = ROS1_DIALECT
 
 
 class LaunchView:
@@ -53,6 +60,11 @@ class LaunchView:
         self.declared_entry = declared_entry
         self.documents = documents
         self.told: dict[tuple[int, str], tuple[Finding, ...]] = {}
+
+    @property
+    def dialect(self) -> Dialect:
+        """The one of the entry file."""
+        return named(self.launch.dialect)
 
     @cached_property
     def node_names(self) -> frozenset[str]:
@@ -131,6 +143,11 @@ class GraphView:
     def launch(self) -> Launch:
         """What is started."""
         return self.graph.launch
+
+    @property
+    def dialect(self) -> Dialect:
+        """The one of the entry file."""
+        return named(self.graph.launch.dialect)
 
     def once(self, work: Callable[[GraphView], T]) -> T:
         """What ``work`` makes of the view: worked out for the first rule that asks, and kept for the others."""

@@ -20,8 +20,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from launchlint.evaluate.configurations import configurations
-from launchlint.evaluate.launch import evaluate
 from launchlint.evaluate.problems import RequiredArgUnset
+from launchlint.evaluate.ros1.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.export.flatten import flatten
 from launchlint.export.plain import plain

@@ -13,7 +13,7 @@ from collections import Counter
 
 from launchlint.check.entry import EntryChecker
 from launchlint.check.options import EntryRequest, Options
-from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.ros1.launch import evaluate
 from launchlint.graph.connect import connect
 from launchlint.graph.topology import place_text
 from launchlint.workspace.discovery import discover

@@ -35,7 +35,7 @@ from typing import NamedTuple
 
 from launchlint.check.entry import EntryChecker
 from launchlint.check.options import EntryRequest, Options
-from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.ros1.launch import evaluate
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import OFFERS, ConnectionGraph, Endpoint
 from launchlint.rules.registry import RULES

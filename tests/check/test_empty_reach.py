@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from launchlint.check.empty_reach import may_be_caused
-from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.ros1.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.workspace.packages import Packages
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.ros1.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.model import Launch
 from launchlint.report.model import as_object

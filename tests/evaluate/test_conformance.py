@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.ros1.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.rules.registry import rule_of
 from launchlint.workspace.packages import Packages

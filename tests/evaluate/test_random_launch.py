@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from launchlint.evaluate.configurations import configurations
-from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.ros1.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.problem import Problem
 from launchlint.report.model import as_object

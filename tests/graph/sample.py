@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.ros1.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.graph.connect import connect
 from launchlint.graph.connections import ConnectionGraph, Instance

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from launchlint.evaluate.launch import evaluate
+from launchlint.evaluate.ros1.launch import evaluate
 from launchlint.evaluate.session import Session
 from launchlint.graph.connect import connect
 from launchlint.graph.connections import ConnectionGraph

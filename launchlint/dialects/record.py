@@ -1,0 +1,41 @@
+"""What a dialect is: all that is done with its launch files in a way of its own, in one record."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import NamedTuple
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+    from launchlint.evaluate.assemble import Evaluation
+    from launchlint.evaluate.session import Read, Session
+    from launchlint.model import DialectName
+    from launchlint.problem import Problem
+    from launchlint.syntax.tree import Document
+
+    Pairs: TypeAlias = tuple[tuple[str, str], ...]
+    Attributes: TypeAlias = Mapping[str, tuple[str, ...]]
+
+
+class Dialect(NamedTuple):
+    """One dialect. The functions import what they need when they are called: a check of one dialect does not load the other.
+
+    ``title``: what people call it (``ROS 1``). ``launcher``: the command that starts its files, and the subject of messages.
+
+    ``parse(session, file)``: the file as it is written, read once in a session; the failed ``Read`` where it cannot be read.
+    ``validate(document)``: what is wrong with it as it is written, whoever includes it, in order.
+    ``evaluate(session, file, given)``: what it starts with these args. ``configurations``: the same in every configuration that matters,
+    the one that is given first. Neither raises, whatever the file holds.
+    ``attributes()``: the attributes of each tag in canonical order, from the metamodel.
+    """
+
+    name: DialectName
+    title: str
+    launcher: str
+    parse: Callable[[Session, str], Document | Read]
+    validate: Callable[[Document], Iterator[Problem]]
+    evaluate: Callable[[Session, str, Pairs], Evaluation]
+    configurations: Callable[[Session, str, Pairs], Iterator[Evaluation]]
+    attributes: Callable[[], Attributes]
