@@ -6,8 +6,8 @@ import ast
 import keyword
 from collections.abc import Callable, Iterator, Mapping
 
+from launchlint.evaluate.expression.compiled import Compiled, compiled
 from launchlint.evaluate.ros1.expression import ExpressionError, UnknownValue, arguments_read
-from launchlint.evaluate.ros1.expression.compiled import Compiled, compiled
 from launchlint.evaluate.ros1.expression.names import RESERVED
 from launchlint.export.written import Written
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 
 from launchlint.evaluate.block import MoreParameters, PrivateParameter, RunStep, Value
+from launchlint.evaluate.expression.errors import UnknownValue
 from launchlint.evaluate.names import canonical, join
 from launchlint.evaluate.problems import (
     GlobalParamInNode,
@@ -22,7 +23,6 @@ from launchlint.evaluate.ros1.scope import Context, set_private
 from launchlint.evaluate.ros1.scope_tags import check_quotes
 from launchlint.evaluate.ros1.substitution import resolve
 from launchlint.evaluate.ros1.typed_values import PARAMETER_TYPES, convert_value
-from launchlint.evaluate.ros1.values import UnknownValue
 from launchlint.model import Binary, Command, ParameterSetting, Unknown
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source, Span

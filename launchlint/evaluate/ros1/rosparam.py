@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from launchlint.evaluate.ros1.values import UnknownValue, shown
+from launchlint.evaluate.expression.errors import UnknownValue
+from launchlint.evaluate.ros1.values import shown
 from launchlint.evaluate.ros1.yaml_values import Constructor, Duplicate, YamlUnknown, with_angles
 from launchlint.yaml.refusals import YamlError
 from launchlint.yaml.tree import Node, Reader, YamlBeyond, parse

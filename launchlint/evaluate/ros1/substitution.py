@@ -12,9 +12,9 @@ import re
 from collections.abc import Callable
 
 from launchlint.evaluate.block import Value
+from launchlint.evaluate.expression.errors import UnknownValue
 from launchlint.evaluate.problems import BadSubstitution, EnvUnset, EvalError, EvalNeverEqual, EvalNotCovered, PackageNotFound
 from launchlint.evaluate.ros1.scope import Context
-from launchlint.evaluate.ros1.values import UnknownValue
 from launchlint.late import late
 from launchlint.model import Unknown
 from launchlint.source import Span

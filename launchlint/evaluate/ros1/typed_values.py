@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from launchlint.evaluate.ros1.values import UnknownValue, automatic, integer, shown
+from launchlint.evaluate.expression.errors import UnknownValue
+from launchlint.evaluate.ros1.values import automatic, integer, shown
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

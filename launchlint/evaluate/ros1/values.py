@@ -6,17 +6,6 @@ from __future__ import annotations
 MOST_INTEGER_DIGITS = 4300
 
 
-class UnknownValue(Exception):
-    """The value cannot be known without running something, or lies beyond our bounds: never an error of the file.
-
-    ``reason`` says in plain words why.
-    """
-
-    def __init__(self, reason: str) -> None:
-        super().__init__(reason)
-        self.reason = reason
-
-
 def type_name(value: object) -> str:
     """The word for the type of a parameter value in our output: bool int double str list dict null, or Python's own for the rest."""
     if value is None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from launchlint.evaluate.ros1.values import UnknownValue, shown
+from launchlint.evaluate.expression.errors import UnknownValue
+from launchlint.evaluate.ros1.values import shown
 from launchlint.yaml.refusals import YamlError
 from launchlint.yaml.tree import MAP, MAPPING, SCALAR, SEQ, SEQUENCE, STR, Node, Scalars, yaml_1_1
 

@@ -9,8 +9,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from launchlint.evaluate.expression.errors import UnknownValue
 from launchlint.evaluate.ros1.typed_values import convert_value
-from launchlint.evaluate.ros1.values import UnknownValue, type_name
+from launchlint.evaluate.ros1.values import type_name
 
 REFUSED = "(refused)"
 

@@ -5,43 +5,18 @@ from __future__ import annotations
 import ast
 from typing import Any
 
-from launchlint.evaluate.ros1.expression.compiled import compiled
-from launchlint.evaluate.ros1.expression.functions import builtin, math_name
-from launchlint.evaluate.ros1.expression.interpreter import Interpreter, Scope
-from launchlint.evaluate.ros1.expression.names import BUILTINS, MATH
+from launchlint.evaluate.expression.compiled import compiled
+from launchlint.evaluate.expression.functions import builtin, math_name
+from launchlint.evaluate.expression.interpreter import Interpreter, Scope
+from launchlint.evaluate.expression.names import BUILTINS, MATH
 from launchlint.evaluate.ros1.expression.resolver import ExpressionError, UnknownValue
-
-
-class _NoWorld:
-    """There is nothing to ask in an angle."""
-
-    def arg(self, name: str) -> str:
-        raise UnknownValue(name)
-
-    def has_arg(self, name: str) -> bool:
-        return False
-
-    def env(self, name: str) -> str:
-        raise UnknownValue(name)
-
-    def optenv(self, name: str, default: str) -> str:
-        raise UnknownValue(name)
-
-    def find(self, package: str) -> str:
-        raise UnknownValue(package)
-
-    def anon(self, id: str) -> str:
-        raise UnknownValue(id)
-
-    def dirname(self) -> str:
-        raise UnknownValue("dirname")
 
 
 class _AngleInterpreter(Interpreter):
     __slots__ = ("unknown",)
 
     def __init__(self, text: str, unknown: frozenset[str]) -> None:
-        super().__init__(compiled(text), _NoWorld())
+        super().__init__(compiled(text))
         self.unknown = unknown
 
     def look_up(self, node: ast.Name, scope: Scope | None) -> Any:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from types import MappingProxyType
 
-from launchlint.evaluate.ros1.expression.compiled import compiled
+from launchlint.evaluate.expression.compiled import compiled
 from launchlint.evaluate.ros1.expression.names import RESERVED
 from launchlint.evaluate.ros1.expression.resolver import ExpressionError, UnknownValue
 from launchlint.evaluate.ros1.values import automatic

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from launchlint.evaluate.ros1.values import UnknownValue
+from launchlint.evaluate.expression.errors import ExpressionError, UnknownValue
 
 __all__ = ("EnvironmentUnset", "ExpressionError", "Resolver", "UndefinedArg", "UnknownValue")
 
@@ -23,26 +23,6 @@ class EnvironmentUnset(Exception):
     def __init__(self, name: str) -> None:
         super().__init__(name)
         self.name = name
-
-
-class ExpressionError(Exception):
-    """roslaunch itself would fail on the expression.
-
-    ``message`` is plain words, with Python's own at its end; ``start`` and ``end`` are code points in the text that was evaluated. ``kind``
-    is the name of the exception that roslaunch meets (``NameError``, …). ``undefined_arg`` and ``unset_env`` name what was asked for
-    and is not there, where that is the reason.
-    """
-
-    def __init__(
-        self, message: str, start: int, end: int, kind: str = "", undefined_arg: str | None = None, unset_env: str | None = None
-    ) -> None:
-        super().__init__(message)
-        self.message = message
-        self.start = start
-        self.end = end
-        self.kind = kind
-        self.undefined_arg = undefined_arg
-        self.unset_env = unset_env
 
 
 class Resolver(Protocol):

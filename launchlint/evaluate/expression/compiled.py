@@ -7,7 +7,7 @@ import re
 import warnings
 from functools import lru_cache
 
-from launchlint.evaluate.ros1.expression.resolver import ExpressionError, UnknownValue
+from launchlint.evaluate.expression.errors import ExpressionError, UnknownValue
 
 LONGEST_TEXT = 20_000
 MOST_TOKENS = 3_000

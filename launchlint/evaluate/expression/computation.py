@@ -7,7 +7,7 @@ import operator
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from launchlint.evaluate.ros1.expression.bounds import (
+from launchlint.evaluate.expression.bounds import (
     CONTAINERS,
     LARGEST_VALUE,
     MOST_STEPS,
@@ -25,8 +25,8 @@ from launchlint.evaluate.ros1.expression.bounds import (
     size_of,
     too_large,
 )
-from launchlint.evaluate.ros1.expression.compiled import Compiled
-from launchlint.evaluate.ros1.expression.resolver import EnvironmentUnset, ExpressionError, Resolver, UndefinedArg, UnknownValue
+from launchlint.evaluate.expression.compiled import Compiled
+from launchlint.evaluate.expression.errors import ExpressionError, UnknownValue
 
 _BINARY: dict[type, Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
@@ -70,22 +70,13 @@ _PLAIN_WORDS = {
 }
 
 
-class Passing(BaseException):
-    """Carries an exception of the resolver that is not ours past every ``except Exception`` on the way."""
-
-    def __init__(self, carried: Exception) -> None:
-        super().__init__()
-        self.carried = carried
-
-
 class Computation:
     """One evaluation: what is left of the bounds, and where in the text we are."""
 
-    __slots__ = ("compiled", "depth", "outer", "resolver", "steps", "work")
+    __slots__ = ("compiled", "depth", "outer", "steps", "work")
 
-    def __init__(self, compiled: Compiled, resolver: Resolver) -> None:
+    def __init__(self, compiled: Compiled) -> None:
         self.compiled = compiled
-        self.resolver = resolver
         self.steps = MOST_STEPS
         self.work = MOST_WORK
         self.depth = 0
@@ -107,7 +98,7 @@ class Computation:
         return self.compiled.span(node) if self.outer is None else self.outer
 
     def failure(self, node: ast.AST, error: Exception) -> ExpressionError:
-        """The error that roslaunch would meet at ``node``."""
+        """The error that the launcher would meet at ``node``."""
         kind = type(error).__name__
         words = _PLAIN_WORDS.get(kind, "this cannot be computed")
         said = str(error)
@@ -122,7 +113,7 @@ class Computation:
             raise
         except (RecursionError, MemoryError):
             raise too_large("what the expression computes") from None
-        except Exception as error:  # whatever Python says about harmless values, roslaunch would meet too
+        except Exception as error:  # whatever Python says about harmless values, the launcher would meet too
             raise self.failure(node, error) from None
 
     def admit(self, value: Any) -> Any:
@@ -130,28 +121,6 @@ class Computation:
         if not isinstance(value, (Function, Stream)):
             self.charge(size_of(value, functions=True))
         return value
-
-    def ask(self, node: ast.AST, question: Callable[..., Any], *values: Any) -> Any:
-        """Ask the resolver; its own exceptions pass through."""
-        try:
-            return question(*values)
-        except UnknownValue:
-            raise
-        except UndefinedArg as undefined:
-            name = str(undefined.name)
-            raise ExpressionError(
-                f"there is no arg {name!r} with a value here",
-                *self.span(node),
-                "ArgException",
-                undefined_arg=name,
-            ) from None
-        except EnvironmentUnset as unset:
-            name = str(unset.name)
-            raise ExpressionError(
-                f"the environment variable {name!r} is not set", *self.span(node), "SubstitutionException", unset_env=name
-            ) from None
-        except Exception as foreign:
-            raise Passing(foreign) from None
 
     def items(self, node: ast.AST, value: Any, any_order: bool = False) -> Iterator[Any]:
         """Go through ``value``, counting; with ``any_order`` a set may be gone through too."""

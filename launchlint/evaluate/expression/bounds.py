@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from launchlint.evaluate.ros1.expression.resolver import UnknownValue
+from launchlint.evaluate.expression.errors import UnknownValue
 
 MOST_STEPS = 20_000
 #: Size of one value: its characters, or its elements with all that they hold.

@@ -1,4 +1,4 @@
-"""The functions an expression can call: roslaunch's own, those of ``math``, and the harmless ones of Python's builtins."""
+"""The functions an expression can call: those of ``math``, and the harmless ones of Python's builtins."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from launchlint.evaluate.ros1.expression.bounds import (
+from launchlint.evaluate.expression.bounds import (
     LARGEST_BITS,
     LARGEST_COUNTED,
     SETS,
@@ -17,20 +17,14 @@ from launchlint.evaluate.ros1.expression.bounds import (
     size_of,
     too_large,
 )
-from launchlint.evaluate.ros1.expression.resolver import ExpressionError, UnknownValue
+from launchlint.evaluate.expression.errors import ExpressionError, UnknownValue
 
 if TYPE_CHECKING:
-    from launchlint.evaluate.ros1.expression.interpreter import Interpreter, Scope
+    from launchlint.evaluate.expression.interpreter import Interpreter, Scope
 
 Call = Callable[["Interpreter", ast.AST, "Scope | None", list[Any], dict[str, Any]], Any]
 
-_UNIQUE_DEFAULT = "\0 the default of optenv \0"
 _SEVERAL_TIMES = 20  # what sorting looks at each item
-
-
-def context_function(name: str) -> Function:
-    """``arg``, ``anon``, ``dirname``, ``env``, ``optenv`` or ``find``, as roslaunch hands them in."""
-    return _CONTEXT[name]
 
 
 def math_name(name: str) -> Any:
@@ -49,10 +43,7 @@ def builtin(name: str) -> Function:
     return function
 
 
-# roslaunch's own
-
-
-def _bound(function: str, parameters: tuple[str, ...], optional: int, positional: list[Any], named: dict[str, Any]) -> list[Any]:
+def bound(function: str, parameters: tuple[str, ...], optional: int, positional: list[Any], named: dict[str, Any]) -> list[Any]:
     """Arguments in the order of ``parameters``, or the TypeError Python has for them."""
     if len(positional) > len(parameters):
         raise TypeError(f"{function}() takes {len(parameters)} positional arguments but {len(positional)} were given")
@@ -66,65 +57,6 @@ def _bound(function: str, parameters: tuple[str, ...], optional: int, positional
         raise TypeError(f"{function}() is missing its argument {missing[0]!r}")
     return [values[name] for name in parameters if name in values]
 
-
-def _arg(run: Interpreter, node: ast.AST, scope: Scope | None, positional: list[Any], named: dict[str, Any]) -> Any:
-    from launchlint.evaluate.ros1.values import automatic
-
-    (name,) = _bound("arg", ("name",), 0, positional, named)
-    if isinstance(name, (list, dict, set)):
-        raise TypeError(f"unhashable type: {type(name).__name__!r}")
-    if not isinstance(name, str):
-        shown = run.show(name, node)
-        words = f"the name of an arg is a text, so there is no arg {shown} (roslaunch says: ArgException: {shown})"
-        raise ExpressionError(words, *run.span(node), "ArgException", undefined_arg=shown)
-    return automatic(run.ask(node, run.resolver.arg, name))
-
-
-def _anon(run: Interpreter, node: ast.AST, scope: Scope | None, positional: list[Any], named: dict[str, Any]) -> Any:
-    (identifier,) = _bound("anon", ("id",), 0, positional, named)
-    if not isinstance(identifier, str):
-        raise UnknownValue("an anonymous name for something that is not a text is not looked into")
-    return run.ask(node, run.resolver.anon, identifier)
-
-
-def _dirname(run: Interpreter, node: ast.AST, scope: Scope | None, positional: list[Any], named: dict[str, Any]) -> Any:
-    _bound("dirname", (), 0, positional, named)
-    return run.ask(node, run.resolver.dirname)
-
-
-def _env(run: Interpreter, node: ast.AST, scope: Scope | None, positional: list[Any], named: dict[str, Any]) -> Any:
-    (name,) = _bound("env", ("name",), 0, positional, named)
-    if not isinstance(name, str):
-        raise TypeError(f"str expected, not {type(name).__name__}")
-    return run.ask(node, run.resolver.env, name)
-
-
-def _optenv(run: Interpreter, node: ast.AST, scope: Scope | None, positional: list[Any], named: dict[str, Any]) -> Any:
-    name, *default = _bound("optenv", ("name", "default"), 1, positional, named)
-    if not isinstance(name, str):
-        raise TypeError(f"str expected, not {type(name).__name__}")
-    fallback = default[0] if default else ""
-    if isinstance(fallback, str):
-        return run.ask(node, run.resolver.optenv, name, fallback)
-    text = run.ask(node, run.resolver.optenv, name, _UNIQUE_DEFAULT)
-    return fallback if text == _UNIQUE_DEFAULT else text  # roslaunch hands back any default, whatever its type
-
-
-def _find(run: Interpreter, node: ast.AST, scope: Scope | None, positional: list[Any], named: dict[str, Any]) -> Any:
-    (package,) = _bound("find", ("pkg",), 0, positional, named)
-    if not isinstance(package, str):
-        raise TypeError(f"the name of a package is a text, not of type {type(package).__name__}")
-    return run.ask(node, run.resolver.find, package)
-
-
-_CONTEXT = {
-    "anon": Function("anon", _anon),
-    "arg": Function("arg", _arg),
-    "dirname": Function("dirname", _dirname),
-    "env": Function("env", _env),
-    "find": Function("find", _find),
-    "optenv": Function("optenv", _optenv),
-}
 
 # math
 
@@ -299,7 +231,7 @@ def _reversed(run: Interpreter, node: ast.AST, scope: Scope | None, positional: 
 
 
 def _power(run: Interpreter, node: ast.AST, scope: Scope | None, positional: list[Any], named: dict[str, Any]) -> Any:
-    base, exponent, *modulus = _bound("pow", ("base", "exp", "mod"), 1, positional, named)
+    base, exponent, *modulus = bound("pow", ("base", "exp", "mod"), 1, positional, named)
     run.plain(base, exponent, *modulus)
     if modulus and modulus[0] is not None:
         if any(isinstance(value, int) and value.bit_length() > LARGEST_COUNTED for value in (base, exponent, modulus[0])):
@@ -330,7 +262,7 @@ def _isinstance(run: Interpreter, node: ast.AST, scope: Scope | None, positional
 
 def _eval(run: Interpreter, node: ast.AST, scope: Scope | None, positional: list[Any], named: dict[str, Any]) -> Any:
     """An ``eval`` inside the expression sees the same names, if it stands at the top level."""
-    from launchlint.evaluate.ros1.expression.compiled import compiled
+    from launchlint.evaluate.expression.compiled import compiled
 
     if named or not positional:
         raise TypeError("eval() needs one text")

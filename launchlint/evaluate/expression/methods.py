@@ -6,11 +6,11 @@ import ast
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from launchlint.evaluate.ros1.expression.bounds import SETS, Function, Stream, check_order, format_size, size_of, too_large
-from launchlint.evaluate.ros1.expression.resolver import UnknownValue
+from launchlint.evaluate.expression.bounds import SETS, Function, Stream, check_order, format_size, size_of, too_large
+from launchlint.evaluate.expression.errors import UnknownValue
 
 if TYPE_CHECKING:
-    from launchlint.evaluate.ros1.expression.interpreter import Interpreter, Scope
+    from launchlint.evaluate.expression.interpreter import Interpreter, Scope
 
 _METHODS: dict[type, frozenset[str]] = {
     str: frozenset(
