@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterable
 from typing import Any, TypeVar
 
+from launchlint.garbage import seldom_looked_for
+
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 State = TypeVar("State")
@@ -47,7 +49,8 @@ def _begin(begin: Callable[..., Any], given: tuple[Any, ...]) -> None:
 
 
 def _work(work: Callable[[Any, Item], Result], item: Item) -> Result:
-    return work(_here[0], item)
+    with seldom_looked_for():
+        return work(_here[0], item)
 
 
 def _end_workers() -> None:

@@ -31,7 +31,7 @@ FLOORS = (
     ("evaluate",),
     ("syntax",),
     ("workspace",),
-    ("atomic", "fingerprint", "late", "order", "pool", "spelling", "words", "yaml"),
+    ("atomic", "fingerprint", "garbage", "late", "order", "pool", "spelling", "words", "yaml"),
     ("model",),
     ("finding", "problem", "source", "errors", "plural", "sight", "verdict"),
     ("launchlint",),  # launchlint/__init__.py: the version, nothing else

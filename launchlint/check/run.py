@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
@@ -18,8 +17,6 @@ CACHE_PAYS = 20
 """Entry files from which the cache is used: looking at the workspaces costs about as much as checking this many."""
 BATCH = 40
 """Entry files given to a worker at a time: neighbours, since they share includes."""
-NEW_OBJECTS = 100_000
-"""Objects made between two looks for circular garbage, which is little; with the 700 of Python the looks take a fifth of all time."""
 
 Progress = Callable[[int], None]
 ReadingProgress = Callable[[int, int], None]
@@ -79,22 +76,11 @@ def compute(
     results: list[Result] = []
     if workers > 1 and (jobs > 1 or len(requests) >= POOL_PAYS):
         results = _in_pool(requests, checker, work, workers, progress)
-    with _seldom_collecting():
-        for request in requests[len(results) :]:
-            results.append(work(checker, request))
-            if progress is not None:
-                progress(len(results))
+    for request in requests[len(results) :]:
+        results.append(work(checker, request))
+        if progress is not None:
+            progress(len(results))
     return results
-
-
-@contextmanager
-def _seldom_collecting() -> Iterator[None]:
-    before = gc.get_threshold()
-    gc.set_threshold(NEW_OBJECTS, *before[1:])
-    try:
-        yield
-    finally:
-        gc.set_threshold(*before)
 
 
 def _in_pool(
@@ -146,8 +132,7 @@ def _start(make: type[Checker], options: Options, overlay: Mapping[str, bytes], 
 
 
 def _work(work: Callable[[Checker, EntryRequest], Result], checker: Checker, batch: list[EntryRequest]) -> list[Result]:
-    with _seldom_collecting():
-        return [work(checker, request) for request in batch]
+    return [work(checker, request) for request in batch]
 
 
 def default_directory() -> str:

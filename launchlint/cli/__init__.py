@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 
 from launchlint.errors import LaunchlintError, LibraryError, OutputClosed
+from launchlint.garbage import left_to_the_system, seldom_looked_for
 
 USAGE = 2
 STOPPED = 130
@@ -33,8 +34,10 @@ def main(args: list[str] | None = None, *, standalone_mode: bool = True) -> int:
     Exit status: 0 nothing at or above ``--fail-on``, 1 findings at or above it, 2 usage, configuration or a crash in a rule. With
     ``standalone_mode=False`` the status is returned instead.
     """
-    status = _run(sys.argv[1:] if args is None else args)
+    with seldom_looked_for():
+        status = _run(sys.argv[1:] if args is None else args)
     if standalone_mode:
+        left_to_the_system()
         sys.exit(status)
     return status
 

@@ -156,6 +156,8 @@ def identify(data: bytes) -> Identity:
         return Identity("", False, f"not well-formed XML: {_expat_message(error)}")
     except (_Broken, ValueError, LookupError) as error:
         return Identity("", False, str(error))
+    finally:
+        _let_go(parser)
     name = "".join(texts).strip(" \n\r\t")
     if not found["metapackage"]:
         if not found["name"]:
@@ -293,7 +295,14 @@ def _elements(text: str) -> list[_Element]:
         raise ValueError(f"not well-formed XML: {_expat_message(error)}") from error
     except _Broken as error:
         raise ValueError(str(error)) from error
+    finally:
+        _let_go(parser)
     return found
+
+
+def _let_go(parser: XMLParserType) -> None:
+    """Of functions that know the parser: else the two hold each other, and what was read, until somebody looks for such circles."""
+    parser.StartElementHandler = parser.EndElementHandler = parser.CharacterDataHandler = None
 
 
 def _offsets(data: bytes) -> Callable[[int], int]:

@@ -105,7 +105,7 @@ def _replace(evaluation: FileEvaluation, parts: Parts, where: Where, context: Co
         bad = parts.refused
         raise _Bad(bad.refused, bad.start, bad.end + 1)  # up to the character that must not stand there
     resolved = parts.text
-    unknown: _NotKnown | None = None
+    unknown: str | None = None
     for part in parts.parts:
         if not isinstance(part, Substitution):
             continue
@@ -133,10 +133,10 @@ def _replace(evaluation: FileEvaluation, parts: Parts, where: Where, context: Co
                 if len(value) > len(part.text):
                     evaluation.spend_characters(len(value) * resolved.count(part.text), span)
                 resolved = resolved.replace(part.text, value)
-        except _NotKnown as reason:
-            unknown = unknown or reason  # the rest may be wrong too
+        except _NotKnown as not_known:
+            unknown = unknown or not_known.reason  # the rest may be wrong too
     if unknown is not None:
-        raise _NotKnown(unknown.reason, _SEVERAL.sub("*", parse_again(resolved).beside("*")))
+        raise _NotKnown(unknown, _SEVERAL.sub("*", parse_again(resolved).beside("*")))
     return resolved
 
 
