@@ -99,6 +99,7 @@ class UndeclaredArg(Problem):
     """An arg that no declaration is in force for: ``known`` are those in scope, ``skipped`` its declarations under a false condition.
 
     ``entry`` says that it is read in the entry file, ``in_expression`` that an expression reads it, and not a substitution of its own.
+    ``asked`` are the args that the conditions of ``skipped`` ask, with their values, as far as they are known.
     """
 
     name: str
@@ -106,6 +107,7 @@ class UndeclaredArg(Problem):
     entry: bool
     skipped: tuple[Place, ...]
     in_expression: bool
+    asked: tuple[tuple[str, str], ...] = ()
 
 
 class RequiredArgUnset(Problem):

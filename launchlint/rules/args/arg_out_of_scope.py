@@ -55,7 +55,7 @@ def tell(problem: ArgOutOfScope, view: object) -> Iterator[Finding]:
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         related=((declaration, "known inside this group only"),),
         notes=(f"roslaunch stops here, since {name} has no value",),
-        help=f"declare {name} above the group, or move this into the group",
+        help=f"move the declaration of {name} above the group, or this into the group",
         topic=name,
         cause="" if group is None else f"{declaration.source.path} {group.span.start}",
     )
@@ -70,5 +70,5 @@ def together(findings: Sequence[Finding]) -> Finding:
     listed = ", ".join(names[:MOST_NAMED]) + (" …" if len(names) > MOST_NAMED else "")
     return result._replace(
         message=f"{len(names)} args are declared in a group and used outside of it: {listed}",
-        help="declare them above the group, or move what uses them into the group",
+        help="move their declarations above the group, or what uses them into the group",
     )

@@ -36,10 +36,10 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import EnvUnset
 from launchlint.finding import Finding, Severity
-from launchlint.late import late
 from launchlint.rules.judging.first_of_file import all_but_first
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.other_file import root_of, shown
+from launchlint.rules.judging.secret_names import is_secret
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import one_slip
@@ -59,7 +59,6 @@ OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE"
 
 
 SECRET = "it holds a secret, by its name: it belongs into no file, and without it nothing is to start"
-_IS_SECRET = late(r"(?:^|_)(?:PW|PWD|PASS|PASSWD|PASSWORD|TOKEN|SECRET|(?:API_?)?KEY)$")
 
 
 def check(view: LaunchView) -> Iterator[Fine]:
@@ -73,7 +72,7 @@ def tell(problem: EnvUnset, view: LaunchView) -> Iterator[Finding]:
     if _is_set(name, view):
         return
     slip = slip_of(name)
-    reason = "" if slip is not None else SECRET if _IS_SECRET.search(name) is not None else _elsewhere(name, problem, view)
+    reason = "" if slip is not None else SECRET if is_secret(name, variable=True) else _elsewhere(name, problem, view)
     given = f"write $(optenv {name} DEFAULT), or give it a value under env: in .launchlint.yaml if it is always set"
     if reason == SECRET:
         given = "set it before roslaunch is called; give it any value under env: in .launchlint.yaml for the check"

@@ -5,7 +5,8 @@ can then give it), and where the configuration says how the file is started (`en
 information: roslaunch takes an arg from the command line whether it is declared or not, and some files are started just so.
 In an `$(eval …)` it is a warning: the name may be a text without its quotes.
 
-An arg that is declared, but only under conditions none of which holds, is information too, where other args would make one hold.
+An arg that is declared, but only under conditions none of which holds, is information too, where other args would make one hold. What is
+proposed then is a declaration for the case in which none holds: a plain one beside the others would make roslaunch stop in the other cases.
 
 ## Why it matters
 
@@ -40,31 +41,39 @@ that may be on the day of the demonstration. And nobody who reads `roslaunch --r
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import starmap
 
 from launchlint.evaluate.problems import UndeclaredArg
+from launchlint.evaluate.ros1.values import automatic, shown
 from launchlint.finding import Finding, Fix, Severity
+from launchlint.late import late
 from launchlint.rules.edits import LOADS, fix, replace, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.source import Place
 from launchlint.spelling import closest, surely
 
 RULE = Rule("LL201", "undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
+
+_OPPOSITE = {"if": "unless", "unless": "if"}
+_MOST_ASKED = 3
+_PLAIN = late(r"[\w./+ -]*")
 
 
 def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
     """Name the arg that was meant, or say who has to give it."""
     name, known = problem.name, problem.known
-    declare = f'declare it above: <arg name="{name}" default="…"/>'
+    declare = _for_the_other_case(problem, view) or f'declare it above: <arg name="{name}" default="…"/>'
     meant = surely(name, known)
     near = meant or closest(name, known)
     switches = _switches(problem, view)
     if switches and not view.declared_entry:
-        yield _under_conditions(problem, switches)
+        yield _under_conditions(problem, switches, declare)
         return
     entered = _entered_without(problem, view)
     if meant is not None or entered or view.declared_entry:
         severity = Severity.ERROR if problem.refused else Severity.WARNING
-        message = f"the arg {name} is not declared"
+        message = f"the arg {name} is not declared" if not problem.skipped else _only_under_conditions(problem)
         note = f"roslaunch stops here, since {name} has no value"
         help_ = f"did you mean {near}?" if near is not None else declare
     elif problem.in_expression:
@@ -78,12 +87,14 @@ def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
     else:
         severity = Severity.INFO
         message = f"the arg {name} is not declared: only the command line can give it, with {name}:=…"
+        if problem.skipped:
+            message = _only_under_conditions(problem)
         note, help_ = "without it roslaunch stops here", declare
     yield RULE.at(
         problem.origin,
         message,
         severity=severity,
-        related=problem.related,
+        related=_related(problem),
         notes=(note,),
         help=help_,
         topic=name,
@@ -104,18 +115,54 @@ def _switches(problem: UndeclaredArg, view: LaunchView) -> tuple[str, ...]:
     return tuple(sorted(names))
 
 
-def _under_conditions(problem: UndeclaredArg, switches: tuple[str, ...]) -> Finding:
+def _under_conditions(problem: UndeclaredArg, switches: tuple[str, ...], declare: str) -> Finding:
     """The arg has declarations, and a configuration in which none of them counts."""
     name = problem.name
     return RULE.at(
         problem.origin,
-        f"the arg {name} is declared under conditions only, and none of them holds",
+        _only_under_conditions(problem),
         severity=Severity.INFO,
-        related=(*problem.related, *((place, "declared here, under a condition") for place in problem.skipped)),
+        related=_related(problem),
         notes=(f"without it roslaunch stops here; what declares it hangs on {' and '.join(switches)}",),
-        help=f"declare {name} for the other cases too, or say in the doc of {switches[0]} what has to be chosen",
+        help=f"{declare}; or say in the doc of {switches[0]} what has to be chosen",
         topic=name,
     )
+
+
+def _only_under_conditions(problem: UndeclaredArg) -> str:
+    where = " and ".join(f"{name} is {shown(value)}" for name, value in problem.asked[:_MOST_ASKED])
+    return f"the arg {problem.name} is declared under conditions only, and none of them holds{where and f' where {where}'}"
+
+
+def _related(problem: UndeclaredArg) -> tuple[tuple[Place, str], ...]:
+    return (*problem.related, *((place, "declared here, under a condition") for place in problem.skipped))
+
+
+def _for_the_other_case(problem: UndeclaredArg, view: LaunchView) -> str:
+    """How to declare an arg for the case in which none of its declarations counts; empty where it has none.
+
+    A plain declaration beside the others would make roslaunch stop wherever one of them counts (roslaunch.loader, ``add_arg``).
+    """
+    if not problem.skipped:
+        return ""
+    name, asked = problem.name, problem.asked
+    at = spot(view, problem.skipped[0])
+    conditions = [] if at is None else [(key, at.element.attributes[key].value) for key in _OPPOSITE if key in at.element.attributes]
+    if len(problem.skipped) == 1 and len(conditions) == 1 and '"' not in conditions[0][1]:
+        ((key, text),) = conditions
+        return f'declare it for the other case too: <arg name="{name}" default="…" {_OPPOSITE[key]}="{" ".join(text.split())}"/>'
+    if 0 < len(asked) <= _MOST_ASKED and all(_PLAIN.fullmatch(value) for _, value in asked):
+        return f'declare it for this case too: <arg name="{name}" default="…" if="$(eval {" and ".join(starmap(_holds, asked))})"/>'
+    return "declare it for this case too, under a condition: roslaunch takes no second declaration where another one counts"
+
+
+def _holds(name: str, value: str) -> str:
+    """An expression that is true where the arg has the value (in one, roslaunch makes numbers and booleans of texts)."""
+    known = automatic(value)
+    asked = f"arg('{name}')"
+    if isinstance(known, bool):
+        return asked if known else f"not {asked}"
+    return f"{asked} == {known!r}"
 
 
 def _entered_without(problem: UndeclaredArg, view: LaunchView) -> bool:

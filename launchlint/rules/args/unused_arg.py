@@ -9,8 +9,9 @@ It is an info where nobody who gives the arg a value is misled: what reads it is
 `value`. So it is where another file names this one and gives the arg with `name:=…` (a script, a service, a document, the args of a node in
 another launch file): it belongs to an interface that is kept. It is one, too, where no include passes the arg and nobody is likely to give
 it: it has no default (roslaunch asks for it only where it is read, so that such a rest of a template is in nobody's way), or the file is
-a `.test`; and where the package is a copy of a public one among packages of other people. All args of one file that are never read are told
-as one, and so are those that are declared with the same words in several files that were copied from each other.
+a `.test`; where the file holds nothing but args, to keep the place of one that other robots have (as MoveIt's Setup Assistant writes them);
+and where the package is a copy of a public one among packages of other people. All args of one file that are never read are told as one,
+and so are those of the same names in several files, which mostly were copied from each other.
 
 ## Why it matters
 
@@ -61,6 +62,7 @@ from launchlint.syntax.tree import Comment, Document, Element
 
 NO_EFFECT = "a value that is given for it has no effect"
 NO_DEFAULT = "{} has no default; roslaunch asks for it only where it is read, so that the file starts without it"
+NOTHING_ELSE = "the file holds nothing but args: it keeps a place, and takes what it may be given one day"
 _MOST_ALIKE = 40
 """Args by which copies of a file are recognised; each finding carries them."""
 _SHORT = 3
@@ -106,7 +108,8 @@ def check(view: FileView) -> Iterator[Finding]:
     }
     undeclared = sorted(_asked_names(document) - declared.keys()) if unread else []
     meant = {name: near for name in unread if (near := _read_instead(name, undeclared))}
-    reasons = {name: _why_idle(name, elements, in_comments) for name, elements in unread.items()}
+    nothing_else = all(each.tag in ("launch", "group", "arg") for each in document.elements)
+    reasons = {name: NOTHING_ELSE if nothing_else else _why_idle(name, elements, in_comments) for name, elements in unread.items()}
     causes = {
         reason: _cause([unread[name] for name, each in reasons.items() if each == reason and name not in meant], reason, document)
         for reason in dict.fromkeys(reasons.values())
@@ -203,14 +206,8 @@ def _cause(unread: list[list[Element]], reason: str, document: Document) -> str:
     if len(unread) <= _MOST_ALIKE and all(
         any("default" in each.attributes or "value" in each.attributes for each in elements) for elements in unread
     ):
-        return "; ".join((reason, *sorted(map(_words, unread))))
+        return "; ".join((reason, *sorted(elements[0].get("name") or "" for elements in unread)))
     return f"{document.source.path} {reason}"
-
-
-def _words(elements: list[Element]) -> str:
-    """What is written in the declarations, but for what says when they count and what they are for."""
-    said = (attribute for element in elements for attribute in element.attributes.values())
-    return " ".join(f"{attribute.name}={attribute.value}" for attribute in said if attribute.name in ("name", "value", "default"))
 
 
 def _names_read(document: Document) -> set[str] | None:

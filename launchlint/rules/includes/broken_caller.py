@@ -65,10 +65,11 @@ mended in one place: so it is told there, once, and no more at each of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Location, Related, Severity
-from launchlint.rules.judging.broken_call import broken_call
+from launchlint.rules.judging.broken_call import MOVE, broken_call
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
 
@@ -110,3 +111,10 @@ def check(view: RunView) -> Iterator[Finding]:
             topic=f"{name} {'missing' if missing else 'undeclared'}",
             cause=broken_call(target, name),
         )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """With what the includes themselves say to do where the file holds the arg after all: a second declaration would be refused."""
+    told = joined(findings)
+    moved = next((each.help for each in findings if each.rule != RULE.id and each.help.startswith(MOVE)), "")
+    return told._replace(help=f"{moved}; or stop passing it there") if moved and told.rule == RULE.id else told

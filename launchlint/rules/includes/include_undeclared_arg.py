@@ -59,7 +59,7 @@ from functools import lru_cache
 from launchlint.evaluate.problems import IncludeUndeclaredArg
 from launchlint.finding import Finding, Severity
 from launchlint.rules.edits import LOADS, passed_under
-from launchlint.rules.judging.broken_call import broken_call
+from launchlint.rules.judging.broken_call import MOVE, broken_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
@@ -67,6 +67,7 @@ from launchlint.spelling import closest, did_you_mean
 
 RULE = Rule("LL403", "include-undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
+_TO_THE_TOP = "to the top level of the included file, without a condition"
 _MOST_NAMED = 8
 _near = lru_cache(maxsize=256)(closest)  # the same is asked in every configuration
 
@@ -97,10 +98,10 @@ def _help(undeclared: tuple[str, ...], known: tuple[str, ...], elsewhere: tuple[
     """What to do about each of the args, of which some are declared ``elsewhere`` in the file."""
     if len(undeclared) == 1:
         if elsewhere:
-            return "declare it at the top level of the included file, without a condition"
+            return f"{MOVE}its declaration {_TO_THE_TOP}"
         return did_you_mean(undeclared[0], known) or "remove it here, or declare it there"
     near = {name: other for name in undeclared if name not in elsewhere and (other := _near(name, known)) is not None}
-    advice = [f"declare {', '.join(elsewhere)} at the top level of the included file, without a condition"] if elsewhere else []
+    advice = [f"{MOVE}the declarations of {', '.join(elsewhere)} {_TO_THE_TOP}"] if elsewhere else []
     advice += [f"is {other} meant by {name}?" for name, other in near.items()]
     if len(elsewhere) + len(near) < len(undeclared):
         advice.append("remove the others here, or declare them there" if advice else "remove them here, or declare them there")

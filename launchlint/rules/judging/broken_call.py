@@ -10,3 +10,10 @@ def broken_call(target: str, name: str) -> str:
     that are copies of each other pass the same.
     """
     return f"call {target} {name}"
+
+
+MOVE = "move "
+"""How the help begins where the included file declares the arg, but in a group or under a condition.
+
+Not *declare it there*: where the other declaration counts too, roslaunch refuses the file (roslaunch.loader, ``add_arg``).
+"""

@@ -65,15 +65,16 @@ farm, a fresh robot) the launch fails, unless something else brings the package 
 only is left alone, and so is what needs this package itself to be built: the dependency would close a ring, and catkin would build
 nothing any more. Where two packages would only need each other to run, catkin has no objection; no fix makes such a ring either, since the
 file may belong into the other package. A fix is not called safe where it names a package of the workspace with launch files of its own:
-that one's fix could close the ring from the other side. Nor is it where no distribution that the workspace is for (Kinetic and later, where
-it names none) has released the package: rosdep would not find it.
+that one's fix could close the ring from the other side. Nor is it where one of the distributions that the workspace, or a condition in
+the `package.xml`, names has never had the package (where none is named: none since Kinetic): rosdep would not find it. What the fix leaves
+out is said, with the reason.
 """
 
 from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.late import late
@@ -119,6 +120,9 @@ _FIND = late(r"\bfind\(\s*['\"]([^'\"]*)['\"]\s*\)")
 
 _RECENT = ("kinetic", "melodic", "noetic")
 """What a workspace that names no distribution is taken to be for."""
+_CONDITION = late(r"\scondition\s*=\s*[\"']([^\"'<>]*)")
+_DISTRIBUTION = late(r"\b(?:indigo|jade|kinetic|lunar|melodic|noetic)\b", re.IGNORECASE)
+"""In the conditions of a ``package.xml`` of format 3: it is for all distributions that these tell apart."""
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -174,20 +178,26 @@ def check(view: FileView) -> Iterator[Finding]:
                 *([f"{LEFT_OUT}{reason}"] if reason else []),
                 *([TRIED.format(name)] if tried else []),
                 *([] if way is None else [_ring(way, closes=closes)]),
+                *([] if tested or reason or way is not None else _doubts(name, later, manifest, packages)),
             ),
             help=_MOVE.format(document.source.path) if way is not None else f"{'change it to' if tested else 'add'} {line}",
             topic=name,
             cause="" if tested else manifest_path,
             fix=None
             if tested or (reason and not extra) or way is not None
-            else _fix(place, manifest, line, safe=name not in later and _can_be_had(name, packages)),
+            else _fix(place, manifest, line, safe=not _doubts(name, later, manifest, packages)),
         )
 
 
-def _can_be_had(name: str, packages: Packages) -> bool:
-    """Whether rosdep finds the package: it is here, or was released for a distribution that the workspace is for."""
-    meant = packages.distributions().meant or _RECENT
-    return packages.has(name) or any(not never_released((name,), distribution) for distribution in meant)
+def _doubts(name: str, later: Mapping[str, Way], manifest: Manifest, packages: Packages) -> list[str]:
+    """Why a fix that declares the package is not safe; nothing where it is."""
+    doubts = [f"once {name} declares what its own launch files use, to declare it here could close a ring"] if name in later else []
+    named = {each.lower() for text in _CONDITION.findall(manifest.source.text) for each in _DISTRIBUTION.findall(text)}
+    meant = named | packages.distributions().meant
+    lacking = sorted(each for each in meant or _RECENT if never_released((name,), each))
+    if not packages.has(name) and (lacking if meant else len(lacking) == len(_RECENT)):
+        doubts.append(f"{name} was never released for {', '.join(each.title() for each in lacking)}: rosdep does not find it there")
+    return doubts
 
 
 def _home(packages: Packages, file: str) -> Package | None:
@@ -228,7 +238,9 @@ def together(findings: Sequence[Finding]) -> Finding:
     fix = None
     if len({edit[:3] for edit in edits}) == 1:  # all at one place: they are one insertion
         joined = edits[0]._replace(text="".join(edit.text for edit in edits))
-        fix = Fix(fixes[0].message if len(fixes) == 1 else f"add {len(fixes)} dependencies", fixes[0].safe, (joined,))
+        added = [finding.topic for finding in findings if finding.fix in fixes]
+        message = f"add {len(fixes)} dependencies" if len(fixes) == len(findings) else f"add {_listed(added)}, not the others"
+        fix = Fix(message, fixes[0].safe, (joined,))
     return first._replace(
         message=f"{first.location.path} does not declare {len(names)} packages that its launch files use: {_listed(names)}",
         label="not declared here",

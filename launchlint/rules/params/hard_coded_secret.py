@@ -39,7 +39,7 @@ import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Location, Severity
-from launchlint.late import late
+from launchlint.rules.judging.secret_names import is_secret
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.source import Place
@@ -47,11 +47,6 @@ from launchlint.syntax.tree import Attribute, Document, Element
 
 RULE = Rule("LL509", "hard-coded-secret", Severity.WARNING)
 
-_SECRET = late(
-    r"(?:^|[\W_]|(?<=[a-z])(?=[A-Z]))(?:password|passwd|passphrase|passcode|secret|secret_?key|api_?key|access_?key|auth_?key|"
-    r"auth_?token|access_?token|api_?token|bearer_?token|token|private_?key|encryption_?key)$",
-    re.IGNORECASE,
-)
 _PLACEHOLDER = (
     r"(?is)<.*>|\{.*\}|%.*%|\[.*\]|(.)\1*|(?:your|my|the|some|enter|insert|put)[\W_].*|"
     r".*(?:change_?me|replace_?me|placeholder|example|dummy).*|"
@@ -71,7 +66,7 @@ def check(view: FileView) -> Iterator[Finding]:
                 yield _finding(document, element, "password", f"the password of machine {element.get('name') or ''}".rstrip())
         elif tag in ("param", "arg", "env"):
             name = element.get("name") or ""
-            if _SECRET.search(name.strip()) is not None:
+            if is_secret(name):
                 for attribute in ("value", "default"):
                     if _is_literal(element.attributes.get(attribute)):
                         yield _finding(document, element, attribute, name.strip())

@@ -4,7 +4,8 @@ What it does: where the library says with which type a node reads a param, it co
 for a double and rounds a double to an int, and nothing else: text is no number, and 1 is no bool. rospy takes any value; there only a
 list or a mapping instead of a single value is told, and the reverse. Values in one YAML file that are wrong in the same way are told as
 one, also where the file was copied, and so is the same value of the same param in several files. An empty text is an info: it is a way to
-say that the param is not set. So is a value that is the default in another type: `1e-3`, a text for YAML, where the default is 0.001.
+say that the param is not set. So is a value that says the same as the default that the node falls back to: `1e-3`, a text for YAML, where
+the default is 0.001, or `none` where it is false.
 
 ## Why it matters
 
@@ -56,6 +57,8 @@ _TAKES = {"bool": ("bool",), "int": ("int", "double"), "double": ("double", "int
 _WORDS = {"bool": "a bool", "int": "an int", "double": "a double", "str": "a string", "list": "a list", "dict": "a mapping"}
 _CONTAINERS = ("list", "dict")
 _SWITCHES = ("true", "false")
+_NOTHING = ("", "~", "none", "null", "nil", "off", "no", "n", "disabled", "false", "0")
+_ON = ("on", "yes", "y", "enabled", "true", "1")
 _EXPONENT = late(r"([-+]?[0-9]+)(\.[0-9]*)?[eE]([-+]?)([0-9]+)")
 """A number with an exponent. roslaunch wants a point in it (roslaunch.loader.convert_value), PyYAML a point and a sign."""
 
@@ -125,7 +128,9 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
     if instance.client == "rospy":
         instead = f"it expects {_WORDS[one]}"
     means_default = known and (
-        _plain(value) in (_plain(default), str(int(default)) if isinstance(default, bool) else "") or _is_number(value, default)
+        _plain(value) in (_plain(default), str(int(default)) if isinstance(default, bool) else "")
+        or _is_number(value, default)
+        or (isinstance(value, str) and value.strip().lower() in _words_for(default))
     )
     return RULE.at(
         setting.origin,
@@ -141,6 +146,11 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
 def _plain(value: Any) -> str:
     """The value without what tells a list from the text of one."""
     return str(value).lower().replace(" ", "").strip("[]")
+
+
+def _words_for(default: Any) -> tuple[str, ...]:
+    """What people write for ``default``: *none* for what is off or has nothing in it."""
+    return _ON if default is True else () if default else _NOTHING
 
 
 def _is_number(value: Any, default: Any) -> bool:

@@ -1,0 +1,22 @@
+"""Names of what nobody is to read in a file: passwords, tokens, keys."""
+
+from __future__ import annotations
+
+import re
+
+from launchlint.late import late
+
+_SECRET = late(
+    r"(?:^|[\W_]|(?<=[a-z])(?=[A-Z]))(?:password|passwd|passphrase|passcode|secret|(?:secret|api|access|auth|private|encryption)_?key|"
+    r"(?:(?:auth|access|api|bearer)_?)?token|(pw|pwd|pass|key))$",
+    re.IGNORECASE,
+)
+
+
+def is_secret(name: str, *, variable: bool = False) -> bool:
+    """Whether ``name`` ends in a word for a secret.
+
+    Of an environment variable (``variable``) shorter words say so too: a param may be a pulse width, a low pass or the key of a map.
+    """
+    found = _SECRET.search(name.strip())
+    return found is not None and (variable or found[1] is None)
