@@ -20,10 +20,9 @@ from launchlint.evaluate.problems import (
     UsedBeforeDeclaration,
 )
 from launchlint.evaluate.ros1.arg_uses import args_needed
-from launchlint.evaluate.ros1.scope import ActiveSetting, Context, Missing
+from launchlint.evaluate.ros1.scope import ActiveSetting, Context, Missing, asked_of
 from launchlint.evaluate.ros1.substitution import ANONYMOUS_FOLD, OUTSIDE, SHORT, absolute_directory, never_boolean, resolve
 from launchlint.evaluate.session import Session
-from launchlint.late import late
 from launchlint.model import Condition, ScopedSetting, Unknown
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Span
@@ -49,12 +48,6 @@ INHERITED_PER_ELEMENT = 8
 DEEPEST_INCLUDE = 300
 """Includes inside includes: roslaunch itself overflows Python's stack a little above this (three frames an include, limit 1000)."""
 
-
-_WORD = late(r"[\w./-]+")
-"""As the name of an arg is written in a condition."""
-_MOST_ASKED = 12
-_LONGEST_ASKED = 1_000
-"""Declarations of one arg, and characters of a condition, that are asked on which args they hang."""
 
 Declaration: TypeAlias = "tuple[str, int]"
 """Where an arg is declared: the path of the file as shown, and the offset of the name."""
@@ -329,20 +322,9 @@ class FileEvaluation:
                     entry=self.is_entry,
                     skipped=skipped,
                     in_expression=in_expression,
-                    asked=tuple(self._asked(outer, context)),
+                    asked=tuple(asked_of(outer, context, self.reads)),
                 )
             )
-
-    def _asked(self, elements: list[Element], context: Context) -> Iterator[tuple[str, str]]:
-        """The args that the conditions of ``elements`` may ask, with the values that they have here."""
-        if len(elements) > _MOST_ASKED:
-            return
-        texts = (element.attributes[name].value for element in elements for name in ("if", "unless") if name in element.attributes)
-        for name in sorted({word for text in texts for word in _WORD.findall(text[:_LONGEST_ASKED])} & context.arguments.keys()):
-            value = context.arguments[name]
-            self.reads.add(name)
-            if isinstance(value, str) and len(value) < SHORT:
-                yield name, value
 
     def declarations(self) -> dict[str, list[Element]]:
         """All ``<arg>`` elements of this file outside includes, by name as written."""

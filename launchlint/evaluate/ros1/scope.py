@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.block import PrivateParameter, Value
+from launchlint.late import late
 from launchlint.model import Condition, EnvironmentSetting, Remap, Scope, Unknown
 from launchlint.source import Origin, Place
+from launchlint.syntax.tree import Element
+
+_WORD = late(r"[\w./-]+")
+"""As the name of an arg is written in a condition."""
+_MOST_ASKED = 12
+_LONGEST_ASKED = 1_000
+_LONGEST_VALUE = 100
+"""Declarations of one arg, characters of a condition, and of a value, for which it is worked out on which args they hang."""
 
 
 class Missing(Unknown):
@@ -137,3 +146,15 @@ def set_private(parameters: list[PrivateParameter], parameter: PrivateParameter)
             return old
     parameters.append(parameter)
     return None
+
+
+def asked_of(elements: Sequence[Element], context: Context, reads: set[str]) -> Iterator[tuple[str, str]]:
+    """The args that the conditions of ``elements`` may ask, with their values as far as these are known; ``reads`` takes their names."""
+    if len(elements) > _MOST_ASKED:
+        return
+    texts = (element.attributes[name].value for element in elements for name in ("if", "unless") if name in element.attributes)
+    for name in sorted({word for text in texts for word in _WORD.findall(text[:_LONGEST_ASKED])} & context.arguments.keys()):
+        reads.add(name)
+        value = context.arguments[name]
+        if isinstance(value, str) and len(value) < _LONGEST_VALUE:
+            yield name, value
