@@ -18,7 +18,11 @@ if TYPE_CHECKING:
 
 
 class Substitution(NamedTuple):
-    """``$(name argument …)``: computed when its action is executed. ``name`` is the front end's (``var``, ``find-pkg-share``)."""
+    """``$(name argument …)``: computed when its action is executed. ``name`` is the front end's (``var``, ``find-pkg-share``).
+
+    Where the front end refused it, it stands here all the same, with any name and arguments (with an empty name, where the value could not
+    be read at all): what it gives is unknown, and told of already. An argument ``''`` is a text without pieces.
+    """
 
     name: str
     arguments: tuple[Text, ...]
@@ -66,13 +70,15 @@ class Remap(NamedTuple):
 class TypedValue(NamedTuple):
     """The value of a ``<param>``: ``type`` is what launch's ``type`` attribute says (None: to be guessed by launch's YAML rules).
 
-    ``value`` is one text, or a tuple of them where the front end gave a list (``value-sep``, a list in YAML). What YAML wrote as a number
-    or a boolean stands in ``plain``, and ``value`` is its text.
+    ``value`` is one text, or a tuple of them where the front end gave a list (``value-sep``, a list in YAML or in an XML value). What
+    launch knows as a value already when it reads the file stands in ``plain``: numbers, booleans, and texts without substitutions, which
+    it does not look into again. ``plain`` is None where the text is to be computed and then read as a ``type``; for a list it is a tuple
+    of the same length, with None for each item that is to be computed.
     """
 
     value: Text | tuple[Text, ...]
     type: str | None = None
-    plain: bool | int | float | str | tuple[bool | int | float | str, ...] | None = None
+    plain: bool | int | float | str | tuple[bool | int | float | str | None, ...] | None = None
 
 
 class Parameter(NamedTuple):
@@ -85,7 +91,7 @@ class Parameter(NamedTuple):
 
 
 class ParameterFile(NamedTuple):
-    """``<param from allow_substs>``."""
+    """``<param from allow_substs>``. A text in ``allow_substs`` is judged when the node is executed, one without pieces, too."""
 
     file: Text
     allow_substs: Text | bool
@@ -328,6 +334,7 @@ class Timer(NamedTuple):
     actions: tuple[Action, ...]
     place: Place
     condition: Condition | None = None
+    cancel_on_shutdown: Text | bool | None = None
 
 
 Action: TypeAlias = (

@@ -1,0 +1,132 @@
+"""``<param>``: a name with a value, or with further params in it, or a file.
+
+Source: ``launch_ros.actions.Node.parse_nested_parameters``.
+"""
+
+from __future__ import annotations
+
+from launchlint.source import Origin
+from launchlint.syntax.ros2 import complaints
+from launchlint.syntax.ros2.description import Parameter, ParameterFile, Substitution, Text, TypedValue
+from launchlint.syntax.ros2.problems import ParameterForm, WrongValue
+from launchlint.syntax.ros2.tables import PARAMETER, PARAMETER_TYPES
+from launchlint.syntax.ros2.values import literal_fits
+from launchlint.syntax.ros2.words import EXPECTED
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from launchlint.source import Place
+    from launchlint.syntax.ros2.description import ParameterSource
+    from launchlint.syntax.ros2.entity import Entity, Value
+    from launchlint.syntax.ros2.parsing import Parser
+    from launchlint.syntax.ros2.problems import Form
+    from launchlint.syntax.ros2.values import Plain, Scalar
+
+
+def parameters(parser: Parser, entity: Entity) -> tuple[ParameterSource, ...]:
+    """The params of a node, in order."""
+    found: list[ParameterSource] = []
+    for each in entity.named("param", parser.problems) or ():
+        file = each.value("from", "str", parser.problems)
+        substitute = each.value("allow_substs", "bool", parser.problems)
+        name = each.value("name", "str", parser.problems)
+        if file is not None and name is not None:
+            _form(parser, "from-and-name", max(file.place, name.place, key=lambda place: place.span))
+        if file is not None:
+            found.append(_file(parser, each, file, substitute))
+        elif name is not None:
+            if substitute is not None:
+                _form(parser, "substs-without-from", each.attribute_place("allow_substs"))
+            found.extend(_nested(parser, [each]))
+        elif not each.has("from") and not each.has("name"):
+            _form(parser, "neither", each.name_place)
+    return tuple(found)
+
+
+def _file(parser: Parser, entity: Entity, file: Value, substitute: Value | None) -> ParameterFile:
+    allowed: Text | bool = False
+    if substitute is not None:
+        allowed = parser.text(substitute.text) if isinstance(substitute.plain, str) else bool(substitute.plain)
+    complaints.unread(parser, entity, PARAMETER, ())
+    return ParameterFile(parser.text(file.text), allowed, entity.place)
+
+
+def _nested(parser: Parser, entities: Iterable[Entity]) -> list[Parameter]:
+    """The params that have a name, and those in them."""
+    found: list[Parameter] = []
+    problems = parser.problems
+    for entity in entities:
+        value = entity.value("name", "str", problems)
+        if value is None and not entity.has("name"):
+            complaints.lacks(parser, entity, "name")
+        name = parser.text(value.text) if value is not None else Text((Substitution("", (), entity.place),), entity.place)
+        kind = _type(parser, entity)
+        given = entity.value("value", kind or "yaml", problems)
+        inner = entity.named("param", problems) or ()
+        complaints.unread(parser, entity, PARAMETER, ("param",))
+        if inner and entity.has("value"):
+            _form(parser, "value-and-nested", entity.attribute_place("value"))
+        elif inner and kind is not None and kind != "yaml":
+            _form(parser, "type-and-nested", entity.attribute_place("type"))
+        if given is not None:
+            found.append(Parameter(name, typed(parser, entity.tag, given, kind), (), entity.place))
+        elif inner:
+            found.append(Parameter(name, None, tuple(_nested(parser, inner)), entity.place))
+        elif not entity.has("value"):
+            _form(parser, "empty", entity.name_place)
+    return found
+
+
+def _type(parser: Parser, entity: Entity) -> str | None:
+    """What ``type`` says; None for nothing."""
+    value = entity.value("type", "yaml", parser.problems)
+    if value is None:
+        return None
+    if isinstance(value.plain, str) and value.plain in PARAMETER_TYPES:
+        return value.plain
+    said = value.plain if isinstance(value.plain, str) else value.place.text
+    parser.problems.append(ParameterForm(origin=Origin(value.place), refused=True, form="type", value=said))
+    return None
+
+
+def typed(parser: Parser, tag: str, value: Value, kind: str | None) -> TypedValue:
+    """A value, as far as it is known without computing anything. What does not fit ``kind`` is told of."""
+    kind = None if kind == "yaml" else kind
+    if not isinstance(value.plain, list):
+        if not isinstance(value.plain, str):
+            return TypedValue(Text((_shown(value.plain),), value.place), kind, _fitting(parser, tag, value.place, value.plain, False, kind))
+        text = parser.text(value.text)
+        if text.literal is None:
+            return TypedValue(text, kind)
+        return TypedValue(text, kind, _fitting(parser, tag, value.place, text.literal, False, kind))
+    texts: list[Text] = []
+    plain: list[Scalar | None] = []
+    for each, written in zip(value.plain, value.items, strict=True):
+        text = Text((_shown(each),), value.place) if written is None else parser.text(written)
+        texts.append(text)
+        plain.append(each if written is None else text.literal)
+    known = [each for each in plain if each is not None]
+    if len({type(each) for each in known}) > 1:
+        _form(parser, "mixed-list", value.place)
+    else:
+        _fitting(parser, tag, value.place, known, len(known) < len(plain), kind)
+    return TypedValue(tuple(texts), kind, tuple(plain))
+
+
+def _fitting(parser: Parser, tag: str, place: Place, plain: Plain, computed: bool, kind: str | None) -> Scalar | None:
+    if not literal_fits(plain, computed, kind):
+        expected = EXPECTED[kind or "yaml"]
+        parser.problems.append(
+            WrongValue(origin=Origin(place), refused=True, tag=tag, attribute="value", value=place.text, expected=expected)
+        )
+    return None if isinstance(plain, list) else plain
+
+
+def _shown(plain: Scalar) -> str:
+    return str(plain).lower() if isinstance(plain, bool) else str(plain)
+
+
+def _form(parser: Parser, form: Form, place: Place) -> None:
+    parser.problems.append(ParameterForm(origin=Origin(place), refused=True, form=form))

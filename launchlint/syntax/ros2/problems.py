@@ -1,0 +1,205 @@
+"""What launch's front ends refuse in a launch file as it is written: one class for each kind of :class:`~launchlint.problem.Problem`.
+
+``refused`` is set on all of them: each alone is enough for launch to refuse the file.
+"""
+
+from __future__ import annotations
+
+from launchlint.problem import Problem
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Literal
+
+    Where = Literal["tag", "attribute", "substitution", "words"]
+    Broken = Literal["any-all", "modules"]
+    Form = Literal["from-and-name", "neither", "substs-without-from", "value-and-nested", "type-and-nested", "empty", "type", "mixed-list"]
+    Shape = Literal["entities", "entity", "children", "mapping", "one-action"]
+
+
+class MalformedXml2(Problem):
+    """The file is not well-formed XML: fields as in :class:`launchlint.syntax.problems.MalformedXml`."""
+
+    message: str
+    code: str
+    hint: str
+    opened: str
+    closed: str
+
+
+class MalformedYaml(Problem):
+    """The file is no YAML that launch loads: ``message`` in plain words, ``reason`` as in :class:`~launchlint.yaml.refusals.YamlError`."""
+
+    message: str
+    reason: str
+
+
+class WrongRoot(Problem):
+    """The document element, or the only key of the YAML mapping, is not ``launch``.
+
+    ``tag`` is the one that stands there; empty where YAML has no key (``keys`` 0) or several.
+    """
+
+    tag: str
+    keys: int = 1
+
+
+class UnknownAction(Problem):
+    """A tag that is no action, where an action has to stand.
+
+    ``known`` are the actions; ``inner`` the tags that have an inner tag of this name; ``parent`` is the tag around it.
+    """
+
+    tag: str
+    parent: str
+    known: tuple[str, ...]
+    inner: tuple[str, ...] = ()
+
+
+class UnknownChild(Problem):
+    """A tag in one that has none of this name inside; ``known`` are those that it may hold, ``action``: it is one where actions stand."""
+
+    tag: str
+    parent: str
+    known: tuple[str, ...]
+    action: bool
+
+
+class UnreadAttribute(Problem):
+    """An attribute (in YAML: a key) that launch does not read.
+
+    ``known`` are those of the tag that are not given yet, ``given`` those that are; ``owners`` the tags that have one of this name.
+    """
+
+    tag: str
+    attribute: str
+    known: tuple[str, ...]
+    given: tuple[str, ...]
+    owners: tuple[str, ...]
+
+
+class LacksAttribute(Problem):
+    """An attribute that must be there and is not; ``given`` are those that are. ``child``: it is an inner tag that must be there."""
+
+    tag: str
+    attribute: str
+    given: tuple[str, ...]
+    child: bool = False
+
+
+class BothConditions(Problem):
+    """``if`` and ``unless`` on one element, at the second of the two."""
+
+    tag: str
+
+
+class WrongValue(Problem):
+    """A ``value`` as written that the attribute does not take; ``expected`` says in words what it does."""
+
+    tag: str
+    attribute: str
+    value: str
+    expected: str
+    choices: tuple[str, ...] = ()
+
+
+class NegativeValue(Problem):
+    """A number of seconds below zero."""
+
+    tag: str
+    attribute: str
+    value: str
+
+
+class OpenQuote(Problem):
+    """A command line that cannot be split into words, for this ``reason``."""
+
+    tag: str
+    attribute: str
+    reason: str
+
+
+class WantsText(Problem):
+    """YAML has a value that is no text where launch takes only text; ``found`` says what it is (``an integer``)."""
+
+    tag: str
+    attribute: str
+    found: str
+
+
+class WantsNumber(Problem):
+    """A ``value`` (text, or an integer in YAML) where launch takes only a number with a fraction, or compares a text with one.
+
+    ``substitution``: there is one in it, which launch's front ends do not compute here.
+    """
+
+    tag: str
+    attribute: str
+    value: str
+    substitution: bool
+
+
+class YamlForm(Problem):
+    """YAML of another form than launch reads here.
+
+    ``shape`` says which: a list of mappings (``entities``), each item one (``entity``), actions as a list or under ``children``, a mapping,
+    one action with one key.
+    """
+
+    tag: str
+    attribute: str
+    shape: Shape
+
+
+class ParameterForm(Problem):
+    """A ``<param>`` with attributes that do not go together, or too few of them: see ``form``."""
+
+    form: Form
+    value: str = ""
+
+
+class BadSubstitution(Problem):
+    """What begins like a substitution and cannot be read: ``reason`` in plain words; ``text`` is the whole value."""
+
+    text: str
+    reason: str
+
+
+class UnknownSubstitution(Problem):
+    """A substitution whose name launch does not know; ``words`` are what is written behind it, joined."""
+
+    name: str
+    words: str
+    known: tuple[str, ...]
+
+
+class SubstitutionArity(Problem):
+    """A substitution with ``count`` words, where it takes ``fewest`` to ``most``."""
+
+    name: str
+    count: int
+    fewest: int
+    most: int
+
+
+class NotInDistribution(Problem):
+    """What this ``distro`` does not have, and another has ``since`` it (``later``: one newer than the tables)."""
+
+    what: Where
+    name: str
+    tag: str
+    distro: str
+    since: str
+
+
+class BrokenInFrontend(Problem):
+    """What launch has, and its front ends for XML and YAML cannot make."""
+
+    what: Broken
+    name: str
+
+
+class TooDeep(Problem):
+    """Tags that stand in each other deeper than launch's recursion reaches."""
+
+    deepest: int
