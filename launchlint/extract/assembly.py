@@ -20,7 +20,7 @@ from launchlint.workspace.cmake_exports import Exported, exported_commands
 from launchlint.workspace.cmake_facts import read_cmake
 from launchlint.workspace.cmake_targets import CMakeFacts, Target
 from launchlint.workspace.nodelets import NodeletClass, plugin_classes
-from launchlint.workspace.packages import Package
+from launchlint.workspace.package import Package
 
 CPP_ENDINGS = (".cpp", ".cc", ".cxx", ".c++", ".C", ".cu")
 MOST_SOURCES = 400

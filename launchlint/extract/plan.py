@@ -18,7 +18,8 @@ from launchlint.workspace.cmake_targets import CMakeFacts, Target
 from launchlint.workspace.executables import Executables, executables
 from launchlint.workspace.looking import read_bytes
 from launchlint.workspace.nodelets import NodeletClass
-from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
 
 _PYTHON = re.compile(rb"#![^\n]*\bpython")
 _NO_PROGRAMS = ("setup.py", "conf.py", "__init__.py")

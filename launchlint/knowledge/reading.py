@@ -12,7 +12,7 @@ from launchlint.extract.reading import ProgramReader
 from launchlint.knowledge.checked import checked
 from launchlint.knowledge.entry import Key, Known, States
 from launchlint.workspace import looking
-from launchlint.workspace.packages import Package
+from launchlint.workspace.package import Package
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

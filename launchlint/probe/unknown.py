@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from launchlint.graph.connections import ConnectionGraph, Instance
-    from launchlint.workspace.packages import Package, Packages
+    from launchlint.workspace.package import Package
+    from launchlint.workspace.packages import Packages
 
 PLACE = "{}"
 """Stands in args for a word that the probe makes up, to find it again in names."""

@@ -1,8 +1,11 @@
-"""Finding packages below a directory, by the rules of rospkg.rospack.list_by_path.
+"""Finding packages below a directory, by the rules of rospkg.rospack.list_by_path, or by those of colcon.
 
 A package is a directory with a ``package.xml`` (its name is what the file says) or a ``manifest.xml`` (its name is the directory's).
 A package is a leaf: nothing below it is looked at, nor below a metapackage. ``CATKIN_IGNORE`` and ``rospack_nosubdirs`` end the walk, so
 do hidden directories and, as in Debian's rospkg, whatever lies deeper than one level below ``/usr/share``. Symbolic links are followed.
+
+For colcon a package is a directory with a ``package.xml``, a metapackage like any other; ``COLCON_IGNORE`` and ``AMENT_IGNORE`` end the
+walk, and ``CATKIN_IGNORE`` and ``rospack_nosubdirs`` mean nothing (colcon-recursive-crawl, colcon-ros).
 
 Different from rospkg on purpose: the walk is sorted, so that the answer does not hang on the file system; a broken ``package.xml`` is
 noted where rospkg would stop with a traceback; links that lead back to where one came from are not followed for ever.
@@ -20,7 +23,21 @@ CATKIN_IGNORE = "CATKIN_IGNORE"
 NO_SUBDIRECTORIES = "rospack_nosubdirs"
 SYSTEM_SHARE = "/usr/share/"
 
-_MARKERS = frozenset((CATKIN_IGNORE, PACKAGE_FILE, MANIFEST_FILE, NO_SUBDIRECTORIES))
+
+class Way(NamedTuple):
+    """How packages are found: ``manifests`` are the files that make a directory one, ``ignoring`` those that hide it and what lies below,
+    ``ends`` the others that end the walk. ``metapackages`` are packages, too, where that is true.
+    """
+
+    manifests: tuple[str, ...]
+    ignoring: tuple[str, ...]
+    ends: tuple[str, ...]
+    metapackages: bool
+
+
+ROSPACK = Way((PACKAGE_FILE, MANIFEST_FILE), (CATKIN_IGNORE,), (NO_SUBDIRECTORIES,), False)
+COLCON = Way((PACKAGE_FILE,), ("COLCON_IGNORE", "AMENT_IGNORE"), (), True)
+
 # How often one directory is entered through different symbolic links before further ones are left alone: links among a few
 # directories can otherwise spell a number of paths that is exponential in the number of directories.
 _MOST_ENTRANCES = 16
@@ -37,19 +54,19 @@ class Crawled(NamedTuple):
     reason: str
 
 
-def crawl(root: str) -> list[Crawled]:
+def crawl(root: str, way: Way = ROSPACK) -> list[Crawled]:
     """All packages, metapackages and broken packages below ``root`` (any path), sorted by directory as a depth-first walk meets them.
 
     What cannot be read is passed over. Never raises.
     """
-    return crawl_all(root)[0]
+    return crawl_all(root, way)[0]
 
 
-def crawl_all(root: str, *, through_ignored: bool = False) -> tuple[list[Crawled], list[str]]:
-    """As :func:`crawl`, and the directories that a ``CATKIN_IGNORE`` keeps it out of; ``through_ignored`` goes into those, too."""
+def crawl_all(root: str, way: Way = ROSPACK, *, through_ignored: bool = False) -> tuple[list[Crawled], list[str]]:
+    """As :func:`crawl`, and the files (``CATKIN_IGNORE`` …) that keep it out of directories; ``through_ignored`` goes into those, too."""
     found: list[Crawled] = []
     ignored: list[str] = []
-    ends = _MARKERS - {CATKIN_IGNORE} if through_ignored else _MARKERS
+    ends = frozenset((*way.manifests, *way.ends, *(() if through_ignored else way.ignoring)))
     pending = [os.path.abspath(root)]  # depth first, the next directory last
     entrances: dict[tuple[int, int], int] = {}
     visited = 0
@@ -63,7 +80,7 @@ def crawl_all(root: str, *, through_ignored: bool = False) -> tuple[list[Crawled
             if directory.startswith(SYSTEM_SHARE):  # nothing deeper counts there, and its directories may hold thousands of files
                 markers.update(name for name in ends if os.path.isfile(directory + "/" + name))
                 if markers:
-                    _note_packages(directory, markers, found)
+                    _note_packages(directory, markers, way, found)
                 continue
             with os.scandir(directory) as scan:
                 for entry in scan:
@@ -77,9 +94,11 @@ def crawl_all(root: str, *, through_ignored: bool = False) -> tuple[list[Crawled
         except OSError:
             continue
         if markers:
-            if CATKIN_IGNORE in markers:
-                ignored.append(directory)
-            _note_packages(directory, markers, found)
+            marker = next((each for each in way.ignoring if each in markers), None)
+            if marker is not None:
+                ignored.append(os.path.join(directory, marker))
+            else:
+                _note_packages(directory, markers, way, found)
             continue
         below.sort(reverse=True)
         start = directory if directory.endswith("/") else directory + "/"
@@ -87,9 +106,9 @@ def crawl_all(root: str, *, through_ignored: bool = False) -> tuple[list[Crawled
     return found, ignored
 
 
-def _note_packages(directory: str, markers: set[str], found: list[Crawled]) -> None:
+def _note_packages(directory: str, markers: set[str], way: Way, found: list[Crawled]) -> None:
     """Append what the manifests among ``markers`` of ``directory`` describe."""
-    if CATKIN_IGNORE in markers:
+    if not markers.isdisjoint(way.ignoring):
         return
     if PACKAGE_FILE in markers:
         found.append(examine(directory, PACKAGE_FILE))

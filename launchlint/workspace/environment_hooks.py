@@ -15,7 +15,7 @@ from launchlint.workspace.looking import content, is_directory, names
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.workspace.packages import Package
+    from launchlint.workspace.package import Package
 
 _DIRECTORIES = ("env-hooks", "env_hooks", "env-hook", "env_hook")
 _CMAKE_FILE = "CMakeLists.txt"

@@ -19,7 +19,8 @@ from launchlint.workspace.listing import files_of
 from launchlint.workspace.looking import note, start, walk, watched
 from launchlint.workspace.manifest import PACKAGE_FILE
 from launchlint.workspace.nodelets import NodeletClass, read_nodelet_classes
-from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
 from launchlint.workspace.prefixes import Prefix
 
 _MOST_DIRECTORIES = 300

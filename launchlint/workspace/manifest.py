@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pyexpat import ExpatError, ParserCreate
 from typing import NamedTuple
 
@@ -56,11 +56,12 @@ class Identity(NamedTuple):
 
 
 class Dependency(NamedTuple):
-    """One dependency tag: the package it names, the tag, and the whole element's place (tags included)."""
+    """One dependency tag: the package it names, the tag, the whole element's place (tags included), and the condition that it has."""
 
     name: str
     tag: str
     span: Span
+    condition: str = ""
 
     @property
     def kinds(self) -> tuple[str, ...]:
@@ -72,8 +73,9 @@ class Manifest(NamedTuple):
     """All that launchlint reads from a ``package.xml`` or ``manifest.xml``.
 
     ``format`` is 1, 2 or 3, and 0 for ``manifest.xml``. ``plugins`` are the values of ``<export><nodelet plugin="…"/></export>`` with
-    ``${prefix}`` replaced by the package's directory. ``build_types`` are the texts of ``<export><build_type>``. ``root_end`` is
-    the place of the root's closing tag (``None`` where there is none), ``name_span`` that of the ``<name>`` element.
+    ``${prefix}`` replaced by the package's directory. ``build_types`` are the texts of ``<export><build_type>``, ``build_conditions`` the
+    condition of each of them. ``root_end`` is the place of the root's closing tag (``None`` where there is none), ``name_span`` that of
+    the ``<name>`` element.
     """
 
     source: Source
@@ -85,6 +87,28 @@ class Manifest(NamedTuple):
     build_types: tuple[str, ...]
     name_span: Span | None
     root_end: Span | None
+    build_conditions: tuple[str, ...] = ()
+
+    def under(self, context: Mapping[str, str]) -> Manifest:
+        """What is left of it where the variables in its conditions (format 3, REP 149) are those of ``context``.
+
+        A condition that is none counts as true: catkin_pkg refuses the file, and here the author's intention counts.
+        """
+        types = [each for each in zip(self.build_types, self.build_conditions, strict=True) if _applies(each[1], context)]
+        return self._replace(
+            dependencies=tuple(each for each in self.dependencies if _applies(each.condition, context)),
+            build_types=tuple(each for each, _ in types),
+            build_conditions=tuple(condition for _, condition in types),
+        )
+
+    @property
+    def ros_versions(self) -> frozenset[str]:
+        """``1`` and ``2``, as far as it is built for them: by catkin, which goes without a build type, or by ament (REP 127, REP 149)."""
+        found: set[str] = set()
+        for version in ("1", "2"):
+            types = self.under({"ROS_VERSION": version}).build_types or ("catkin",)
+            found.update("2" if each.startswith("ament") else version if each == "cmake" else "1" for each in types)
+        return frozenset(found)
 
     @property
     def is_catkin(self) -> bool:
@@ -190,16 +214,17 @@ def parse_manifest(data: bytes, path: str, shown: str | None = None) -> Manifest
     number, metapackage, root_end = "1", False, None
     dependencies: list[Dependency] = []
     plugins: list[str] = []
-    build_types: list[str] = []
+    build_types: list[tuple[str, str]] = []
     for element in _elements(source.text):
         tag, attributes = element.tag, element.attributes
+        condition = attributes.get("condition", "")
         if not element.parents:
             number, root_end = attributes.get("format", "1").strip(), element.closing
         elif element.parents[1:] == ("export",):
             if tag == "metapackage":
                 metapackage = True
             elif tag == "build_type":
-                build_types.append(element.text.strip())
+                build_types.append((element.text.strip(), condition))
             elif tag == "nodelet" and "plugin" in attributes:
                 plugins.append(attributes["plugin"].replace("${prefix}", directory))
         elif len(element.parents) != 1:
@@ -210,7 +235,7 @@ def parse_manifest(data: bytes, path: str, shown: str | None = None) -> Manifest
         elif tag == "name" and name_span is None:
             name, name_span = element.text.strip(), element.span
         elif tag in _KINDS:
-            dependencies.append(Dependency(element.text.strip(), tag, element.span))
+            dependencies.append(Dependency(element.text.strip(), tag, element.span, condition))
     return Manifest(
         source,
         name,
@@ -218,10 +243,22 @@ def parse_manifest(data: bytes, path: str, shown: str | None = None) -> Manifest
         metapackage,
         tuple(each for each in dependencies if each.name),
         tuple(plugins),
-        tuple(each for each in build_types if each),
+        tuple(each for each, _ in build_types if each),
         name_span,
         root_end,
+        tuple(condition for each, condition in build_types if each),
     )
+
+
+def _applies(condition: str, context: Mapping[str, str]) -> bool:
+    if not condition:
+        return True
+    from launchlint.workspace.ament.conditions import holds
+
+    try:
+        return holds(condition, context)
+    except ValueError:
+        return True
 
 
 class _Element:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from launchlint.late import late
 from launchlint.workspace.looking import read_bytes
-from launchlint.workspace.packages import Package
+from launchlint.workspace.package import Package
 
 _DECLARATION = late(r"\A\s*<\?xml[^>]*\?>")
 

@@ -1,20 +1,21 @@
-"""Packages by name and by place: the static counterpart of rospkg.RosPack.
+"""Packages by name and by place: the static counterpart of rospkg.RosPack, and of what colcon and ament find.
 
 Where several places have a package of one name, the order is: the workspaces as given, the entries of
 ``ROS_PACKAGE_PATH``, then installed prefixes (``CMAKE_PREFIX_PATH``, ``/opt/ros/$ROS_DISTRO``) and last ``/usr/share``, which Debian's
 rospkg always adds. Every place is crawled when it is first needed, and only if no earlier one has the name. Where one
 place has the source of a package and an installed copy of it, the source counts, whatever rospkg would meet first.
+For ROS 2 (:attr:`Packages.colcon`) the order is: the workspaces, ``AMENT_PREFIX_PATH``, then the other installed prefixes.
 """
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import NamedTuple
 
-from launchlint.workspace.crawl import CATKIN_IGNORE, NO_SUBDIRECTORIES, Crawled, crawl_all, examine
-from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE, Manifest, read_manifest
-from launchlint.workspace.prefixes import Prefix, is_installed, prefixes
+from launchlint.workspace.crawl import COLCON, ROSPACK, Way, examine
+from launchlint.workspace.package import Package
+from launchlint.workspace.place import Hidden, Place
+from launchlint.workspace.prefixes import Prefix, ament_prefixes, prefixes
 from launchlint.workspace.public_packages import PublicPackages, public_names
 
 TYPE_CHECKING = False
@@ -42,117 +43,6 @@ DEBIAN_CATKIN = "/usr/lib/python3/dist-packages/catkin"
 """Debian's own catkin looks for resources of every package in ``/usr`` too, before the source tree, whatever the workspaces are."""
 
 
-class Package:
-    """One package (or metapackage) on disk; its manifest is read when first asked for.
-
-    ``directory`` is absolute and spelled as the crawl met it (symbolic links are kept, as rospkg does). ``broken`` is empty, or says why
-    the manifest cannot be used: the package then has no dependencies and, if its name could not be read, no name.
-    """
-
-    __slots__ = ("_manifest", "_read", "broken", "directory", "is_metapackage", "manifest_path", "name")
-
-    def __init__(self, crawled: Crawled) -> None:
-        self.name = crawled.name
-        self.directory = crawled.directory
-        self.manifest_path = crawled.manifest_path
-        self.is_metapackage = crawled.metapackage
-        self.broken = crawled.reason
-        self._manifest: Manifest | None = None
-        self._read = bool(crawled.reason)
-
-    def __repr__(self) -> str:
-        return f"Package({self.name!r}, {self.directory!r})"
-
-    @property
-    def manifest(self) -> Manifest | None:
-        """The whole manifest with places; ``None`` where it is broken (``broken`` then says why)."""
-        if not self._read:
-            self._read = True
-            try:
-                self._manifest = read_manifest(self.manifest_path)
-            except (OSError, ValueError) as error:
-                self.broken = str(error)
-        return self._manifest
-
-    @property
-    def is_catkin(self) -> bool:
-        """Whether catkin builds it (roslaunch.depends judges those by their run dependencies)."""
-        return self.manifest is not None and self.manifest.is_catkin
-
-    @property
-    def run_dependencies(self) -> frozenset[str]:
-        """Packages its manifest declares for running; empty where the manifest is broken (see ``Manifest.run_dependencies``)."""
-        return frozenset() if self.manifest is None else self.manifest.run_dependencies
-
-    @property
-    def test_dependencies(self) -> frozenset[str]:
-        """Packages its manifest declares for testing; empty where the manifest is broken."""
-        return frozenset() if self.manifest is None else self.manifest.test_dependencies
-
-    @property
-    def nodelet_plugin_files(self) -> tuple[str, ...]:
-        """Paths of the nodelet plugin descriptions it exports, whether or not they exist (``<nodelet plugin="${prefix}/…"/>``)."""
-        if self.manifest is None:
-            return ()
-        return tuple(os.path.join(self.directory, each) for each in self.manifest.plugins)
-
-
-class Hidden(NamedTuple):
-    """A package of the workspace that is not found, because of the file ``marker`` (CATKIN_IGNORE) in or above its ``directory``."""
-
-    name: str
-    directory: str
-    marker: str
-
-
-class _Place:
-    """One directory tree that is searched for packages."""
-
-    __slots__ = ("_all", "_by_name", "_ignored", "root")
-
-    def __init__(self, root: str) -> None:
-        self.root = root
-        self._ignored: list[str] = []
-        self._all: list[Package] | None = None
-        self._by_name: dict[str, list[Package]] = {}
-
-    @property
-    def everything(self) -> list[Package]:
-        """All packages, metapackages and broken packages, in the order of the crawl."""
-        return self._crawl()
-
-    @property
-    def by_name(self) -> dict[str, list[Package]]:
-        """The packages ``$(find)`` can answer, those of one name in the order of the crawl; none that is installed where a source is."""
-        return self._by_name if self.everything else {}
-
-    @property
-    def ignored(self) -> list[str]:
-        """The directories (absolute) with a ``CATKIN_IGNORE``, which the crawl does not enter."""
-        self._crawl()
-        return self._ignored
-
-    def hidden(self) -> list[Hidden]:
-        """The packages that a ``CATKIN_IGNORE`` keeps from being found; each call looks at the disk again."""
-        return [
-            Hidden(each.name, each.directory, os.path.join(directory, CATKIN_IGNORE))
-            for directory in self.ignored
-            for each in crawl_all(directory, through_ignored=True)[0]
-            if each.name and not each.metapackage and not each.reason
-        ]
-
-    def _crawl(self) -> list[Package]:
-        if self._all is None:
-            found, self._ignored = crawl_all(self.root)
-            self._all = [Package(each) for each in found]
-            for package in self._all:
-                if package.name and not package.is_metapackage and not package.broken:
-                    self._by_name.setdefault(package.name, []).append(package)
-            for name, copies in self._by_name.items():
-                self._by_name[name] = [each for each in copies if len(copies) > 1 and not is_installed(each.directory)] or copies
-        return self._all
-
-
 class Packages:
     """All packages that can be seen from here.
 
@@ -161,25 +51,44 @@ class Packages:
         environment: environment variables; read are ROS_PACKAGE_PATH, CMAKE_PREFIX_PATH and ROS_DISTRO.
         explicit: the workspaces were given by the user (``--workspace``); the machine's own ``/usr`` is then left out.
         complete: overrides :attr:`complete` (configuration key ``packages``).
+        way: how packages are found; :attr:`colcon` are those that colcon finds in the same places.
     """
 
-    def __init__(self, workspaces: Sequence[str], environment: Mapping[str, str], *, explicit: bool, complete: bool | None = None) -> None:
+    def __init__(
+        self,
+        workspaces: Sequence[str],
+        environment: Mapping[str, str],
+        *,
+        explicit: bool,
+        complete: bool | None = None,
+        way: Way = ROSPACK,
+    ) -> None:
         self.workspaces: tuple[str, ...] = tuple(dict.fromkeys(os.path.abspath(each) for each in workspaces))
         self._environment = environment
         self._explicit = explicit
         self._complete = complete
-        self._places: list[_Place] | None = None
+        self.way = way
+        self._places: list[Place] | None = None
         self._prefixes: list[Prefix] | None = None
         self._made: dict[Callable[..., Any], Any] = {}
         self._found: dict[tuple[str, str], Package | None] = {}
         self._of_directory: dict[str, Package | None] = {}
-        self._sources: dict[str, _Place] = {}
+        self._sources: dict[str, Place] = {}
         self._resolved: dict[tuple[str, str], str] = {}
         self._duplicates: dict[str, list[Package]] | None = None
         self._hidden: dict[str, Hidden] | None = None
         self._hooks: Hooks | None = None
         self._listed: Mapping[str, str] | None = None
         self._needs: dict[str, Needs] = {}
+
+    @property
+    def colcon(self) -> Packages:
+        """The packages as ROS 2 sees them, in the same workspaces and environment; these themselves where they are those already."""
+        return self if self.way is COLCON else self.once(_as_colcon)
+
+    def seen_by(self, way: Way) -> Packages:
+        """The packages in the same places and environment, found in another way."""
+        return Packages(self.workspaces, self._environment, explicit=self._explicit, complete=self._complete, way=way)
 
     def once(self, make: Callable[[Packages], Made]) -> Made:
         """What ``make`` (a class or a function of a module) makes of these packages, made once and kept with them."""
@@ -229,7 +138,7 @@ class Packages:
         walked: list[str] = []
         while directory not in self._of_directory:
             walked.append(directory)
-            file = next((each for each in (MANIFEST_FILE, PACKAGE_FILE) if os.path.isfile(os.path.join(directory, each))), None)
+            file = next((each for each in reversed(self.way.manifests) if os.path.isfile(os.path.join(directory, each))), None)
             if file is not None:
                 self._of_directory[directory] = Package(examine(directory, file))
             elif directory == os.path.dirname(directory):
@@ -248,13 +157,16 @@ class Packages:
     def hidden(self, name: str) -> Hidden | None:
         """The package ``name`` that a workspace holds and a ``CATKIN_IGNORE`` hides from catkin and rospack; ``None`` where there is none.
 
-        COLCON_IGNORE and AMENT_IGNORE hide nothing from rospack (rospkg.rospack.list_by_path): such a package is simply there.
+        COLCON_IGNORE and AMENT_IGNORE hide nothing from rospack (rospkg.rospack.list_by_path): such a package is simply there. From
+        colcon it is those that hide packages.
         """
         return None if self.has(name) else self._all_hidden().get(name)
 
     def is_hidden(self, directory: str) -> bool:
         """Whether ``directory`` (absolute) is or lies in one that a ``CATKIN_IGNORE`` hides; below a package nobody looks for one."""
-        return any(_is_hidden(directory, workspace.rstrip("/")) for workspace in self.workspaces if _is_below(directory, workspace))
+        return any(
+            _is_hidden(directory, workspace.rstrip("/"), self.way) for workspace in self.workspaces if _is_below(directory, workspace)
+        )
 
     def _all_hidden(self) -> dict[str, Hidden]:
         if self._hidden is None:
@@ -382,7 +294,8 @@ class Packages:
         """Whether what is not found here does not exist: true where a ROS installation is set up on this machine."""
         if self._complete is not None:
             return self._complete
-        return bool(self._environment.get("ROS_PACKAGE_PATH", "").strip(":")) or any(each.is_ros for each in self.prefixes)
+        variable = "AMENT_PREFIX_PATH" if self.way is COLCON else "ROS_PACKAGE_PATH"
+        return bool(self._environment.get(variable, "").strip(":")) or any(each.is_ros for each in self.prefixes)
 
     @property
     def public(self) -> PublicPackages:
@@ -390,22 +303,23 @@ class Packages:
         return public_names()
 
     @property
-    def places(self) -> list[_Place]:
+    def places(self) -> list[Place]:
         """The directory trees that are searched, in this order."""
         if self._places is None:
             roots = list(self.workspaces)
-            roots += [os.path.abspath(each) for each in self._environment.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if each]
+            if self.way is not COLCON:
+                roots += [os.path.abspath(each) for each in self._environment.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if each]
             roots += [each.share for each in self.prefixes]
-            if not self._explicit:
+            if not self._explicit and self.way is not COLCON:
                 roots.append(SYSTEM_SHARE)
-            self._places = [_Place(each) for each in dict.fromkeys(roots)]
+            self._places = [Place(each, self.way) for each in dict.fromkeys(roots)]
         return self._places
 
     @property
     def prefixes(self) -> list[Prefix]:
         """Devel and install spaces, in the order of the search."""
         if self._prefixes is None:
-            self._prefixes = prefixes(self._environment)
+            self._prefixes = (ament_prefixes if self.way is COLCON else prefixes)(self._environment)
         return self._prefixes
 
     def resolve_resource(self, directory: str, path: str) -> str:
@@ -461,11 +375,11 @@ class Packages:
             for package in self._place(source).by_name.get(name, ())[:1]:
                 yield package.directory
 
-    def _place(self, root: str) -> _Place:
+    def _place(self, root: str) -> Place:
         for place in self.places:
             if place.root == root:
                 return place
-        return self._sources.setdefault(root, _Place(root))
+        return self._sources.setdefault(root, Place(root, self.way))
 
     def _search(self, name: str, near: str) -> Package | None:
         for place in self.places:
@@ -488,13 +402,17 @@ def _is_below(directory: str, workspace: str) -> bool:
     return f"{directory}/".startswith(f"{workspace.rstrip('/')}/")
 
 
-def _is_hidden(directory: str, workspace: str) -> bool:
+def _is_hidden(directory: str, workspace: str, way: Way) -> bool:
     """As :func:`launchlint.workspace.crawl.crawl_all` would find it, without looking at what lies beside the way."""
     at = workspace
     for part in ("", *directory[len(workspace) :].strip("/").split("/")):
         at = f"{at}/{part}" if part else at
-        if os.path.isfile(f"{at}/{CATKIN_IGNORE}"):
+        if any(os.path.isfile(f"{at}/{name}") for name in way.ignoring):
             return True
-        if any(os.path.isfile(f"{at}/{name}") for name in (PACKAGE_FILE, MANIFEST_FILE, NO_SUBDIRECTORIES)):
+        if any(os.path.isfile(f"{at}/{name}") for name in (*way.manifests, *way.ends)):
             return False
     return False
+
+
+def _as_colcon(packages: Packages) -> Packages:
+    return packages.seen_by(COLCON)

@@ -1,12 +1,12 @@
 """Devel and install spaces: where ROS packages lie once they are built or installed.
 
-Facts from catkin.workspace and catkin.find_in_workspaces.
+Facts from catkin.workspace, catkin.find_in_workspaces and ament_index.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 MARKER = ".catkin"
 _LARGEST_MARKER = 1 << 16
@@ -49,7 +49,16 @@ class Prefix:
 
 def prefixes(environment: Mapping[str, str]) -> list[Prefix]:
     """Prefixes named by ``CMAKE_PREFIX_PATH``, then ``/opt/ros/$ROS_DISTRO``; only those that exist, each once."""
-    named = [each for each in environment.get("CMAKE_PREFIX_PATH", "").split(os.pathsep) if each]
+    return _existing(environment, ("CMAKE_PREFIX_PATH",))
+
+
+def ament_prefixes(environment: Mapping[str, str]) -> list[Prefix]:
+    """As :func:`prefixes`, for ROS 2: those of ``AMENT_PREFIX_PATH`` first."""
+    return _existing(environment, ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH"))
+
+
+def _existing(environment: Mapping[str, str], variables: Sequence[str]) -> list[Prefix]:
+    named = [each for variable in variables for each in environment.get(variable, "").split(os.pathsep) if each]
     distribution = environment.get("ROS_DISTRO", "")
     if distribution and "/" not in distribution and distribution not in (".", ".."):
         named.append(os.path.join("/opt/ros", distribution))

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from launchlint.workspace.crawl import crawl
+from launchlint.workspace.crawl import COLCON, crawl
 
 Grow = Callable[[Mapping[str, str | None]], Path]
 
@@ -39,6 +39,20 @@ RULES: dict[str, tuple[Mapping[str, str | None], dict[str, str]]] = {
     "odd names": ({"a b/ü/package.xml": "package x y", "-/package.xml": "package -"}, {"x y": "a b/ü", "-": "-"}),
 }
 
+# As above, for colcon.
+COLCON_RULES: dict[str, tuple[Mapping[str, str | None], dict[str, str]]] = {
+    "a package is a leaf": ({"a/package.xml": "package a", "a/inner/package.xml": "package inner"}, {"a": "a"}),
+    "COLCON_IGNORE": ({"a/COLCON_IGNORE": "", "a/package.xml": "package a", "a/b/package.xml": "package b"}, {}),
+    "AMENT_IGNORE above": ({"a/AMENT_IGNORE": "", "a/b/package.xml": "package b", "c/package.xml": "package c"}, {"c": "c"}),
+    "CATKIN_IGNORE and rospack_nosubdirs mean nothing": (
+        {"a/CATKIN_IGNORE": "", "a/rospack_nosubdirs": "", "a/b/package.xml": "package b"},
+        {"b": "a/b"},
+    ),
+    "manifest.xml means nothing": ({"old/manifest.xml": "<package/>", "old/new/package.xml": "package new"}, {"new": "old/new"}),
+    "a metapackage is one as any other": ({"m/package.xml": META, "m/inner/package.xml": "package inner"}, {"meta": "m"}),
+    "hidden directories": ({".git/package.xml": "package hidden", "a/package.xml": "package a"}, {"a": "a"}),
+}
+
 
 def _found(root: Path) -> dict[str, str]:
     found: dict[str, str] = {}
@@ -52,6 +66,13 @@ def _found(root: Path) -> dict[str, str]:
 def test_rules(case: str, grow: Grow) -> None:
     files, expected = RULES[case]
     assert _found(grow(files)) == expected
+
+
+@pytest.mark.parametrize("case", COLCON_RULES)
+def test_rules_of_colcon(case: str, grow: Grow) -> None:
+    files, expected = COLCON_RULES[case]
+    root = grow(files)
+    assert {each.name: os.path.relpath(each.directory, root) for each in crawl(str(root), COLCON)} == expected
 
 
 @pytest.mark.ros

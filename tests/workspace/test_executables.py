@@ -11,7 +11,8 @@ import pytest
 from launchlint.workspace.cmake_facts import read_cmake
 from launchlint.workspace.executables import Executable, ExecutableIndex, Executables, Flaw, executables, launch_install_directories
 from launchlint.workspace.nodelets import NodeletClass
-from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
 
 Grow = Callable[[Mapping[str, str | None]], Path]
 

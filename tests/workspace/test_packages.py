@@ -252,3 +252,30 @@ def test_a_package_that_catkin_ignore_hides(grow: Grow) -> None:
     assert packages.has("other")
     assert packages.is_hidden(f"{root}/a/b/launch")
     assert not packages.is_hidden(f"{root}/ab")
+
+
+def test_the_same_places_as_colcon_sees_them(grow: Grow) -> None:
+    root = grow(
+        {
+            "ws/a/package.xml": "package a",
+            "ws/b/COLCON_IGNORE": "",
+            "ws/b/package.xml": "package b",
+            "ws/c/CATKIN_IGNORE": "",
+            "ws/c/package.xml": "package c",
+            "path/d/package.xml": "package d",
+            "install/share/e/package.xml": "package e",
+        }
+    )
+    environment = {"ROS_PACKAGE_PATH": str(root / "path"), "AMENT_PREFIX_PATH": str(root / "install")}
+    packages = Packages([str(root / "ws")], environment, explicit=True)
+    colcon = packages.colcon
+    assert (packages.names(), colcon.names()) == (["a", "b", "d"], ["a", "c", "e"])
+    assert packages.colcon is colcon
+    assert colcon.colcon is colcon
+    hidden = colcon.hidden("b")
+    assert hidden is not None
+    assert hidden.marker == str(root / "ws/b/COLCON_IGNORE")
+    assert colcon.is_hidden(str(root / "ws/b"))
+    assert not colcon.is_hidden(str(root / "ws/c"))
+    assert colcon.complete
+    assert not Packages([str(root / "ws")], {}, explicit=True).colcon.complete

@@ -8,7 +8,7 @@ from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import differs_in_meaning
 from launchlint.workspace.looking import names
-from launchlint.workspace.packages import Package
+from launchlint.workspace.package import Package
 from launchlint.workspace.put_aside import is_out_of_use
 
 

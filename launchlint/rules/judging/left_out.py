@@ -9,7 +9,8 @@ from launchlint.rules.judging.metapackages import members
 from launchlint.syntax.tree import Document
 from launchlint.workspace.looking import is_file, walk
 from launchlint.workspace.mentions import install_lines, says_install
-from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
 from launchlint.workspace.put_aside import put_aside
 from launchlint.workspace.registered_tests import TEST_END

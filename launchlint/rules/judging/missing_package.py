@@ -16,7 +16,9 @@ from launchlint.library.shipped import Bundled, is_in_library
 from launchlint.rules.judging.stale_package import holds_some, lacks_all, own_instead, programs_asked
 from launchlint.spelling import closest, distance, folded, one_slip
 from launchlint.workspace.looking import note, watched
-from launchlint.workspace.packages import Hidden, Package, Packages
+from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
+from launchlint.workspace.place import Hidden
 from launchlint.workspace.public_packages import public_names
 from launchlint.workspace.source_lists import GITMODULES
 

@@ -11,7 +11,8 @@ from launchlint.late import late
 from launchlint.rules.judging.package_contents import contents
 from launchlint.syntax.ros1.substitutions import parse_again
 from launchlint.workspace.looking import exists
-from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
 
 _STARTED = late(r"<(?:node|test)\s[^<>]{1,2000}>")

@@ -62,7 +62,7 @@ from launchlint.source import Place, Source
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.workspace.packages import Package
+    from launchlint.workspace.package import Package
 
 RULE = Rule("LL703", "duplicate-package", Severity.WARNING)
 

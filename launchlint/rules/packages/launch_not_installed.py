@@ -89,7 +89,8 @@ from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.workspace.looking import exists, is_file
-from launchlint.workspace.packages import Package, Packages
+from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
 
 TYPE_CHECKING = False

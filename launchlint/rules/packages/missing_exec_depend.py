@@ -99,7 +99,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.workspace.build_order import Way
     from launchlint.workspace.manifest import Manifest
-    from launchlint.workspace.packages import Package, Packages
+    from launchlint.workspace.package import Package
+    from launchlint.workspace.packages import Packages
 
 ELSEWHERE = "it works only where something else brings {} along"
 LEFT_OUT = "it may do without: "

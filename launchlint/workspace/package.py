@@ -1,0 +1,66 @@
+"""One package on disk."""
+
+from __future__ import annotations
+
+import os
+
+from launchlint.workspace.manifest import Manifest, read_manifest
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.crawl import Crawled
+
+
+class Package:
+    """One package (or metapackage) on disk; its manifest is read when first asked for.
+
+    ``directory`` is absolute and spelled as the crawl met it (symbolic links are kept, as rospkg does). ``broken`` is empty, or says why
+    the manifest cannot be used: the package then has no dependencies and, if its name could not be read, no name.
+    """
+
+    __slots__ = ("_manifest", "_read", "broken", "directory", "is_metapackage", "manifest_path", "name")
+
+    def __init__(self, crawled: Crawled) -> None:
+        self.name = crawled.name
+        self.directory = crawled.directory
+        self.manifest_path = crawled.manifest_path
+        self.is_metapackage = crawled.metapackage
+        self.broken = crawled.reason
+        self._manifest: Manifest | None = None
+        self._read = bool(crawled.reason)
+
+    def __repr__(self) -> str:
+        return f"Package({self.name!r}, {self.directory!r})"
+
+    @property
+    def manifest(self) -> Manifest | None:
+        """The whole manifest with places; ``None`` where it is broken (``broken`` then says why)."""
+        if not self._read:
+            self._read = True
+            try:
+                self._manifest = read_manifest(self.manifest_path)
+            except (OSError, ValueError) as error:
+                self.broken = str(error)
+        return self._manifest
+
+    @property
+    def is_catkin(self) -> bool:
+        """Whether catkin builds it (roslaunch.depends judges those by their run dependencies)."""
+        return self.manifest is not None and self.manifest.is_catkin
+
+    @property
+    def run_dependencies(self) -> frozenset[str]:
+        """Packages its manifest declares for running; empty where the manifest is broken (see ``Manifest.run_dependencies``)."""
+        return frozenset() if self.manifest is None else self.manifest.run_dependencies
+
+    @property
+    def test_dependencies(self) -> frozenset[str]:
+        """Packages its manifest declares for testing; empty where the manifest is broken."""
+        return frozenset() if self.manifest is None else self.manifest.test_dependencies
+
+    @property
+    def nodelet_plugin_files(self) -> tuple[str, ...]:
+        """Paths of the nodelet plugin descriptions it exports, whether or not they exist (``<nodelet plugin="${prefix}/…"/>``)."""
+        if self.manifest is None:
+            return ()
+        return tuple(os.path.join(self.directory, each) for each in self.manifest.plugins)
