@@ -31,6 +31,7 @@ FLOORS = (
     ("evaluate",),
     ("syntax",),
     ("workspace",),
+    ("rcl",),
     ("atomic", "fingerprint", "garbage", "late", "order", "pool", "spelling", "words", "yaml"),
     ("model",),
     ("finding", "problem", "source", "errors", "plural", "sight", "verdict"),

@@ -64,6 +64,8 @@ def explain(error: Any, text: str, reader: str) -> YamlError:
     start = _missing_blank(text, offset) if "could not find expected ':'" in problem else None
     if start is not None:
         return YamlError(f"a blank lacks behind this colon (YAML says: {problem})", start, "colon", problem)
+    if "that cannot start any token" in problem and text[offset : offset + 1] == "\t":
+        problem = "found character '\\t' that cannot start any token"  # libyaml does not say which
     for sign, words in _PLAIN_WORDS:
         if sign in problem:
             return YamlError(f"{words.replace('READER', reader)} (YAML says: {problem})", offset, "syntax", problem)

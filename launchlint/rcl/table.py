@@ -1,0 +1,132 @@
+"""The parameters that a command line gives, by the node they are for: rcl fills one table from all files and ``-p`` rules.
+
+Source: ``rcl_yaml_param_parser`` (``find_node``, ``find_parameter``, ``rcl_variant_t``); which keys reach a node is said by rclcpp's
+``parameter_map_from`` and rclpy's counterpart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from launchlint.rcl.parameter_value import NONE, ScalarValue, Value
+from launchlint.source import Span
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.rcl.parameter_value import Type
+    from launchlint.source import Source
+
+ANY = "/**"
+"""The key of a ``-p`` rule that names no node."""
+
+# Of several values of different types that one parameter was given, this order says which one counts.
+_ORDER: tuple[Type, ...] = ("bool", "int", "double", "str", "bool[]", "int[]", "double[]", "str[]")
+
+
+class Written(NamedTuple):
+    """Where a parameter was set last: its name and its value in ``source`` (None: on the command line)."""
+
+    source: Source | None
+    name: Span
+    value: Span
+
+
+class Parameter:
+    """One parameter of one key: what it was given, by type. A second value of the same type replaces the first; one of another does not."""
+
+    __slots__ = ("given", "name", "written")
+
+    def __init__(self, name: str, written: Written) -> None:
+        self.name = name
+        self.given: dict[Type, Value] = {}
+        self.written = written
+
+    def give(self, value: Value | ScalarValue) -> None:
+        """One more value."""
+        self.given[value.type] = Value(value.type, value.data)
+
+    @property
+    def value(self) -> Value:
+        """The value that counts: not the last one, where the types differ."""
+        if len(self.given) == 1:
+            return next(iter(self.given.values()))
+        return next((self.given[type_] for type_ in _ORDER if type_ in self.given), NONE)
+
+
+class Key:
+    """What one key of a file is given, ``/ns/node`` or with wildcards; ``written`` is where it stands first."""
+
+    __slots__ = ("_places", "name", "parameters", "written")
+
+    def __init__(self, name: str, written: tuple[Source | None, Span]) -> None:
+        self.name = name
+        self.written = written
+        self.parameters: list[Parameter] = []
+        self._places: dict[str, int] = {}
+
+    def place(self, name: str, written: Written) -> int:
+        """Where the parameter ``name`` stands in the list; it is put there if it is new."""
+        known = self._places.get(name)
+        if known is not None:
+            self.parameters[known].written = written
+            return known
+        self.parameters.append(Parameter(name, written))
+        self._places[name] = len(self.parameters) - 1
+        return len(self.parameters) - 1
+
+    def rename(self, place: int, name: str) -> None:
+        """The parameter there turns out to be the namespace of another one, whose name takes its place."""
+        parameter = self.parameters[place]
+        if self._places.get(parameter.name) == place:
+            del self._places[parameter.name]
+        parameter.name = name
+        first = self._places.setdefault(name, place)
+        if first > place:
+            self._places[name] = place
+
+
+class Table:
+    """All keys, in the order in which each of them came first."""
+
+    __slots__ = ("keys",)
+
+    def __init__(self) -> None:
+        self.keys: dict[str, Key] = {}
+
+    def key(self, name: str, source: Source | None, span: Span) -> Key:
+        """The key ``name``, which is made if it is new."""
+        known = self.keys.get(name)
+        if known is None:
+            known = self.keys[name] = Key(name, (source, span))
+        return known
+
+    def reaching(self, full_name: str) -> Iterator[Key]:
+        """The keys that count for the node ``full_name``, in order: of two that set the same parameter the later one wins."""
+        return (key for key in self.keys.values() if reaches(key.name, full_name))
+
+
+def overrides(table: Table, full_name: str) -> Mapping[str, Value]:
+    """The parameters with which the node ``full_name`` starts."""
+    return {parameter.name: parameter.value for key in table.reaching(full_name) for parameter in key.parameters}
+
+
+def reaches(key: str, full_name: str) -> bool:
+    """Whether what stands under ``key`` counts for the node ``full_name``; a bare ``n`` is ``/n`` and nothing else.
+
+    ``*`` stands for one part of the name, ``**`` for any number of them, none as well.
+    """
+    if key == ANY:
+        return True
+    parts, name = key.lstrip("/").split("/") if key.startswith("/") else key.split("/"), full_name.lstrip("/").split("/")
+    if "*" not in key:
+        return parts == name
+    reached = {0}
+    for part in parts:
+        if part == "**":
+            reached = set(range(min(reached), len(name) + 1))
+        else:
+            reached = {at + 1 for at in reached if at < len(name) and part in ("*", name[at])}
+        if not reached:
+            return False
+    return len(name) in reached
