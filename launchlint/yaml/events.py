@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from launchlint.yaml.refusals import explain
+from launchlint.yaml.refusals import YamlError, explain
 from launchlint.yaml.tree import YamlBeyond
 
 SCALAR, ALIAS, SEQUENCE_START, SEQUENCE_END, MAPPING_START, MAPPING_END = range(6)
@@ -70,3 +70,23 @@ def read(text: str, reader: str, longest: int = 8_000_000, deepest: int = 1_000)
         raise explain(error, text, reader) from None
     finally:
         parser.dispose()
+
+
+class Recorded:
+    """The events of one text, which are read once and can be gone through again, up to the error that ended them."""
+
+    __slots__ = ("_error", "_events")
+
+    def __init__(self, text: str, reader: str) -> None:
+        self._events: list[Event] = []
+        self._error: YamlError | YamlBeyond | None = None
+        try:
+            for event in read(text, reader):
+                self._events.append(event)
+        except (YamlError, YamlBeyond) as error:
+            self._error = error
+
+    def __iter__(self) -> Iterator[Event]:
+        yield from self._events
+        if self._error is not None:
+            raise self._error

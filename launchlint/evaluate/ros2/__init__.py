@@ -1,0 +1,1 @@
+"""What ``ros2 launch`` executes: the actions of a description, one after the other, in one context."""

@@ -1,0 +1,275 @@
+"""What launch_ros makes of a node's params: files, the content of files that it writes for the start, and rules, in command-line order.
+
+Source: ``launch_ros.actions.node`` (``_perform_substitutions``), ``launch_ros.parameter_descriptions`` and
+``launch_ros.utilities.normalize_parameters`` and ``evaluate_parameters``.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable
+from typing import Any, NamedTuple, Protocol
+
+from launchlint.evaluate.ros2.parameter_problems import ContentNoYaml, GlobalFileMissing, ParameterFileMissing, ParameterValueType
+from launchlint.evaluate.ros2.typed import TypeFault, by_yaml_rules, convert, is_uniform, load_file
+from launchlint.model import Unknown
+from launchlint.rcl.table import ANY
+from launchlint.source import Source
+from launchlint.syntax.ros2.description import Parameter, ParameterFile, Text
+from launchlint.yaml.refusals import YamlError
+from launchlint.yaml.tree import YamlBeyond
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import NoReturn, TypeAlias
+
+    from launchlint.evaluate.session import Read, Session
+    from launchlint.problem import Problem
+    from launchlint.source import Origin, Place
+    from launchlint.syntax.ros2.description import ParameterSource, SetParameter, TypedValue
+
+PARAMETERS = "ros__parameters"
+
+
+class Performs(Protocol):
+    """What is asked of the evaluation: what texts stand for at this moment."""
+
+    @property
+    def session(self) -> Session:
+        """Whose files these are."""
+
+    @property
+    def digits_are_boolean(self) -> bool:
+        """Whether ``1`` and ``0`` are truth values."""
+
+    def perform(self, text: Text) -> str | Unknown:
+        """The string that a text stands for. Raises where launch stops."""
+
+    def perform_content(self, source: Source) -> str | Unknown:
+        """A file with all substitutions in it performed. Raises where launch stops."""
+
+    def where(self, place: Place) -> Origin:
+        """The origin of a place."""
+
+    def notice(self, problem: Problem) -> None:
+        """Something that does not stop launch."""
+
+    def fail(self, problem: Problem) -> NoReturn:
+        """Stop: launch does."""
+
+
+class GlobalParameter(NamedTuple):
+    """What ``<set_parameter>`` leaves: ``text`` is the value as it stands on command lines; a list is a tuple."""
+
+    name: str | Unknown
+    text: str
+    value: Any
+    origin: Origin
+
+
+class GlobalFile(NamedTuple):
+    """What ``<set_parameters_from_file>`` leaves."""
+
+    file: str | Unknown
+    origin: Origin
+
+
+GlobalSource: TypeAlias = "GlobalParameter | GlobalFile"
+
+
+class Passed(NamedTuple):
+    """One of the things that a node gets on its command line.
+
+    One of the first three is not None: a ``file``; the ``content`` of one that launch writes, as YAML reads it; a ``rule``
+    (``name:=value``). ``text`` is what rcl finds in the file, where that is not what PyYAML makes of ``content``; ``of`` the file it is
+    made from. ``unknown`` says that not all of it is known: values that are not are :class:`Unknown`, and a file is one altogether.
+    """
+
+    origin: Origin
+    file: str | None = None
+    content: Any = None
+    rule: str | None = None
+    text: str | None = None
+    of: str | None = None
+    unknown: bool = False
+
+
+def set_parameter(action: SetParameter, asks: Performs) -> GlobalParameter:
+    """What one ``<set_parameter>`` adds to those in force. Raises where launch stops."""
+    origin = asks.where(action.place)
+    name = asks.perform(action.name)
+    value = _by_yaml_rules(name, action.value, asks)
+    text = value.text if isinstance(value, Unknown) else value if isinstance(value, str) else str(value)
+    return GlobalParameter(name, text, value, origin)
+
+
+def node_parameters(
+    own: Iterable[ParameterSource], in_force: Iterable[GlobalSource], full_name: str | Unknown | None, asks: Performs
+) -> list[Passed]:
+    """What stands on the command line of a node. Raises where launch stops.
+
+    Args:
+        own: the node's own params.
+        in_force: what ``<set_parameter>`` and ``<set_parameters_from_file>`` left, in order.
+        full_name: namespace and name, if launch knows both: what is written for this start stands under it.
+        asks: who performs texts.
+    """
+    passed: list[Passed] = []
+    for each in in_force:
+        if isinstance(each, GlobalParameter):
+            unknown = isinstance(each.name, Unknown) or isinstance(each.value, Unknown)
+            name = each.name.text if isinstance(each.name, Unknown) else each.name
+            passed.append(Passed(each.origin, rule=f"{name}:={each.text}", unknown=unknown))
+        elif isinstance(each.file, Unknown):
+            passed.append(Passed(each.origin, file=each.file.text, unknown=True))
+        else:
+            if not posixpath.isabs(each.file) or not asks.session.exists(each.file):
+                asks.fail(GlobalFileMissing(origin=each.origin, refused=True, file=each.file, reason=missing_reason(each.file, asks)))
+            passed.append(Passed(each.origin, file=posixpath.normpath(each.file)))
+    for source in own:
+        given = parameter_file(source, asks) if isinstance(source, ParameterFile) else _content(source, full_name, asks)
+        if given is not None:
+            passed.append(given)
+    return passed
+
+
+def parameter_file(source: ParameterFile, asks: Performs, must_exist: bool = False) -> Passed | None:
+    """A file of a node, or what launch makes of it; None where there is none, which only warns. Raises where launch stops."""
+    origin = asks.where(source.place)
+    file = asks.perform(source.file)
+    substitute = source.allow_substs
+    if isinstance(substitute, Text):
+        said = asks.perform(substitute)
+        if isinstance(said, Unknown):
+            return Passed(origin, file=source.file.place.text, unknown=True)
+        substitute = _boolean(said, substitute, asks)
+    if isinstance(file, Unknown):
+        return Passed(origin, file=file.text, unknown=True)
+    read = _read(file, asks)
+    if read is None or read.data is None:
+        must_exist = must_exist or substitute
+        asks_or_tells = asks.fail if must_exist else asks.notice
+        asks_or_tells(ParameterFileMissing(origin=origin, refused=must_exist, file=file, reason=missing_reason(file, asks)))
+        return None
+    file = posixpath.normpath(file)
+    if not substitute:
+        return Passed(origin, file=file)
+    text = asks.perform_content(source_of(file, read.data, asks))
+    if isinstance(text, Unknown):
+        return Passed(origin, content=text, of=file, unknown=True)
+    try:
+        content = load_file(text)
+    except YamlError as error:
+        asks.fail(ContentNoYaml(origin=origin, refused=True, file=file, reason=error.message))
+    except YamlBeyond as beyond:
+        return Passed(origin, content=Unknown(text[:100], beyond.message), of=file, unknown=True)
+    return Passed(origin, content=content, text=text, of=file)
+
+
+def values(source: Parameter, asks: Performs) -> dict[str, Any]:
+    """What one ``<param>`` sets, those in it joined by points; what is not known is Unknown. Raises where launch stops."""
+    found: dict[str, Any] = {}
+    _collect(source, "", found, asks)
+    return found
+
+
+def source_of(file: str, data: bytes, asks: Performs) -> Source:
+    """The text of a file, read once."""
+    known = asks.session.sources.get(file)
+    if known is None:
+        known = Source(asks.session.shown(file), data.decode("utf-8", "replace").removeprefix("\ufeff"), file)
+        asks.session.sources[file] = known
+    return known
+
+
+def missing_reason(file: str, asks: Performs) -> str:
+    """Why a file cannot be read."""
+    if not posixpath.isabs(file):
+        return "its path is relative: it counts from wherever ros2 launch is called"
+    return asks.session.read(file).reason
+
+
+def _read(file: str, asks: Performs) -> Read | None:
+    return asks.session.read(file) if posixpath.isabs(file) else None
+
+
+def _content(source: Parameter, full_name: str | Unknown | None, asks: Performs) -> Passed:
+    found = values(source, asks)
+    unknown = isinstance(full_name, Unknown) or any(isinstance(each, Unknown) for each in found.values())
+    key = ANY if full_name is None else full_name.text if isinstance(full_name, Unknown) else full_name
+    return Passed(asks.where(source.place), content={key: {PARAMETERS: found}}, unknown=unknown)
+
+
+def _collect(source: Parameter, before: str, found: dict[str, Any], asks: Performs) -> None:
+    name = asks.perform(source.name)
+    full = f"{before}{name.text if isinstance(name, Unknown) else name}"
+    if source.value is None:
+        for inner in source.nested:
+            _collect(inner, f"{full}.", found, asks)
+        return
+    value = _value(full, source.value, asks)
+    found[full] = Unknown(full, name.reason) if isinstance(name, Unknown) else value
+
+
+def _value(name: str, value: TypedValue, asks: Performs) -> Any:
+    """A value by launch's rules (perform_typed_substitution)."""
+    if isinstance(value.value, Text):
+        if value.plain is not None:
+            return value.plain
+        return _converted(name, value.value, value.type, asks)
+    plains = value.plain if isinstance(value.plain, tuple) else (None,) * len(value.value)
+    item = None if value.type is None else value.type.removeprefix("list_of_")
+    items = [_converted(name, text, item, asks) if plain is None else plain for text, plain in zip(value.value, plains, strict=True)]
+    unknown = next((each for each in items if isinstance(each, Unknown)), None)
+    if unknown is not None:
+        return unknown
+    if not is_uniform(items, value.type):
+        place = value.value[0].place
+        reason = "the items of a list must all be of one type"
+        shown = ", ".join(str(each) for each in items[:20])
+        asks.fail(ParameterValueType(origin=asks.where(place), refused=True, name=name, value=f"[{shown}]", type=value.type, reason=reason))
+    return items
+
+
+def _converted(name: str, text: Text, wanted: str | None, asks: Performs) -> Any:
+    performed = asks.perform(text)
+    if isinstance(performed, Unknown):
+        return performed
+    try:
+        return convert(performed, wanted, asks.digits_are_boolean)
+    except TypeFault as fault:
+        _refuse(name, text.place, performed, wanted, fault, asks)
+    except YamlBeyond as beyond:
+        return Unknown(performed[:100], beyond.message)
+
+
+def _by_yaml_rules(name: str | Unknown, value: TypedValue, asks: Performs) -> Any:
+    """A value as ``<set_parameter>`` and ``<extra_arg>`` read it."""
+    text = value.value if isinstance(value.value, Text) else value.value[0]
+    return by_rules(name.text if isinstance(name, Unknown) else name, text, asks)
+
+
+def by_rules(name: str, text: Text, asks: Performs) -> Any:
+    """The value of a text as ``evaluate_parameter_dict`` reads it; a list becomes a tuple. Raises where launch stops."""
+    performed = asks.perform(text)
+    if isinstance(performed, Unknown):
+        return performed
+    try:
+        return by_yaml_rules(performed)
+    except TypeFault as fault:
+        _refuse(name, text.place, performed, None, fault, asks)
+    except YamlBeyond as beyond:
+        return Unknown(performed[:100], beyond.message)
+
+
+def _boolean(said: str, text: Text, asks: Performs) -> bool:
+    try:
+        return bool(convert(said, "bool", asks.digits_are_boolean))
+    except TypeFault as fault:
+        _refuse("allow_substs", text.place, said, "bool", fault, asks)
+    except YamlBeyond:
+        return False
+
+
+def _refuse(name: str, place: Place, value: str, wanted: str | None, fault: TypeFault, asks: Performs) -> NoReturn:
+    asks.fail(ParameterValueType(origin=asks.where(place), refused=True, name=name, value=value, type=wanted, reason=fault.reason))
