@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from launchlint.source import Origin
-from launchlint.syntax.ros2.problems import LacksAttribute, NotInDistribution, UnknownAction, UnknownChild, UnreadAttribute
+from launchlint.syntax.ros2 import of_ros1
+from launchlint.syntax.ros2.problems import (
+    LacksAttribute,
+    MisplacedEntity,
+    NotInDistribution,
+    OfRos1,
+    UnknownAction,
+    UnreadAttribute,
+)
 from launchlint.syntax.ros2.tables import PARAMETER, TAGS, Attribute, Children, Conditions, Parameters
 
 TYPE_CHECKING = False
@@ -25,36 +33,38 @@ def lacks(parser: Parser, entity: Entity, name: str, child: bool = False) -> Non
 
 def unknown_action(parser: Parser, entity: Entity, parent: str) -> None:
     """``entity`` stands where an action must, and is none."""
-    tag = TAGS.get(entity.tag)
+    name, origin = entity.tag, Origin(entity.name_place)
+    tag = TAGS.get(name)
     if tag is not None:
-        _absent(parser, Origin(entity.name_place), "tag", entity.tag, parent, tag.since)
-        return
-    parser.problems.append(
-        UnknownAction(
-            origin=Origin(entity.name_place),
-            refused=True,
-            tag=entity.tag,
-            parent=parent,
-            known=tuple(parser.distribution.tags),
-            inner=tuple(tag.name for tag in TAGS.values() if entity.tag in children_of(tag.reads)),
+        _absent(parser, origin, "tag", name, parent, tag.since)
+    elif name in of_ros1.TAGS:
+        instead = of_ros1.TAGS[name]
+        parser.problems.append(OfRos1(origin=origin, refused=True, tag=parent, what="tag", construct=name, instead=instead))
+    else:
+        _unknown(parser, entity, parent, tuple(parser.distribution.tags), child=False)
+
+
+def _unknown(parser: Parser, entity: Entity, parent: str, known: tuple[str, ...], *, child: bool) -> None:
+    """``entity`` is nothing that may stand in ``parent``."""
+    name, origin = entity.tag, Origin(entity.name_place)
+    holders = tuple(tag.name for tag in TAGS.values() if name in children_of(tag.reads))
+    action = name in parser.distribution.tags
+    if holders or action:
+        parser.problems.append(
+            MisplacedEntity(origin=origin, refused=True, tag=name, parent=parent, holders=holders, action=action, known=known)
         )
-    )
+    elif child and name in of_ros1.TAGS:
+        instead = of_ros1.TAGS[name]
+        parser.problems.append(OfRos1(origin=origin, refused=True, tag=parent, what="tag", construct=name, instead=instead))
+    else:
+        parser.problems.append(UnknownAction(origin=origin, refused=True, tag=name, parent=parent, known=known, child=child))
 
 
 def unread(parser: Parser, entity: Entity, attributes: Sequence[str], children: Sequence[str]) -> None:
     """What launch did not read of ``entity``, which has these attributes and children."""
     tags, names = entity.unread()
     for child in tags:
-        parser.problems.append(
-            UnknownChild(
-                origin=Origin(child.name_place),
-                refused=True,
-                tag=child.tag,
-                parent=entity.tag,
-                known=tuple(children),
-                action=child.tag in TAGS,
-            )
-        )
+        _unknown(parser, child, entity.tag, tuple(children), child=True)
     if not names:
         return
     tag = TAGS.get(entity.tag)
@@ -65,6 +75,14 @@ def unread(parser: Parser, entity: Entity, attributes: Sequence[str], children: 
         origin = Origin(entity.attribute_place(name))
         if name in newer and not parser.distribution.has(newer[name]):
             _absent(parser, origin, "attribute", name, entity.tag, newer[name])
+            continue
+        kind = "node" if entity.tag == "node_container" else entity.tag
+        instead = of_ros1.ATTRIBUTES.get(kind, {}).get(name)
+        if instead is not None:
+            renamed = instead if instead in of_ros1.RENAMED and instead not in given else ""
+            parser.problems.append(
+                OfRos1(origin=origin, refused=True, tag=entity.tag, what="attribute", construct=name, instead=instead, renamed=renamed)
+            )
             continue
         parser.problems.append(
             UnreadAttribute(

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from launchlint.source import Origin
 from launchlint.syntax.ros2.command_line import command_line
-from launchlint.syntax.ros2.problems import NegativeValue, WantsNumber, WrongValue
+from launchlint.syntax.ros2.problems import BrokenInFrontend, NegativeValue, WrongValue
 from launchlint.syntax.ros2.substitutions import unescaped
 from launchlint.syntax.ros2.tables import Kind
+from launchlint.syntax.ros2.words import EXPECTED
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -54,8 +55,11 @@ def _plain(parser: Parser, tag: str, name: str, value: Value) -> object:
 def _seconds(parser: Parser, tag: str, name: str, value: Value) -> object:
     origin, plain = Origin(value.place), value.plain
     if isinstance(plain, str):
-        computed = "$(" in plain
-        parser.problems.append(WantsNumber(origin=origin, refused=True, tag=tag, attribute=name, value=plain, substitution=computed))
+        if "$(" in plain:
+            parser.problems.append(BrokenInFrontend(origin=origin, refused=True, what="number", name=name))
+        else:
+            expected = EXPECTED["float"]
+            parser.problems.append(WrongValue(origin=origin, refused=True, tag=tag, attribute=name, value=plain, expected=expected))
         return None
     if isinstance(plain, float) and plain < 0:
         parser.problems.append(NegativeValue(origin=origin, refused=True, tag=tag, attribute=name, value=value.place.text))

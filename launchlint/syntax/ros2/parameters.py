@@ -87,7 +87,17 @@ def _type(parser: Parser, entity: Entity) -> str | None:
     if isinstance(value.plain, str) and value.plain in PARAMETER_TYPES:
         return value.plain
     said = value.plain if isinstance(value.plain, str) else value.place.text
-    parser.problems.append(ParameterForm(origin=Origin(value.place), refused=True, form="type", value=said))
+    parser.problems.append(
+        WrongValue(
+            origin=Origin(value.place),
+            refused=True,
+            tag=entity.tag,
+            attribute="type",
+            value=said,
+            expected=f"one of {', '.join(PARAMETER_TYPES)}",
+            choices=PARAMETER_TYPES,
+        )
+    )
     return None
 
 
@@ -109,7 +119,10 @@ def typed(parser: Parser, tag: str, value: Value, kind: str | None) -> TypedValu
         plain.append(each if written is None else text.literal)
     known = [each for each in plain if each is not None]
     if len({type(each) for each in known}) > 1:
-        _form(parser, "mixed-list", value.place)
+        expected = "a list of values of one type"
+        parser.problems.append(
+            WrongValue(origin=Origin(value.place), refused=True, tag=tag, attribute="value", value=value.place.text, expected=expected)
+        )
     else:
         _fitting(parser, tag, value.place, known, len(known) < len(plain), kind)
     return TypedValue(tuple(texts), kind, tuple(plain))

@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from typing import Literal
 
     Where = Literal["tag", "attribute", "substitution", "words"]
-    Broken = Literal["any-all", "modules"]
-    Form = Literal["from-and-name", "neither", "substs-without-from", "value-and-nested", "type-and-nested", "empty", "type", "mixed-list"]
+    Broken = Literal["any-all", "modules", "number"]
+    Form = Literal["from-and-name", "neither", "substs-without-from", "value-and-nested", "type-and-nested", "empty"]
     Shape = Literal["entities", "entity", "children", "mapping", "one-action"]
 
 
@@ -45,24 +45,39 @@ class WrongRoot(Problem):
 
 
 class UnknownAction(Problem):
-    """A tag that is no action, where an action has to stand.
+    """A tag that launch does not know, in ``parent``, which may have ``known`` ones; ``child``: it stands where no actions do."""
 
-    ``known`` are the actions; ``inner`` the tags that have an inner tag of this name; ``parent`` is the tag around it.
+    tag: str
+    parent: str
+    known: tuple[str, ...]
+    child: bool = False
+
+
+class MisplacedEntity(Problem):
+    """A tag that launch knows, and not in ``parent``.
+
+    ``holders`` are the tags that take it inside; ``action``: it stands where actions do. ``known`` are those that ``parent`` takes.
     """
 
     tag: str
     parent: str
+    holders: tuple[str, ...]
+    action: bool
     known: tuple[str, ...]
-    inner: tuple[str, ...] = ()
 
 
-class UnknownChild(Problem):
-    """A tag in one that has none of this name inside; ``known`` are those that it may hold, ``action``: it is one where actions stand."""
+class OfRos1(Problem):
+    """What belongs to launch files of ROS 1; ``instead`` is the way of ROS 2, empty where it has none.
+
+    ``renamed`` is the name that it has in ROS 2 if that is all there is to it; ``words`` are what stands behind the name of a substitution.
+    """
 
     tag: str
-    parent: str
-    known: tuple[str, ...]
-    action: bool
+    what: Literal["tag", "attribute", "substitution"]
+    construct: str
+    instead: str
+    renamed: str = ""
+    words: str = ""
 
 
 class UnreadAttribute(Problem):
@@ -127,16 +142,12 @@ class WantsText(Problem):
     found: str
 
 
-class WantsNumber(Problem):
-    """A ``value`` (text, or an integer in YAML) where launch takes only a number with a fraction, or compares a text with one.
-
-    ``substitution``: there is one in it, which launch's front ends do not compute here.
-    """
+class WantsFraction(Problem):
+    """YAML has an integer where launch takes only a number with a point."""
 
     tag: str
     attribute: str
     value: str
-    substitution: bool
 
 
 class YamlForm(Problem):
@@ -155,7 +166,6 @@ class ParameterForm(Problem):
     """A ``<param>`` with attributes that do not go together, or too few of them: see ``form``."""
 
     form: Form
-    value: str = ""
 
 
 class BadSubstitution(Problem):
@@ -193,7 +203,10 @@ class NotInDistribution(Problem):
 
 
 class BrokenInFrontend(Problem):
-    """What launch has, and its front ends for XML and YAML cannot make."""
+    """What launch has, and its front ends for XML and YAML cannot make.
+
+    ``any-all``: these two substitutions; ``modules``: the second word of ``$(eval …)`` is computed; ``number``: the attribute ``name`` is.
+    """
 
     what: Broken
     name: str

@@ -13,10 +13,12 @@ import re
 
 from launchlint.source import Origin
 from launchlint.syntax.ros2.description import Substitution, Text
+from launchlint.syntax.ros2.of_ros1 import SUBSTITUTIONS as SUBSTITUTIONS_OF_ROS1
 from launchlint.syntax.ros2.problems import (
     BadSubstitution,
     BrokenInFrontend,
     NotInDistribution,
+    OfRos1,
     SubstitutionArity,
     UnknownSubstitution,
 )
@@ -84,15 +86,7 @@ def check(substitution: Substitution, distribution: Distribution, problems: list
     origin = Origin(place)
     arity = SUBSTITUTIONS.get(name)
     if arity is None:
-        problems.append(
-            UnknownSubstitution(
-                origin=origin,
-                refused=True,
-                name=name,
-                words=place.text[len(name) + 2 : -1].strip(),
-                known=tuple(distribution.substitutions),
-            )
-        )
+        problems.append(_unknown(substitution, distribution))
         return
     if name not in distribution.substitutions:
         _absent(substitution, "substitution", arity.since, distribution, problems)
@@ -107,6 +101,24 @@ def check(substitution: Substitution, distribution: Distribution, problems: list
         problems.append(BrokenInFrontend(origin=origin, refused=True, what="any-all", name=name))
     elif name == "eval" and count == 2 and words[1].pieces and not isinstance(words[1].pieces[0], str):
         problems.append(BrokenInFrontend(origin=Origin(words[1].place), refused=True, what="modules", name=name))
+
+
+def _unknown(substitution: Substitution, distribution: Distribution) -> Problem:
+    name, place = substitution.name, substitution.place
+    behind = place.text[len(name) + 2 : -1].strip()
+    instead = SUBSTITUTIONS_OF_ROS1.get(name)
+    if instead is None:
+        return UnknownSubstitution(origin=Origin(place), refused=True, name=name, words=behind, known=tuple(distribution.substitutions))
+    return OfRos1(
+        origin=Origin(place),
+        refused=True,
+        tag="",
+        what="substitution",
+        construct=name,
+        instead=f"$({instead} …)",
+        renamed=instead,
+        words=behind,
+    )
 
 
 def _absent(substitution: Substitution, what: Where, since: str, distribution: Distribution, problems: list[Problem]) -> None:

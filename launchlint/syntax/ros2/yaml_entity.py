@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from launchlint.source import Origin, Place, Source
 from launchlint.syntax.ros2.entity import Entity, Value
-from launchlint.syntax.ros2.problems import WantsNumber, WantsText, WrongValue, YamlForm
+from launchlint.syntax.ros2.problems import WantsFraction, WantsText, WrongValue, YamlForm
 from launchlint.syntax.ros2.values import SCALARS, fits
 from launchlint.syntax.ros2.words import EXPECTED
 from launchlint.syntax.ros2.written import InYaml, Written
@@ -89,7 +89,7 @@ class YamlEntity(Entity):
         if wanted == "str" and isinstance(item.data, SCALARS):
             return WantsText(origin=Origin(place), refused=True, tag=self.tag, attribute=name, found=item.words)
         if wanted == "float" and isinstance(item.data, int) and not isinstance(item.data, bool):
-            return WantsNumber(origin=Origin(place), refused=True, tag=self.tag, attribute=name, value=place.text, substitution=False)
+            return WantsFraction(origin=Origin(place), refused=True, tag=self.tag, attribute=name, value=place.text)
         value = place.text if isinstance(item.data, SCALARS) else item.words
         return WrongValue(origin=Origin(place), refused=True, tag=self.tag, attribute=name, value=value, expected=EXPECTED[wanted])
 

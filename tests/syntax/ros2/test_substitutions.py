@@ -110,7 +110,7 @@ def test_places_of_words_and_of_substitutions_in_each_other() -> None:
 @pytest.mark.parametrize(
     ("text", "distro", "kinds"),
     [
-        ("$(arg x)", "jazzy", ["unknown-substitution"]),
+        ("$(arg x)", "jazzy", ["of-ros1"]),
         ("$(var x)", "jazzy", []),
         ("$(var)", "jazzy", ["substitution-arity"]),
         ("$(var a b c)", "jazzy", ["substitution-arity"]),
@@ -125,7 +125,7 @@ def test_places_of_words_and_of_substitutions_in_each_other() -> None:
         ("$(path-join a b)", "rolling", ["not-in-distribution"]),
         ("$(eval 'x' 'os')", "jazzy", []),
         ("$(eval 'x' $(var m))", "jazzy", ["broken-in-frontend"]),
-        ("$(nope $(arg a)) $(var)", "jazzy", ["unknown-substitution", "unknown-substitution", "substitution-arity"]),
+        ("$(nope $(arg a)) $(var)", "jazzy", ["of-ros1", "unknown-substitution", "substitution-arity"]),
     ],
 )
 def test_names_and_words_by_distribution(text: str, distro: str, kinds: list[str]) -> None:
