@@ -104,7 +104,7 @@ def _instance(process: _Process, manager: _Process | None, parameters: Parameter
             kind, program = "nodelet", class_
             if process.mode == "load":
                 host = "" if manager is None else manager.namer.graph_name
-                namer = NodeletNamer(namer, None if manager is None else manager.namer)
+                namer = NodeletNamer(namer, None if manager is None else manager.namer, _around_manager(process))
             known = library.nodelet(program)
             if known is None:
                 reason = library.why_unknown("nodelets", program) or f"no library knows the nodelet class {program}"
@@ -177,6 +177,14 @@ def _manager(process: _Process, managers: dict[str, _Process]) -> _Process | Non
         return None
     given = process.line.words[2] if len(process.line.words) > 2 else UNKNOWN
     return managers.get(process.namer.resolve(f"{given}/load_nodelet").name) if isinstance(given, str) else None
+
+
+def _around_manager(process: _Process) -> str:
+    """The namespace of the manager that ``process`` loads a nodelet into, by its name; an unknown one where that is not known."""
+    given = process.line.words[2] if len(process.line.words) > 2 else UNKNOWN
+    if not isinstance(given, str):
+        return f"/{UNKNOWN_NAMESPACE}"
+    return absolute(given, process.namer.namespace, process.namer.graph_name).rpartition("/")[0] or "/"
 
 
 def _without_private(part: Interface, own: str, pattern: str) -> Interface:

@@ -11,6 +11,9 @@ rospy.names.initialize_mappings).
 In roscpp the name of the node is a name like any other: a rule for it gives the node another name and its private names another place
 (ros::this_node::init), unless the rule is spelled as just that name, without namespace: then it is dropped (ros::names::init). Private
 names are made in a namespace that is itself resolved, so a rule that moves it moves them (ros::NodeHandle::construct).
+
+A NodeHandle of ``/`` is one of no name: ros::names::clean leaves nothing of the slash, and ros::NodeHandle::resolveName takes the namespace
+of the process for nothing. So the relative names of a nodelet in no namespace lie in that of its manager.
 """
 
 from __future__ import annotations
@@ -106,7 +109,8 @@ class Namer:
     """Resolves the names of one node.
 
     ``graph_name`` is the name that the node really has, ``private`` the namespace of its private names. ``node`` is what the launch file
-    calls it; the same but for rare remappings.
+    calls it; the same but for rare remappings. ``namespace`` is where the relative names of its code lie, ``home`` where those of its
+    ``<remap>`` do; the same but for nodelets.
 
     Args:
         namespace: of the process.
@@ -116,12 +120,12 @@ class Namer:
         unknown: remappings of which only patterns are known, of source and target: ``*`` stands for anything.
     """
 
-    __slots__ = ("_is_rospy", "_spelled", "_table", "_unknown", "graph_name", "namespace", "node", "private")
+    __slots__ = ("_is_rospy", "_spelled", "_table", "_unknown", "graph_name", "home", "namespace", "node", "private")
 
     def __init__(
         self, namespace: str, node: str, rules: Iterable[Rule] = (), client: str = "", unknown: Iterable[tuple[str, str]] = ()
     ) -> None:
-        self.namespace = namespace
+        self.namespace = self.home = namespace
         self.node = node
         self._is_rospy = client == "rospy"
         own = node.rpartition("/")[2]
@@ -211,11 +215,12 @@ class NodeletNamer(Namer):
     Args:
         loader: names of the process that loads the nodelet.
         manager: names of the process that runs it; None where that is not known.
+        around: the namespace of the process that runs it, as far as its name says it.
     """
 
     __slots__ = ("_manager",)
 
-    def __init__(self, loader: Namer, manager: Namer | None) -> None:
+    def __init__(self, loader: Namer, manager: Namer | None, around: str = "/") -> None:
         self._manager = manager
         self._unknown = loader._unknown
         self._is_rospy = False
@@ -223,7 +228,8 @@ class NodeletNamer(Namer):
         self._table: dict[str, Applied] = {}
         self.node = loader.node
         self.graph_name = loader.graph_name
-        self.namespace = self.moved(loader.graph_name.rpartition("/")[0] or "/")
+        self.home = loader.namespace
+        self.namespace = self.moved(loader.graph_name.rpartition("/")[0] or (around if manager is None else manager.namespace))
         self.private = self.moved(loader.graph_name)
         moved = {
             self.moved(source): applied._replace(target=self.moved(applied.target)) for source, applied in sorted(loader.remappings.items())

@@ -341,6 +341,12 @@ def test_a_manager_that_is_not_here(tmp_path: Path) -> None:
     assert [(each.name, each.process) for each in loaded.endpoints if each.role == "publisher"] == [("/color", "")]
 
 
+@pytest.mark.parametrize(("manager", "name"), [("cam/m", "/cam/color"), ("/cam/m", "/cam/color"), ("m", "/color"), ("/m", "/color")])
+def test_a_nodelet_in_no_namespace(manager: str, name: str, tmp_path: Path) -> None:
+    (loaded,) = graph(tmp_path, nodelet("n", f"load cam/Color {manager}"), NODELET).instances
+    assert [each.name for each in loaded.endpoints if each.role == "publisher"] == [name]
+
+
 @pytest.mark.parametrize(
     ("args", "reason"),
     [

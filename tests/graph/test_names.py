@@ -165,6 +165,29 @@ def test_a_nodelet_of_an_unknown_manager() -> None:
     assert (own.node, own.namespace, own.resolve("image").name, own.resolve("~x").name) == ("/ns/node", "/ns", "/ns/a", "/ns/node/x")
 
 
+@pytest.mark.parametrize(
+    ("rules", "name", "found"),
+    [
+        ([], "image", "/cam/image"),
+        ([("image", "a")], "image", "/cam/image"),
+        ([("cam/image", "a")], "image", "/a"),
+        ([], "~image", "/node/image"),
+        ([("~image", "a")], "~image", "/a"),
+    ],
+)
+def test_a_nodelet_in_no_namespace_has_its_relative_names_in_that_of_its_manager(
+    rules: list[tuple[str, str]], name: str, found: str
+) -> None:
+    loader = namer("roscpp", *rules, node="/node")
+    for own in (NodeletNamer(loader, namer("roscpp", node="/cam/manager")), NodeletNamer(loader, None, "/cam")):
+        assert (own.home, own.namespace, own.resolve(name).name) == ("/", "/cam", found)
+
+
+def test_what_moves_the_namespace_of_a_manager_moves_a_nodelet_in_no_namespace() -> None:
+    own = NodeletNamer(namer("roscpp", node="/node"), namer("roscpp", ("/cam", "/moved"), node="/cam/manager"))
+    assert own.resolve("image").name == "/moved/image"
+
+
 # The same through the real client libraries, over random rules.
 
 WORDS = ("a", "b", "a/b", "node", "node/a", "x")

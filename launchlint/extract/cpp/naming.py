@@ -296,7 +296,9 @@ def is_anchored(name: str) -> bool:
 
 
 def below(namespace: str, name: str) -> str:
-    """The namespace of a node handle made of another one and a name."""
+    """The namespace of a node handle made of another one and a name; a mere slash is no name (ros::names::clean leaves nothing of it)."""
+    if name and not name.strip("/"):
+        return namespace
     if name.startswith("~"):
         return "~/" + name[1:].lstrip("/") if name.strip("~/") else "~"
     return name if name == UNKNOWN_SPACE else in_namespace(namespace, name)

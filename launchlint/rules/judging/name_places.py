@@ -100,6 +100,8 @@ def how(endpoint: Endpoint, instance: Instance) -> str:
     way = kind(endpoint.declared)
     if way == "global":
         return f"{instance.name} says {endpoint.declared}, a global name that no namespace changes"
+    if way == "relative" and instance.namer.namespace.strip("/") and not instance.namer.home.strip("/"):
+        return f"{instance.name} says {endpoint.declared}; a nodelet in no namespace says its names in that of its manager: {endpoint.name}"
     if way == "relative" and instance.namer.namespace.strip("/"):
         return f"{instance.name} says {endpoint.declared}; its namespace makes it {endpoint.name}"
     return ""
@@ -120,7 +122,7 @@ def with_sources(finding: Finding, *endpoints: Endpoint) -> Finding:
 
 def new_remap(endpoint: Endpoint, instance: Instance, target: str) -> tuple[str, str]:
     """The two sides of a remap that gives ``endpoint``, on which none acts, the name ``target``."""
-    namespace = instance.namer.namespace.strip("/")
+    namespace = instance.namer.home.strip("/")
     prefix = f"/{namespace}/" if namespace else "/"
     says = absolute(endpoint.declared, namespace, instance.namer.node)
     source = endpoint.declared if says == endpoint.unremapped else endpoint.unremapped
@@ -142,7 +144,7 @@ def write_remap(endpoint: Endpoint, instance: Instance, target: str) -> str:
             target = target[: len(target) - len(tail)]
         elif endpoint.unremapped == target:
             return f"take the remap of {source} away"
-        namespace = instance.namer.namespace.strip("/")
+        namespace = instance.namer.home.strip("/")
         prefix = f"/{namespace}/" if namespace else "/"
         shown = target[len(prefix) :] if not rule.target.startswith(("/", "~")) and target.startswith(prefix) else target
         if remap is None:

@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 
 
 class OwnNames(NamedTuple):
-    """The names of a node: place on the graph before remapping → how the code says it; ``below`` are names with more beneath them.
+    """The names of a node: place on the graph before remapping → how the code says it, or a remap must where that means another name there.
+
+    ``below`` are names with more beneath them.
 
     ``derived`` are those that the code makes from others, ``used`` the names on the graph after remapping; ``otherwise`` are names that
     it would have if it were started in another way.
@@ -49,7 +51,7 @@ def own_names(instance: Instance, library: Library) -> OwnNames | None:
     for entry in entries:
         used.add(entry.name)
         plain = absolute(entry.declared, namer.namespace, namer.node)
-        spelled[plain] = entry.declared
+        spelled[plain] = entry.declared if absolute(entry.declared, namer.home, namer.node) == plain else plain
         if entry.unremapped != plain:
             derived.add(entry.unremapped)
             spelled.setdefault(entry.unremapped, _relative(entry.unremapped, instance))
@@ -82,4 +84,4 @@ def _otherwise(instance: Instance, library: Library) -> Iterator[Doubt]:
 
 
 def _relative(full: str, instance: Instance) -> str:
-    return full.removeprefix(instance.namer.namespace.rstrip("/") + "/")
+    return full.removeprefix(instance.namer.home.rstrip("/") + "/")

@@ -58,7 +58,7 @@ class Signs:
         for moved, stays in ((end, other), (other, end)):
             namer = self._owners[id(moved)].namer
             for stray in () if moved.applied else self._strays.get(moved.unremapped.rpartition("/")[2], ()):
-                sides = [absolute(side, namer.namespace, namer.node) for side in (stray.source, stray.target)]
+                sides = [absolute(side, namer.home, namer.node) for side in (stray.source, stray.target)]
                 if sides == [moved.unremapped, stays.name]:
                     return f"a remap of {stray.source} to {stray.target} stands at {stray.place}, where it does nothing"
         return ""

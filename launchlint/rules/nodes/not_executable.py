@@ -3,9 +3,9 @@
 What it does: where the package of a node lies in the workspace or is installed, it looks at the script that `type` names.
 Programs that CMake builds are passed over, and those that `catkin_install_python` names: ROS Noetic writes a program of that name into
 the devel space, which runs the script whatever it lacks. It is an info where the first line is missing, since nothing makes up for that
-elsewhere. It is a warning where `install()` gives the script
-the executable bit: it runs from an install space only. It is an info where another command of `CMakeLists.txt` names the
-script, as with `execute_process(COMMAND chmod +x …)`. The scripts of a package that lack the same are told of together.
+elsewhere. It is an info where `install()` gives the script
+the executable bit: it runs from an install space, as whoever wrote that knows, and not from a devel space. So it is where another command
+of `CMakeLists.txt` names the script, as with `execute_process(COMMAND chmod +x …)`. The scripts of a package that lack the same are told of together.
 
 ## Why it matters
 
@@ -117,11 +117,11 @@ def check(view: LaunchView) -> Iterator[Finding]:
             notes.append("CMakeLists.txt installs it with that bit: it runs from an install space, not from a devel space")
         if none_has_it:
             notes.append(f"no script of the package {node.package} has the executable bit")
-        doubtful = installed or any(condition.assumed for condition in node.conditions)
+        doubtful = any(condition.assumed for condition in node.conditions)
         yield RULE.at(
             Origin(node.places.get("executable", node.origin.place), node.origin.step),
             f"{node.executable} cannot be run: {wrong}",
-            severity=Severity.INFO if wrapped or made is not None else Severity.WARNING if doubtful else None,
+            severity=Severity.INFO if wrapped or installed or made is not None else Severity.WARNING if doubtful else None,
             label=f"{node.executable} cannot be run",
             related=((line_of(flaw.path, root), "its first line"),),
             notes=tuple(notes),

@@ -3,9 +3,12 @@
 It is told where the library knows the node completely, and none of the names in its code (topics, services, actions, params)
 is the `from` of the remap. Of a remap outside a node it is told where this holds for all nodes that it reaches. It is an info
 where the remap would change nothing anyhow: one of `/tf` and the like, one of a param that the node does not read and others
-do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. So it is for a nodelet
-whose names are remapped as they would be in the namespace of its manager, where old releases looked for them. A name that the
+do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. A name that the
 node would have if it were started in another way counts as one of its names.
+
+A nodelet in no namespace has its relative names in the namespace of its manager (roscpp makes them there, and the `<remap>` of the
+nodelet does not know it), so that a remap must say that namespace, too. A remap acts on params as it does on topics: where a node has a
+topic and a param of one name, a remap moves both.
 
 All remaps of a program for which nothing better is known than that it has no such names are one finding, and so is the same remap of the
 same program in several files.
@@ -63,6 +66,7 @@ UNIVERSAL = ("~get_loggers", "~set_logger_level", "/rosout", "/clock", "/use_sim
 """Names that every node has (roscpp, rospy)."""
 REMOVE = "remove it"
 _IS_OTHER = "the name of the node is"
+_OF_MANAGER = "a nodelet in no namespace says its names in that of its manager"
 _IS_PARAM = "it is a param of the node, to which a remap gives no value"
 _MOST_NAMES = 6
 _MOST_CANDIDATES = 300
@@ -203,7 +207,7 @@ def _is_harmless(miss: _Miss) -> bool:
     source, target = miss.applied.source, miss.applied.target
     if source in HUBS or (target in miss.names.spelled and _reversed(miss) is None) or _is_said_twice(miss):
         return True
-    if _as_wanted(miss) is not None or _is_idle_param(miss) or _is_of_manager(miss):
+    if _as_wanted(miss) is not None or _is_idle_param(miss):
         return True
     return miss.instance.client != "rospy" and any(full.startswith(f"{source}/") for full in miss.names.spelled)
 
@@ -213,7 +217,7 @@ def _as_wanted(miss: _Miss) -> str | None:
 
     It is written in ``to`` with its namespace, and resolved in that namespace ``to`` would hold it twice.
     """
-    wanted, namespace = _as_global(miss), miss.instance.namer.namespace.rstrip("/")
+    wanted, namespace = _as_global(miss), miss.instance.namer.home.rstrip("/")
     return wanted if namespace and wanted in miss.names.used and wanted.startswith(f"{namespace}/") else None
 
 
@@ -229,17 +233,6 @@ def _is_idle_param(miss: _Miss) -> bool:
     sides, graph = (source, miss.applied.target, _as_global(miss)), miss.graph
     is_param = any(graph.parameters.is_set(side) or side in graph.readers for side in sides)
     return is_param and not any(full.rpartition("/")[2] == end for full in names.spelled) and closest(source, names.spelled) is None
-
-
-def _is_of_manager(miss: _Miss) -> bool:
-    """Whether it is a name of the nodelet as it would be in the namespace of its manager (``camera/scan`` for ``camera/manager``)."""
-    instance = miss.instance
-    words = instance.node.arguments.split()
-    if instance.kind != "nodelet" or len(words) < 3:
-        return False
-    space = absolute(words[2], instance.namer.namespace, instance.namer.node).rpartition("/")[0]
-    inner = miss.applied.source.removeprefix(f"{space}/")
-    return inner != miss.applied.source and absolute(inner, instance.namer.namespace, instance.namer.node) in miss.names.spelled
 
 
 def _param(miss: _Miss, written: str) -> str | None:
@@ -298,15 +291,16 @@ def _advice(miss: _Miss, written: str) -> _Advice | None:
         found = spelled.get(absolute(other, namer.namespace, namer.node)) if bare else None
         if found is not None:
             full = absolute(other, namer.namespace, namer.node)
-            habit = f"{_IS_OTHER} {what}"
-            return _done_by_another(miss, full) or _Advice(f'{habit}: write from="{found}"', habit=habit, source=found)
+            habit = _OF_MANAGER if what == "relative" and kind(found) == "global" else f"{_IS_OTHER} {what}"
+            return _done_by_another(miss, full) or _moves_param(miss, full, habit) or _Advice(_from(habit, found), habit, source=found)
     if len(spelled) > _MOST_CANDIDATES:
         return None
     own = {full: name for full, name in spelled.items() if full not in names.derived}
     near = closest(source, own) or _same_end(source, own)
     if near is None:
         return None
-    return _done_by_another(miss, near) or _Advice(f'did you mean from="{spelled[near]}"?', source=spelled[near])
+    meant = f'did you mean from="{spelled[near]}"?'
+    return _done_by_another(miss, near) or _moves_param(miss, near, meant.rstrip("?")) or _Advice(meant, source=spelled[near])
 
 
 def _done_by_another(miss: _Miss, name: str) -> _Advice | None:
@@ -316,6 +310,20 @@ def _done_by_another(miss: _Miss, name: str) -> _Advice | None:
     if other is None:
         return None
     return _Advice(f"{REMOVE}: another remap leads {miss.names.spelled[name]} to {other.target} already", remove=True)
+
+
+def _from(reason: str, name: str) -> str:
+    return f'{reason}: write from="{name}"'
+
+
+def _moves_param(miss: _Miss, name: str, advice: str) -> _Advice | None:
+    """What to do where a remap of ``name`` (full) would lead the node away from a param of that name, too; None where it would not."""
+    namer = miss.instance.namer
+    is_read = any(absolute(each.declared, namer.namespace, namer.node) == name for each in miss.instance.readings)
+    if not is_read and miss.graph.parameters.setting(name) is None:
+        return None
+    both = f"{miss.names.spelled[name]} is a param of the node, too, which a remap would move as well"
+    return _Advice(f"{advice}; but {both}: call one of the two otherwise in the code, or remove this", habit="a param, too")
 
 
 def _same_end(source: str, spelled: Mapping[str, str]) -> str | None:

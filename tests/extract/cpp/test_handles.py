@@ -122,6 +122,13 @@ CASES = {
         "subscribers {remap:rgb}/image - 3 queue=1",
     ),
     "argument": ("ros::NodeHandle nh;\nnh.advertise<std_msgs::String>(argv[1], 5);", "publishers {arg:1} std_msgs/String 3 queue=5"),
+    "a slash is no namespace": (
+        (
+            'ros::NodeHandle nh("/"), own("~"), inner(own, "/"), k(nh, "k");\nnh.serviceClient<std_srvs::Empty>("a");\n'
+            'inner.serviceClient<std_srvs::Empty>("b");\nk.serviceClient<std_srvs::Empty>("c");'
+        ),
+        "clients a std_srvs/Empty 3\nclients k/c std_srvs/Empty 5\nclients ~b std_srvs/Empty 4",
+    ),
     "alias of a namespace": (
         'namespace r = ros;\nros::NodeHandle nh;\nnh.serviceClient<std_srvs::Empty>("a");',
         "clients a std_srvs/Empty 4",
