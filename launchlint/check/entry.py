@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, internal_error, run_rule, tell
 from launchlint.check.options import EntryRequest, Options
-from launchlint.check.stops import put_right, put_right_later, stops_everybody
+from launchlint.check.stops import put_right, put_right_later, said_of, stops_everybody
 from launchlint.check.verdict import judged, plainly
 from launchlint.dialects.door import configurations, evaluate, named
 from launchlint.evaluate.assemble import Evaluation
@@ -239,11 +239,15 @@ class EntryChecker:
                 yield self._at_home(said, evaluation, assumed=problem.assumed)
             if before is None and stops_everybody(problem, view):
                 before = problem
+        switched = view.tried if launch.given != request.arguments else ""
         for rule in self.launch_rules:
             if launch.dialect not in rule.dialects:
                 continue
             for found in run_rule(rule, view, launch.entry.path):
-                yield found if isinstance(found, Fine) else self._at_home(put_right_later(found, before), evaluation, assumed=False)
+                if isinstance(found, Fine):
+                    yield found
+                else:
+                    yield self._at_home(said_of(put_right_later(found, before), switched), evaluation, assumed=False)
         if self.graph_rules and (launch.nodes or launch.tests or launch.parameter_settings):
             yield from self._graph_findings(evaluation, request)
 
@@ -262,17 +266,18 @@ class EntryChecker:
         return connect(evaluation.launch, self.library, self._connected_before)
 
     def _graph_findings(self, evaluation: Evaluation, request: EntryRequest) -> Iterator[Finding | Fine]:
-        from launchlint.rules.view import GraphView
+        from launchlint.rules.view import GraphView, tried
 
         graph = self.connected(evaluation)
         if not self._sights:  # only the configuration without args, which comes first, counts
             self._sights.append(_sight(graph))
         view = GraphView(graph, self.library, self.packages, request.declared, evaluation.documents, self._connected_before)
+        switched = tried(evaluation.launch) if evaluation.launch.given != request.arguments else ""
         for rule in self.graph_rules:
             if evaluation.launch.dialect not in rule.dialects:
                 continue
             for found in run_rule(rule, view, evaluation.launch.entry.path):
-                yield found if isinstance(found, Fine) else self._at_home(found, evaluation, assumed=False)
+                yield found if isinstance(found, Fine) else self._at_home(said_of(found, switched), evaluation, assumed=False)
 
     def _at_home(self, finding: Finding, evaluation: Evaluation, *, assumed: bool) -> Finding:
         """``finding`` with the entry file and args that show it; under a condition of unknown value it is no more than a warning."""

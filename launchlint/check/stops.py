@@ -43,6 +43,13 @@ def put_right_later(finding: Finding, before: Problem | None) -> Finding:
     return finding._replace(notes=tuple(notes))
 
 
+def said_of(finding: Finding, switched: str) -> Finding:
+    """``finding`` about what a launch starts with args that are not the default (``switched``), which are named where it does not."""
+    if not switched or any(switched in text for text in (finding.message, finding.help, *finding.notes)):
+        return finding
+    return finding._replace(notes=(*finding.notes, f"so with {switched}, not by default"))
+
+
 def _with(finding: Finding, words: str, more: tuple[str, ...]) -> Finding:
     notes = (words + note.removeprefix(STOPS) if note.startswith(STOPS) else note for note in finding.notes)
     return finding._replace(notes=(*notes, *more))

@@ -33,6 +33,15 @@ if TYPE_CHECKING:
     Kind = TypeVar("Kind", bound=Problem)
 
 
+def tried(launch: Launch) -> str:
+    """The args of ``launch`` with a default that only the search for configurations gave another value: ``sim:=true``."""
+    if not launch.given:
+        return ""
+    steered: frozenset[str] = frozenset().union(*(branch.steered_by for branch in launch.branches))
+    free = {each.name for each in launch.declared if each.origin.step is None and not each.passed and each.default is not None}
+    return " ".join(f"{name}:={value}" for name, value in launch.given if name in steered and name in free)
+
+
 class FileView(NamedTuple):
     """The syntax view: one launch file as it is written, the packages around it, and what the project's normal form is like.
 
@@ -74,10 +83,7 @@ class LaunchView:
     @cached_property
     def tried(self) -> str:
         """The args with a default that only the search for configurations gave another value: ``sim:=true``."""
-        launch = self.launch
-        steered: frozenset[str] = frozenset().union(*(branch.steered_by for branch in launch.branches))
-        free = {each.name for each in launch.declared if each.origin.step is None and not each.passed and each.default is not None}
-        return " ".join(f"{name}:={value}" for name, value in launch.given if name in steered and name in free)
+        return tried(self.launch)
 
     @cached_property
     def _problems(self) -> Mapping[Place, list[Problem]]:

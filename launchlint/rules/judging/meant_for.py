@@ -9,7 +9,8 @@ from launchlint.graph.connections import Instance
 from launchlint.graph.names import kind
 from launchlint.rules.judging.loose_ends import Missed
 from launchlint.rules.judging.misspelt import Repairs
-from launchlint.rules.judging.name_places import TALKS, acting_origin, how, node_origin, remap_origin, with_sources, write_remap
+from launchlint.rules.judging.name_places import TALKS, acting_origin, how, node_origin, remap_origin, with_sources
+from launchlint.rules.judging.misplaced import moved_include
 from launchlint.rules.judging.near_names import NAMESPACE, SLIP
 from launchlint.rules.judging.one_cause import Cause
 from launchlint.rules.rule import Rule
@@ -45,7 +46,8 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
         notes.append(f"{_listed(missed.alike)} all {_PLURAL[other.role]} {other.name}" + _fed(missed))
     if missed.sign:
         notes.append(missed.sign)
-    notes.append(consequence)
+    idle = next((each for each in (missed.instance, missed.partner) if each.kind == "nodelet" and not each.host), None)
+    notes.append(consequence if idle is None else f"no message arrives, and the manager of the nodelet {idle.name} is not started here")
     if missed.doubts:
         notes.append(f"unless another node is at the other end: {missed.doubts[0].reason}")
     more = f" (and {len(others)} more name{'s' if len(others) > 1 else ''} for the same reason)" if others else ""
@@ -56,10 +58,10 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
         label=f"{other.name} here" if at_partner else label,
         related=tuple(related),
         notes=tuple(notes),
-        help=_help_for_all(cause) if cause.hub is not None else _help(missed, at_partner=at_partner),
+        help=_help_for_all(cause) if cause.hub is not None else _help(missed, repairs, at_partner=at_partner),
         topic=f"{end.node} {end.role} {end.name}" if cause.hub is None else " ".join((cause.hub[0], *map("/".join, cause.hub[1]))),
         fix=None if others else repairs.of(missed),
-        cause=_cause(missed) if missed.sign and not others else "",
+        cause="" if others else _cause(missed),
     )
     return with_sources(found, end, other)
 
@@ -92,16 +94,22 @@ def _help_for_all(cause: Cause) -> str:
     node, (mine, theirs) = cause.hub
     wrong, right = ("/".join(each) or "no namespace" for each in (mine, theirs))
     doubt = "if these belong together, " if cause.first.level is Severity.INFO else ""
+    around = moved_include(cause.first, node)
+    if around is not None:
+        return doubt + around
     return f"{doubt}start {node} in another namespace, or remap its names: they are in {wrong} where the others have {right}"
 
 
-def _help(missed: Missed, *, at_partner: bool) -> str:
+def _help(missed: Missed, repairs: Repairs, *, at_partner: bool) -> str:
     end, other = missed.end, missed.other
-    advice = write_remap(end, missed.instance, other.name)
-    if at_partner:
-        return f"{advice} as well, or {write_remap(other, missed.partner, end.name)}"
+    around = moved_include(missed)
+    advice = repairs.written(end, missed.instance, other.name) if around is None else around
+    if at_partner and around is None:
+        return f"{advice} as well, or {repairs.written(other, missed.partner, end.name)}"
     if (not missed.how and not missed.sign) or missed.level is Severity.INFO:
         return f"if these two belong together, {advice}"
+    if around is not None:
+        return advice
     if missed.how == SLIP:
         return f"did you mean {other.name}? Then {advice}"
     if len(missed.alike) > 1 and other.role == "subscriber":

@@ -11,7 +11,7 @@ from launchlint.graph.names import absolute, kind
 from launchlint.library.template import Slot, is_template, parse
 from launchlint.rules.edits import append_child, fix, remove_element, set_value, spot
 from launchlint.rules.judging.loose_ends import Missed
-from launchlint.rules.judging.name_places import TALKS, new_remap
+from launchlint.rules.judging.name_places import TALKS, new_remap, write_remap
 from launchlint.rules.judging.near_names import SLIP
 from launchlint.rules.view import GraphView
 from launchlint.source import Place
@@ -92,16 +92,28 @@ class Repairs:
         written = _spelled(to.value.strip(), end.name, name, instance)
         return fix(f'write to="{written}"', set_value(at, written, to), safe=False, changes=changes) if written else None
 
-    def _in_param(self, end: Endpoint, instance: Instance, name: str) -> Fix | None:
-        """The ``<param>`` that holds the name of ``end``, and that no other node reads, holds ``name``."""
+    def written(self, end: Endpoint, instance: Instance, name: str) -> str:
+        """What to write so that ``end`` gets the name ``name``, for people: in the param that holds it, where one does."""
+        full = self._param(end, instance)
+        if full is None:
+            return write_remap(end, instance, name)
+        return f'let the param {full} hold "{_spelled(end.declared, end.name, name, instance) or name}"'
+
+    def _param(self, end: Endpoint, instance: Instance) -> str | None:
+        """The param (in full) whose value is the name of ``end``, where the launch sets it."""
         template = end.declaration.name
         slots = parse(template) if is_template(template) else ()
         if end.applied or len(slots) != 1 or not isinstance(slots[0], Slot) or slots[0].kind != "param":
             return None
-        graph = self._view.graph
         full = instance.namer.resolve(slots[0].key).name
-        setting = graph.parameters.setting(full)
-        if setting is None or setting.tag != "param" or setting.value != end.declared:
+        setting = self._view.graph.parameters.setting(full)
+        return full if setting is not None and setting.value == end.declared else None
+
+    def _in_param(self, end: Endpoint, instance: Instance, name: str) -> Fix | None:
+        """The ``<param>`` that holds the name of ``end``, and that no other node reads, holds ``name``."""
+        full, graph = self._param(end, instance), self._view.graph
+        setting = None if full is None else graph.parameters.setting(full)
+        if full is None or setting is None or setting.tag != "param":
             return None
         if any(reading.node != end.node for reading in graph.readers.get(full, ())):
             return None

@@ -1,7 +1,8 @@
 """A node has a name that ROS does not allow.
 
 What it does: it looks at the resolved `name` of nodes and tests. A slash or a leading `~` is an error, because roslaunch refuses
-the file; a slash is a warning where args make the name and it takes another value than a default. Other characters than letters, digits
+the file; a slash is a warning where args make the name and it takes another value than a default, and an info where a comment of the
+file names that arg, as one that has to be given then. Other characters than letters, digits
 and `_`, a digit at the start, and an empty name are warnings.
 
 ## Why it matters
@@ -41,6 +42,8 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, add_attribute, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.syntax.parts import Substitution
+from launchlint.syntax.ros1.substitutions import parts_of
 
 RULE = Rule("LL302", "invalid-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -52,10 +55,11 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
         namespace, _, base = name.strip("/").rpartition("/")
         literal = is_literal(problem.place, name)
         advice = f'write name="{base}" ns="{namespace}"' if namespace else f'write name="{base}"'
+        told = "" if literal or not view.launch.given else _told(problem, view)
         yield RULE.at(
             problem.origin, f"the node name {name} has a slash in it", label="a node name has no namespace",
-            severity=Severity.WARNING if view.launch.given and not literal else None,
-            notes=("roslaunch stops with: node name cannot contain a namespace",),
+            severity=Severity.INFO if told else Severity.WARNING if view.launch.given and not literal else None,
+            notes=("roslaunch stops with: node name cannot contain a namespace", *([told] if told else [])),
             help=advice if literal else f"give the arg a value without a slash, as {base}, and the namespace in ns",
             fix=_split(problem, view, name, base, namespace),
         )  # fmt: skip
@@ -86,6 +90,19 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
             help=f"use letters, digits and _, a letter first: {good}" if own else f'give the test a name as well: name="{good}"',
             fix=_rename(problem, view, name, good) if own else None,
         )
+
+
+def _told(problem: InvalidNodeName, view: LaunchView) -> str:
+    """What it says where a comment of the file names the arg that the name is made of: whoever switches the node on is told to give it."""
+    at = spot(view, problem.place)
+    attribute = at.element.attributes.get("name") if at is not None else None
+    args = {part.only for part in parts_of(attribute) if isinstance(part, Substitution)} if attribute is not None else set()
+    for comment in at.document.comments if at is not None else ():
+        named = next((arg for arg in sorted(args) if arg and re.search(rf"\b{re.escape(arg)}\b", comment.text)), None)
+        if named is not None:
+            line, _ = problem.place.source.position(comment.span.start)
+            return f"the comment in line {line} speaks of the arg {named}, which whoever switches this on may be meant to give"
+    return ""
 
 
 def _split(problem: InvalidNodeName, view: LaunchView, name: str, base: str, namespace: str) -> Fix | None:

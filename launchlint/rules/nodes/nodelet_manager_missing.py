@@ -35,6 +35,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.graph.names import clean
 from launchlint.model import Node
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
@@ -52,8 +53,9 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
     if not loading:
         return
     known = all(node.knows("name", "namespace") for node in launch.nodes)
-    names = {node.full_name for node in launch.nodes if node.name}
-    managers = {node.full_name for node in launch.nodes if _is_manager(node)}
+    # A name with a slash in it is refused (LL302): once that is put right, the node is where the slash says.
+    names = {clean(node.full_name) for node in launch.nodes if node.name}
+    managers = {clean(node.full_name) for node in launch.nodes if _is_manager(node)}
     here = (f"the managers here are {', '.join(sorted(managers)[:6])}",) if managers else ()
     wanted = [_full(node, manager) for node, manager in loading]
     for node, manager in loading:
@@ -92,7 +94,7 @@ def _load(node: Node) -> str | None:
 
 
 def _full(node: Node, manager: str) -> str:
-    return manager if manager.startswith("/") else node.namespace + manager
+    return clean(manager if manager.startswith("/") else node.namespace + manager)
 
 
 def _is_manager(node: Node) -> bool:
@@ -116,7 +118,6 @@ def _severity(slip: str | None, managers: bool, declared: bool, *, by_default: b
 def _near(full: str, managers: set[str]) -> str | None:
     """A manager of the same name in another namespace, or one of a similar name."""
     base = full.rpartition("/")[2]
-    managers = {name for name in managers if "//" not in name}
     same = sorted(name for name in managers if name.rpartition("/")[2] == base)
     return same[0] if same else closest(full, managers)
 
