@@ -8,9 +8,9 @@ from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance
 from launchlint.graph.names import kind
 from launchlint.rules.judging.loose_ends import Missed
+from launchlint.rules.judging.misplaced import moved_include
 from launchlint.rules.judging.misspelt import Repairs
 from launchlint.rules.judging.name_places import TALKS, acting_origin, how, node_origin, remap_origin, with_sources
-from launchlint.rules.judging.misplaced import moved_include
 from launchlint.rules.judging.near_names import NAMESPACE, SLIP
 from launchlint.rules.judging.one_cause import Cause
 from launchlint.rules.rule import Rule

@@ -3,7 +3,7 @@
 It is told where the library knows the node completely, and none of the names in its code (topics, services, actions, params)
 is the `from` of the remap. Of a remap outside a node it is told where this holds for all nodes that it reaches. It is an info
 where the remap would change nothing anyhow: one of `/tf` and the like, one of a param that the node does not read and others
-do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. A name that the
+do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. So it is where the sources of the node have the name in a comment. A name that the
 node would have if it were started in another way counts as one of its names.
 
 A nodelet in no namespace has its relative names in the namespace of its manager (roscpp makes them there, and the `<remap>` of the
@@ -54,7 +54,9 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, kind
 from launchlint.rules.edits import fix, remove_element, set_value, spot
+from launchlint.rules.judging.commented_code import commented_out
 from launchlint.rules.judging.name_places import is_inside
+from launchlint.rules.judging.other_file import root_of
 from launchlint.rules.judging.own_names import OwnNames, own_names
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
@@ -167,7 +169,10 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
         notes.append(f"{instance.name} has no names of its own")
     elif advice is None and len(own) <= _MOST_NAMES:
         notes.append(f"the names of {instance.name} are {_listed(own)}")
-    severity = Severity.INFO if all(_is_harmless(miss) for miss in misses) else RULE.severity
+    off = commented_out(written, instance, root_of(view.launch.entry))
+    if off:
+        notes.append(f"the code that has this name is commented out: {off}")
+    severity = Severity.INFO if off or all(_is_harmless(miss) for miss in misses) else RULE.severity
     return RULE.at(
         origin,
         f"the remap of {written} matches nothing: {who}",
