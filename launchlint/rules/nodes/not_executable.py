@@ -5,7 +5,8 @@ Programs that CMake builds are passed over, and those that `catkin_install_pytho
 the devel space, which runs the script whatever it lacks. It is an info where the first line is missing, since nothing makes up for that
 elsewhere. It is an info where `install()` gives the script
 the executable bit: it runs from an install space, as whoever wrote that knows, and not from a devel space. So it is where another command
-of `CMakeLists.txt` names the script, as with `execute_process(COMMAND chmod +x …)`. The scripts of a package that lack the same are told of together.
+of `CMakeLists.txt` names the script, as with `execute_process(COMMAND chmod +x …)`. The scripts of a package that lack the same are told
+of together.
 
 ## Why it matters
 

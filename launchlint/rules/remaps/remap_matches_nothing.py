@@ -3,8 +3,8 @@
 It is told where the library knows the node completely, and none of the names in its code (topics, services, actions, params)
 is the `from` of the remap. Of a remap outside a node it is told where this holds for all nodes that it reaches. It is an info
 where the remap would change nothing anyhow: one of `/tf` and the like, one of a param that the node does not read and others
-do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. So it is where the sources of the node have the name in a comment. A name that the
-node would have if it were started in another way counts as one of its names.
+do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. So it is where the
+sources of the node have the name in a comment. A name that the node would have if it were started in another way is one of its names.
 
 A nodelet in no namespace has its relative names in the namespace of its manager (roscpp makes them there, and the `<remap>` of the
 nodelet does not know it), so that a remap must say that namespace, too. A remap acts on params as it does on topics: where a node has a
