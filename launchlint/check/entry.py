@@ -80,7 +80,7 @@ class EntryChecker:
         self.options = options
         self.remember = remember
         self.packages = Packages(options.workspaces, options.variables, explicit=options.explicit, complete=options.complete)
-        self.session = Session(self.packages, options.variables, options.root, overlay)
+        self.session = Session(self.packages, options.variables, options.root, overlay, options.distro)
         self.rules: tuple[Entry, ...] = tuple(rule for rule in RULES if rule.id in options.rules)
         self.launch_rules = tuple(rule for rule in self.rules if rule.view == "launch")
         self.graph_rules = tuple(rule for rule in self.rules if rule.view == "graph")

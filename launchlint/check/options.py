@@ -30,7 +30,7 @@ class Options(NamedTuple):
     out); ``variables`` is the environment launch files see; ``library`` are library files over the one that is shipped, and
     ``library_cache`` a directory for their indices; ``style`` is the normal form. ``extract``: the sources of the workspaces' packages are
     read, and what is read is kept in ``sources_cache``; ``staged``, if any, is the directory that holds those that git would commit, and
-    the top of the repository that they are of.
+    the top of the repository that they are of. ``distro`` is the distribution of ROS 2 that somebody asks for, else empty.
     """
 
     rules: frozenset[str]
@@ -47,3 +47,4 @@ class Options(NamedTuple):
     extract: bool = False
     sources_cache: str | None = None
     staged: tuple[str, str] | None = None
+    distro: str = ""

@@ -27,7 +27,7 @@ LARGEST_READ = 1 << 20
 CONTENT_NAMES = frozenset(("CMakeLists.txt", ".catkin"))
 CONTENT_ENDS = (".cmake", ".xml")
 ENTRY_ENDS = (".launch.xml",)
-VARIABLES = ("ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH", "ROS_DISTRO")
+VARIABLES = ("ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH", "ROS_DISTRO", "ROS_VERSION")
 
 
 class _TooMany(Exception):
@@ -52,7 +52,7 @@ def digest(options: Options, packages: Packages) -> str | None:
 def _settings(options: Options) -> str:
     settings: list[Any] = [
         FORMAT, __version__, sys.version, sorted(options.rules), options.workspaces, options.explicit, options.root, options.complete,
-        options.default_only, options.style, options.extract, [options.variables.get(name) for name in VARIABLES],
+        options.default_only, options.style, options.extract, options.distro, [options.variables.get(name) for name in VARIABLES],
         os.geteuid() if hasattr(os, "geteuid") else None,
     ]  # fmt: skip
     return repr(settings)

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 
 
 class EntryOptions:
-    """What ``PATHS``, ``--stdin-filename``, ``--arg``, ``--entries``, ``--workspace``, ``--library``, ``--no-extract`` and ``--config``
-    say.
+    """What ``PATHS``, ``--stdin-filename``, ``--arg``, ``--entries``, ``--workspace``, ``--library``, ``--no-extract``, ``--distro`` and
+    ``--config`` say.
 
     Raises UsageError where they clash.
     """
@@ -37,6 +37,7 @@ class EntryOptions:
         stdin_filename: str | None = None,
         library: tuple[str, ...] = (),
         extract: bool = True,
+        distro: str | None = None,
     ) -> None:
         if "-" in paths and len(paths) > 1:
             raise UsageError("- stands for standard input and cannot be mixed with other paths; check them in two calls")
@@ -51,6 +52,7 @@ class EntryOptions:
         self.workspace = workspace
         self.library = library
         self.extract = extract
+        self.distro = distro
         self.staged = False
         self._config = config
         self.configuration = read_configuration(config, (self.standard_input,) if self.standard_input else self.paths)
@@ -173,6 +175,7 @@ class EntryOptions:
             library_cache=cache,
             style=style_of(configuration),
             extract=self.extract and configuration.extract,
+            distro=self.distro or configuration.distro or "",
             sources_cache=None if cache is None else os.path.join(cache, "sources"),
         )
 

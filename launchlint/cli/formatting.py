@@ -192,7 +192,7 @@ class _Run:
 
         options = self._entry.options()
         packages = Packages(options.workspaces, options.variables, explicit=options.explicit, complete=options.complete)
-        return Session(packages, options.variables, options.root)
+        return Session(packages, options.variables, options.root, distro=options.distro)
 
     @cached_property
     def _guard(self) -> Guard:

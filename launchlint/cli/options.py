@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 import click
 
 from launchlint.cli.entries import EntryOptions
+from launchlint.workspace.ros2_distributions import DISTRIBUTIONS
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -27,9 +28,12 @@ def entry_options(function: F) -> F:
         stdin_filename: str | None,
         library: tuple[str, ...],
         no_extract: bool,
+        distro: str | None,
         **others: Any,
     ) -> Any:
-        return function(entry=EntryOptions(paths, args, entries, workspace, config, stdin_filename, library, not no_extract), **others)
+        return function(
+            entry=EntryOptions(paths, args, entries, workspace, config, stdin_filename, library, not no_extract, distro), **others
+        )
 
     call.__doc__ = function.__doc__
     call.__name__ = function.__name__
@@ -41,6 +45,9 @@ def entry_options(function: F) -> F:
             "--library", multiple=True, type=FILE, metavar="FILE", help="What nodes do, over what launchlint knows itself; repeatable."
         ),
         click.option("--no-extract", is_flag=True, help="Do not read the sources of the workspaces' own nodes."),
+        click.option(
+            "--distro", type=click.Choice(DISTRIBUTIONS), help="The ROS 2 that launch files of it are for; default: $ROS_DISTRO, jazzy."
+        ),
         click.option(
             "--workspace",
             multiple=True,

@@ -92,6 +92,9 @@ def configuration(found: Found) -> str:
 # complete: every package the robot has can be found, so one that is missing is an error; partial: it may be elsewhere.
 # packages: partial
 
+# The distribution of ROS 2 that its launch files are for.
+# distro: jazzy
+
 # Libraries of what nodes do, beside those in .launchlint/; and whether the sources of your own nodes are read.
 # library: [library.json]
 # extract: false

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from launchlint.source import Source
 from launchlint.syntax.parse import parse
 from launchlint.workspace.packages import Packages
+from launchlint.workspace.ros2_distributions import distribution
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from launchlint.evaluate.block import Block, Effect
     from launchlint.evaluate.ros1.arg_uses import ArgUses
     from launchlint.model import Argument
+    from launchlint.syntax.ros2.reading import Reading
     from launchlint.syntax.tree import Document, Element
 
 LARGEST_FILE = 64 * 1024 * 1024
@@ -49,7 +51,7 @@ class Session:
     """One run over one set of workspaces.
 
     ``overlay`` maps the name of a file to content that is judged in its place (standard input, ``as:`` in an entries file, the git index).
-    ``root`` is the directory to which shown paths are relative.
+    ``root`` is the directory to which shown paths are relative. ``distro`` is the distribution of ROS 2 that somebody asks for.
     """
 
     def __init__(
@@ -58,10 +60,12 @@ class Session:
         environment: Mapping[str, str],
         root: str | None = None,
         overlay: Mapping[str, bytes] | None = None,
+        distro: str = "",
     ) -> None:
         self.packages = packages
         self.environment = environment
         self.root = os.getcwd() if root is None else root
+        self.asked_distro = distro
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
         self.variants: dict[Any, Block] = {}
@@ -75,14 +79,16 @@ class Session:
         self.variables: set[str] = set()
         self._reads: dict[str, Read] = {}
         self._documents: dict[str, Document | Read] = {}
+        self._readings: dict[str, Reading | Read] = {}
 
     def with_text(self, file: str, data: bytes) -> Session:
         """A session in which ``file`` holds ``data``; what has been read of other files is shared, evaluated blocks are not."""
         absolute = os.path.abspath(file)
-        session = Session(self.packages, self.environment, self.root)
+        session = Session(self.packages, self.environment, self.root, distro=self.asked_distro)
         session.overlay = {**self.overlay, absolute: data}
         session._reads = {name: read for name, read in self._reads.items() if name != absolute}
         session._documents = {name: known for name, known in self._documents.items() if name != absolute}
+        session._readings = {name: known for name, known in self._readings.items() if name != absolute}
         return session
 
     def begin_entry(self) -> None:
@@ -133,8 +139,13 @@ class Session:
         """Whether ``file`` is a regular file that can be read."""
         return self.read(file).data is not None
 
+    @property
+    def distro(self) -> str:
+        """The distribution of ROS 2 that launch files of it are for."""
+        return distribution(self.asked_distro, self.environment)
+
     def document(self, file: str) -> Document | Read:
-        """Parse ``file`` once; the failed :class:`Read` where it cannot be read."""
+        """Parse ``file`` of ROS 1 once; the failed :class:`Read` where it cannot be read."""
         absolute = os.path.abspath(file) if file else ""
         self.touched.add(absolute)
         known = self._documents.get(absolute)
@@ -142,6 +153,19 @@ class Session:
             content = self.read(file)
             known = content if content.data is None else parse(content.data, self.shown(file), file)
             self._documents[absolute] = known
+        return known
+
+    def reading(self, file: str) -> Reading | Read:
+        """Read ``file`` of ROS 2, in XML or YAML, once; the failed :class:`Read` where it cannot be read."""
+        absolute = os.path.abspath(file) if file else ""
+        self.touched.add(absolute)
+        known = self._readings.get(absolute)
+        if known is None:
+            from launchlint.syntax.ros2.reading import read
+
+            content = self.read(file)
+            known = content if content.data is None else read(content.data, self.shown(file), file, self.distro)
+            self._readings[absolute] = known
         return known
 
     def find_package(self, name: str, near: str) -> str | None:

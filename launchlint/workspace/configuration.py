@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from launchlint.workspace.entries import Entry, arguments_of, entries_of, load_entries
 from launchlint.workspace.repository import repository_root
+from launchlint.workspace.ros2_distributions import DISTRIBUTIONS
 from launchlint.workspace.yaml_nodes import SCALAR, Document, Node, read_document, shown
 
 TYPE_CHECKING = False
@@ -49,6 +50,7 @@ class Configuration(NamedTuple):
         args: name of a profile → arguments that every entry is evaluated with, once per profile.
         env: environment variables that launch files see, over those of the process.
         packages: ``complete`` where every package the robot has can be seen here, ``partial`` where not; ``None``: found by itself.
+        distro: the distribution of ROS 2 that launch files of it are for; ``None``: that of the environment.
         extract: whether the sources of the workspaces' own nodes are read.
         line_width: characters of a line that the formatter fills with a start tag, before each attribute gets a line of its own.
         indent: blanks per level that the formatter writes.
@@ -72,6 +74,7 @@ class Configuration(NamedTuple):
     args: Mapping[str, Mapping[str, str]] = _EMPTY
     env: Mapping[str, str] = _EMPTY
     packages: str | None = None
+    distro: str | None = None
     extract: bool = True
     line_width: int = 120
     indent: int = 2
@@ -236,6 +239,9 @@ class _Reader:
     def packages(self, node: Node) -> dict[str, Any]:
         return {"packages": self._one_of(node, COMPLETENESS, "packages")}
 
+    def distro(self, node: Node) -> dict[str, Any]:
+        return {"distro": self._one_of(node, DISTRIBUTIONS, "distro")}
+
     def extract(self, node: Node) -> dict[str, Any]:
         return {"extract": self._one_of(node, ("true", "false"), "extract") == "true"}
 
@@ -273,6 +279,7 @@ _READERS = {
     "args": _Reader.args,
     "env": _Reader.env,
     "packages": _Reader.packages,
+    "distro": _Reader.distro,
     "extract": _Reader.extract,
     "format": _Reader.format,
 }

@@ -1,0 +1,24 @@
+"""The distributions of ROS 2 that launch files are read for, and which one it is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+DISTRIBUTIONS = ("humble", "jazzy", "kilted", "rolling")
+"""Oldest first."""
+DEFAULT = "jazzy"
+"""The newest one with long-term support."""
+
+
+def distribution(said: str, variables: Mapping[str, str]) -> str:
+    """The one that somebody ``said`` (empty: nobody did), else the one whose environment this is, else the default."""
+    here = variables.get("ROS_DISTRO", "")
+    return said or (here if here in DISTRIBUTIONS else DEFAULT)
+
+
+def environment_is_for(variables: Mapping[str, str]) -> str | None:
+    """``ros1`` or ``ros2`` where a set-up script of ROS has made this environment (REP 149); None where none has."""
+    version = variables.get("ROS_VERSION", "")
+    if version in ("1", "2"):
+        return f"ros{version}"
+    return "ros2" if variables.get("ROS_DISTRO", "") in DISTRIBUTIONS else None
