@@ -106,7 +106,7 @@ class Finding(NamedTuple):
     lines, such as what roslaunch says. ``help``: what to do. ``entry`` and ``arguments``: the launch file and the ``name:=value`` pairs
     that show it. ``entries``: from how many entry files it is reached. ``element``: the normalised element text that the fingerprint is
     made from. ``topic`` tells apart several findings of one rule at one place (a missing arg's name, say); it is never shown. ``cause``:
-    findings that have the same one (what is to be mended once for all of them) are told as one.
+    findings that have the same one (what is to be mended once for all of them) are told as one. ``launcher`` starts the entry file.
     """
 
     rule: str
@@ -126,6 +126,7 @@ class Finding(NamedTuple):
     fix: Fix | None = None
     topic: str = ""
     cause: str = ""
+    launcher: str = "roslaunch"
 
     @property
     def key(self) -> Key:

@@ -1,4 +1,4 @@
-"""What roslaunch makes of one entry file: the one verdict that every output gives."""
+"""What its launcher makes of one entry file: the one verdict that every output gives."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MOST_NAMED = 3
 
 
 class Refusal(NamedTuple):
-    """Args with which roslaunch refuses an entry file; ``rule`` (its ID) and ``reason`` say why."""
+    """Args with which its launcher refuses an entry file; ``rule`` (its ID) and ``reason`` say why."""
 
     arguments: tuple[tuple[str, str], ...]
     rule: str
@@ -29,11 +29,11 @@ class Refusal(NamedTuple):
 
 
 class Verdict(NamedTuple):
-    """``word`` says what becomes of the file as it stands; ``rule`` (its ID) and ``reason`` say why roslaunch refuses it, or stops here.
+    """``word`` says what becomes of the file as it stands; ``rule`` (its ID) and ``reason`` say why the launcher refuses it, or stops here.
 
     ``missing`` is what somebody who starts the file would have and this check has not: a package, an arg of the command line, a variable of
-    the machine, a file that is made later. ``elsewhere`` are the other configurations that roslaunch refuses, each for a reason of its own;
-    none where it refuses the file as it stands, and none where only that was looked at.
+    the machine, a file that is made later. ``elsewhere`` are the other configurations that it refuses, each for a reason of its own;
+    none where it refuses the file as it stands, and none where only that was looked at. ``launcher`` is the command that starts the file.
     """
 
     word: Literal["loads", "refused", "cannot be told"]
@@ -41,6 +41,7 @@ class Verdict(NamedTuple):
     reason: str = ""
     missing: tuple[str, ...] = ()
     elsewhere: tuple[Refusal, ...] = ()
+    launcher: str = "roslaunch"
 
     @property
     def sentence(self) -> str:
@@ -54,12 +55,12 @@ class Verdict(NamedTuple):
 
     @property
     def brief(self) -> str:
-        """The notice where the findings stand beside it, so that it need not repeat why roslaunch refuses the file."""
+        """The notice where the findings stand beside it, so that it need not repeat why the file is refused."""
         if self.word == "refused":
-            return "refused by roslaunch"
+            return f"refused by {self.launcher}"
         untold = self._as_it_stands if self.word == "cannot be told" else ""
         return "; ".join(
-            filter(None, (untold, f"refused by roslaunch with {self.elsewhere[0].given}{self._others}" if self.elsewhere else ""))
+            filter(None, (untold, f"refused by {self.launcher} with {self.elsewhere[0].given}{self._others}" if self.elsewhere else ""))
         )
 
     @property
@@ -75,7 +76,7 @@ class Verdict(NamedTuple):
 
     @property
     def with_args(self) -> str:
-        """Which other configuration roslaunch refuses, and why: ``refused with sim:=true: two nodes are named /a``; empty for none."""
+        """Which other configuration is refused, and why: ``refused with sim:=true: two nodes are named /a``; empty for none."""
         return f"refused with {self.elsewhere[0].given}: {self.elsewhere[0].reason}{self._others}" if self.elsewhere else ""
 
     def as_object(self) -> dict[str, Any]:
@@ -96,7 +97,7 @@ class Verdict(NamedTuple):
     @property
     def _as_it_stands(self) -> str:
         if self.word == "refused":
-            return f"refused by roslaunch: {self.reason}"
+            return f"refused by {self.launcher}: {self.reason}"
         return f"cannot be told: {self.why}" if self.word == "cannot be told" else "loads"
 
     @property

@@ -90,7 +90,7 @@ def entry_to_json(result: EntryResult) -> list[Any]:
 def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResult]) -> EntryResult:
     """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
     path, verdict, error, findings, fine, visited, names, summary, configurations, outcome, sight = value
-    word, rule, reason, missing, elsewhere = outcome
+    word, rule, reason, missing, elsewhere, launcher = outcome
     entry, refused, included, calls, roots, needs, undeclared, passing = summary
     return EntryResult(
         request,
@@ -112,7 +112,7 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
             tuple((path, tuple((name, text) for name, text in passed)) for path, passed in passing),
         ),
         configurations,
-        outcome=Verdict(word, rule, reason, tuple(missing), tuple(_refusal_from_json(each) for each in elsewhere)),
+        outcome=Verdict(word, rule, reason, tuple(missing), tuple(_refusal_from_json(each) for each in elsewhere), launcher),
         sight=Sight(sight[0], sight[1], tuple(Unseen(*each) for each in sight[2])),
     )
 
@@ -124,13 +124,12 @@ def _refusal_from_json(value: Any) -> Refusal:
 
 def _finding_to_json(finding: Finding) -> list[Any]:
     fix = None if finding.fix is None else list(finding.fix)
-    return [*finding[:2], int(finding.severity), *finding[3:14], fix, finding.topic, finding.cause]
+    return [*finding[:2], int(finding.severity), *finding[3:14], fix, *finding[15:]]
 
 
 def _finding_from_json(value: Any) -> Finding:
-    rule, name, severity, location, message, label, related, chain, notes, help_, entry, arguments, entries, element, fix, topic, cause = (
-        value
-    )
+    rule, name, severity, location, message, label, related, chain, notes, help_, entry, arguments, entries, *more = value
+    element, fix, topic, cause, launcher = more
     return Finding(
         rule,
         name,
@@ -149,4 +148,5 @@ def _finding_from_json(value: Any) -> Finding:
         None if fix is None else Fix(fix[0], fix[1], tuple(Edit(*edit) for edit in fix[2]), fix[3]),
         topic,
         cause,
+        launcher,
     )

@@ -282,7 +282,9 @@ class EntryChecker:
     def _at_home(self, finding: Finding, evaluation: Evaluation, *, assumed: bool) -> Finding:
         """``finding`` with the entry file and args that show it; under a condition of unknown value it is no more than a warning."""
         severity = min(finding.severity, Severity.WARNING) if assumed else finding.severity
-        return finding._replace(severity=severity, entry=evaluation.launch.entry.path, arguments=evaluation.launch.given, entries=1)
+        launch = evaluation.launch
+        launcher = named(launch.dialect).launcher
+        return finding._replace(severity=severity, entry=launch.entry.path, arguments=launch.given, entries=1, launcher=launcher)
 
     def _result(
         self,

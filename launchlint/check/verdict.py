@@ -1,12 +1,13 @@
-"""The verdict on one entry file, from its model: whether roslaunch loads it, refuses it, or whether that cannot be told from here.
+"""The verdict on one entry file, from its model: whether its launcher loads it, refuses it, or whether that cannot be told from here.
 
-A problem for which roslaunch stops is a refusal where the rule that speaks of it says *error*: everybody who starts the file meets it.
-Where the rule says less, or nothing, roslaunch stops for want of something that this check has not and somebody else may have.
+A problem for which the launcher stops is a refusal where the rule that speaks of it says *error*: everybody who starts the file meets it.
+Where the rule says less, or nothing, it stops for want of something that this check has not and somebody else may have.
 """
 
 from __future__ import annotations
 
 from launchlint.check.file import tell
+from launchlint.dialects.door import named
 from launchlint.evaluate.problems import (
     DuplicateNode,
     EnvUnset,
@@ -33,9 +34,10 @@ CERTAIN = DuplicateNode
 
 
 def judged(launch: Launch, view: object) -> Verdict:
-    """What roslaunch makes of a launch as it stands; ``view`` is the one that rules look at."""
+    """What its launcher makes of a launch as it stands; ``view`` is the one that rules look at."""
+    launcher = named(launch.dialect).launcher
     if launch.refused is None:
-        return LOADS
+        return LOADS._replace(launcher=launcher)
     missing: dict[str, None] = {}
     reason = ""
     for problem in launch.problems:
@@ -48,12 +50,12 @@ def judged(launch: Launch, view: object) -> Verdict:
         certain = isinstance(problem, CERTAIN)
         sure = next((finding for finding in told if certain or finding.severity is Severity.ERROR), None)
         if sure is not None:
-            return Verdict("refused", sure.rule, sure.message)
+            return Verdict("refused", sure.rule, sure.message, launcher=launcher)
         if what:
             missing[what] = None
         else:
             reason = reason or (told[0].message if told else plainly(problem))
-    return Verdict("cannot be told", rule_of(type(launch.refused)), reason, tuple(missing))
+    return Verdict("cannot be told", rule_of(type(launch.refused)), reason, tuple(missing), launcher=launcher)
 
 
 def plainly(problem: Problem) -> str:

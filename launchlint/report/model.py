@@ -120,9 +120,9 @@ def table(launch: Launch, verdict: Verdict) -> str:
     """What would be started, for people: nodes with their remaps and parameters, then the other parameters."""
     lines: list[str] = []
     if verdict.word == "refused":
-        lines += [f"roslaunch refuses this file: {visible(verdict.reason)} ({verdict.rule}); what can be known of it:", ""]
+        lines += [f"{verdict.launcher} refuses this file: {visible(verdict.reason)} ({verdict.rule}); what can be known of it:", ""]
     elif verdict.word == "cannot be told":
-        lines += [f"whether roslaunch loads this file cannot be told here: {visible(verdict.why)}; what can be known of it:", ""]
+        lines += [f"whether {verdict.launcher} loads this file cannot be told here: {visible(verdict.why)}; what can be known of it:", ""]
     if verdict.elsewhere:
         lines += [visible(verdict.with_args), ""]
     own: dict[str, list[ParameterSetting]] = {}

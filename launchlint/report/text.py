@@ -33,7 +33,7 @@ def render(findings: Sequence[Finding], run: Run) -> str:
 
 
 def summary(findings: Sequence[Finding], run: Run) -> str:
-    """The last line: how many findings of each severity in how many launch files, and how many of these roslaunch does not load."""
+    """The last line: how many findings of each severity in how many launch files, and how many of these do not load."""
     if not run.files_checked and not findings:
         return "no launch files to check"
     count = {severity: sum(finding.severity == severity for finding in findings) for severity in Severity}
@@ -58,7 +58,7 @@ def _unseen(sight: Sight) -> Iterator[str]:
 
 
 def _loading(run: Run) -> str:
-    """What roslaunch makes of the entry files; the empty string where it loads them all."""
+    """What becomes of the entry files; the empty string where all of them load."""
     words = [verdict.word for _, verdict in run.verdicts]
     refused, untold = words.count("refused"), words.count("cannot be told")
     elsewhere = sum(bool(verdict.elsewhere) for _, verdict in run.verdicts)
@@ -68,10 +68,15 @@ def _loading(run: Run) -> str:
         return f"; {visible(run.verdicts[0][1].brief)}"
     loads = len(words) - refused - untold
     told = [f"{loads} {'loads' if loads == 1 else 'load'}"]
-    told += [f"{refused} {'is' if refused == 1 else 'are'} refused by roslaunch"] if refused else []
+    told += [f"{refused} {'is' if refused == 1 else 'are'} refused by {_launchers(run)}"] if refused else []
     told += [f"{untold} cannot be told"] if untold else []
     told += [f"{elsewhere} of these {'is' if elsewhere == 1 else 'are'} refused with other args"] if elsewhere else []
     return f"; of {len(words)} entry files {', '.join(told)}"
+
+
+def _launchers(run: Run) -> str:
+    """Who refuses entry files of the run."""
+    return " or ".join(sorted({verdict.launcher for _, verdict in run.verdicts if verdict.word == "refused"}))
 
 
 def statistics(findings: Sequence[Finding]) -> str:
@@ -154,11 +159,11 @@ def _remarks(finding: Finding) -> Iterator[str]:
 
 
 def command(finding: Finding) -> str:
-    """The roslaunch command that shows ``finding``, quoted for the shell; the empty string where no entry file is known."""
+    """The command that shows ``finding``, quoted for the shell; the empty string where no entry file is known."""
     if not finding.entry:
         return ""
     entry = f"./{finding.entry}" if finding.entry.startswith("-") else finding.entry
-    return " ".join(["roslaunch", shell_word(entry), *(shell_word(f"{name}:={value}") for name, value in finding.arguments)])
+    return " ".join([finding.launcher, shell_word(entry), *(shell_word(f"{name}:={value}") for name, value in finding.arguments)])
 
 
 class _Paint:

@@ -31,6 +31,7 @@ def entry_data(
     return {
         "file": places.file(material.path, base=gone),
         "verdict": material.verdict.word,
+        "launcher": material.verdict.launcher,
         "why": plain.text(material.verdict.why),
         "withArgs": plain.text(material.verdict.with_args),
         "configurations": [plain.text(each) for each in state.configurations],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.sight import Sight, reason_beside
@@ -13,10 +13,6 @@ if TYPE_CHECKING:
 
 MOST_GROUPS = 40
 """Namespaces that the text in place of the drawing lists."""
-
-
-SAID = {"refused": "refused by roslaunch", "cannot be told": "cannot be told"}
-"""Verdict → how people read it."""
 
 
 HELPS = {"probe": "the command above", "sources": "its sources", "": ""}
@@ -46,12 +42,21 @@ def verdict(data: Mapping[str, Any]) -> tuple[str, str]:
     level = "error" if refused or elsewhere or "error" in severities else "warning" if untold or "warning" in severities else "ok"
     if len(entries) == 1:
         (entry,) = entries
-        said = "loads" if words == ["loads"] else f"{SAID[entry['verdict']]}: {entry['why']}"
+        said = "loads" if words == ["loads"] else f"{_said(entry)}: {entry['why']}"
         return level, "; ".join(filter(None, (said, entry["withArgs"])))
-    others = [f"{number} {SAID[word]}" for word, number in (("refused", refused), ("cannot be told", untold)) if number]
+    others = [f"{refused} refused by {_launchers(entries)}"] if refused else []
+    others += [f"{untold} cannot be told"] if untold else []
     others += [f"{elsewhere} of these refused with other args"] if elsewhere else []
     loads = len(entries) - refused - untold
     return level, ", ".join([f"{loads} of {len(entries)} launch files load", *others])
+
+
+def _said(entry: Mapping[str, Any]) -> str:
+    return f"refused by {entry['launcher']}" if entry["verdict"] == "refused" else "cannot be told"
+
+
+def _launchers(entries: Sequence[Mapping[str, Any]]) -> str:
+    return " or ".join(sorted({entry["launcher"] for entry in entries if entry["verdict"] == "refused"}))
 
 
 def counts(data: Mapping[str, Any]) -> list[Count]:

@@ -112,7 +112,7 @@ def test_links_to_the_forge(repository: Path) -> None:
 def test_no_launch_file(repository: Path) -> None:
     (repository / "empty").mkdir()
     html = page("empty")
-    assert "There is no ROS 1 launch file to show." in html
+    assert "There is no launch file to show." in html
     assert data_of(html)["entries"] == []
 
 

@@ -2820,9 +2820,9 @@ ${counted(about.nodes, "node")}`;
   function number(count3, one2, many2 = `${one2}s`) {
     return `${count3.toLocaleString("en")} ${count3 === 1 ? one2 : many2}`;
   }
-  function notice({ verdict, why: why2, withArgs }) {
+  function notice({ verdict, why: why2, withArgs, launcher }) {
     if (verdict === "loads") return withArgs && `loads; ${withArgs}`;
-    return `${verdict === "refused" ? "refused by roslaunch" : verdict}: ${why2}${withArgs && `; ${withArgs}`}`;
+    return `${verdict === "refused" ? `refused by ${launcher}` : verdict}: ${why2}${withArgs && `; ${withArgs}`}`;
   }
   function configurationName(args) {
     return args || "default args";
@@ -4039,8 +4039,8 @@ ${end.mark}`;
     return [
       element2("p", { class: "kind" }, "Launch file"),
       element2("h2", { tabindex: -1 }, page.model.data.files[entry.file] ?? ""),
-      entry.verdict === "refused" && element2("p", { class: "refused" }, badge2("refused", "error"), ` roslaunch does not load it: ${entry.why}`),
-      entry.verdict === "cannot be told" && element2("p", {}, badge2("cannot be told", "warning"), ` whether roslaunch loads it: ${entry.why}`),
+      entry.verdict === "refused" && element2("p", { class: "refused" }, badge2("refused", "error"), ` ${entry.launcher} does not load it: ${entry.why}`),
+      entry.verdict === "cannot be told" && element2("p", {}, badge2("cannot be told", "warning"), ` whether ${entry.launcher} loads it: ${entry.why}`),
       entry.withArgs !== "" && element2("p", { class: "refused" }, badge2("refused with other args", "error"), ` ${entry.withArgs.replace(/^refused /, "")}`),
       !entry.complete && element2("p", { class: "note" }, "An include could not be followed, so there may be more nodes than are shown."),
       ...page.model.data.notices.map((each) => element2("p", { class: "note" }, each)),

@@ -56,6 +56,8 @@ export interface Entry {
   file: number;
   /** What roslaunch makes of it, started as it stands. */
   verdict: "loads" | "refused" | "cannot be told";
+  /** The command that starts it. */
+  launcher: string;
   /** Why it is refused, or what is missing so that it cannot be told; empty where it loads. */
   why: string;
   /** Which other configuration roslaunch refuses, and why: "refused with sim:=true: …"; empty where none is known. */

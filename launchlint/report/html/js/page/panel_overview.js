@@ -22,9 +22,9 @@ export function overviewPanel(page, model) {
   return [
     element("p", { class: "kind" }, "Launch file"),
     element("h2", { tabindex: -1 }, page.model.data.files[entry.file] ?? ""),
-    entry.verdict === "refused" && element("p", { class: "refused" }, badge("refused", "error"), ` roslaunch does not load it: ${entry.why}`),
+    entry.verdict === "refused" && element("p", { class: "refused" }, badge("refused", "error"), ` ${entry.launcher} does not load it: ${entry.why}`),
     entry.verdict === "cannot be told" &&
-      element("p", {}, badge("cannot be told", "warning"), ` whether roslaunch loads it: ${entry.why}`),
+      element("p", {}, badge("cannot be told", "warning"), ` whether ${entry.launcher} loads it: ${entry.why}`),
     entry.withArgs !== "" &&
       element("p", { class: "refused" }, badge("refused with other args", "error"), ` ${entry.withArgs.replace(/^refused /, "")}`),
     !entry.complete && element("p", { class: "note" }, "An include could not be followed, so there may be more nodes than are shown."),

@@ -35,7 +35,7 @@ export function createVerdict(page) {
   });
 }
 
-/** Whether roslaunch refuses the launch file in some configuration. @param {Entry} entry */
+/** Whether the launch file is refused in some configuration. @param {Entry} entry */
 const isRefused = (entry) => entry.verdict === "refused" || entry.withArgs !== "";
 
 /** @param {number} errors @param {number} warnings */

@@ -61,9 +61,9 @@ export function number(count, one, many = `${one}s`) {
 }
 
 /** The verdict in a sentence; empty where no configuration is known that does not load. @param {Entry} entry */
-export function notice({ verdict, why, withArgs }) {
+export function notice({ verdict, why, withArgs, launcher }) {
   if (verdict === "loads") return withArgs && `loads; ${withArgs}`;
-  return `${verdict === "refused" ? "refused by roslaunch" : verdict}: ${why}${withArgs && `; ${withArgs}`}`;
+  return `${verdict === "refused" ? `refused by ${launcher}` : verdict}: ${why}${withArgs && `; ${withArgs}`}`;
 }
 
 /**
