@@ -115,7 +115,7 @@ def dumped(content: Any) -> str:
 
     class Dumper(getattr(yaml, "CSafeDumper", yaml.SafeDumper)):  # type: ignore[misc]
         def ignore_aliases(self, data: Any) -> bool:
-            return False
+            return True
 
     return str(yaml.dump(_plain(content), Dumper=Dumper, default_flow_style=False))
 
