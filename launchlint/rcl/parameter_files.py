@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from launchlint.rcl.names import is_namespace, is_node_name
 from launchlint.rcl.parameter_value import Value, scalar
 from launchlint.rcl.refused import Refused
-from launchlint.rcl.table import Table, Written
+from launchlint.rcl.table import Table
 from launchlint.source import Source, Span
 from launchlint.yaml import events
 from launchlint.yaml.events import Event
@@ -72,7 +72,7 @@ class _Reading:
     """
 
     __slots__ = (
-        *("count", "depth", "in_list", "in_parameters", "key", "key_comes", "list_start", "list_type", "name_span", "namespace"),
+        *("count", "depth", "in_list", "in_parameters", "key", "key_comes", "list_start", "list_type", "node_span", "namespace"),
         *("new_mapping", "node", "place", "source", "table", "values"),
     )
 
@@ -91,7 +91,7 @@ class _Reading:
         self.namespace: tuple[str, int] = ("", 0)
         self.key: Key | None = next(iter(table.keys.values()), None)
         self.place = 0
-        self.name_span = Span(0, 0)
+        self.node_span = Span(0, 0)
         self.count = 0
 
     def take(self, event: Event) -> None:
@@ -144,6 +144,7 @@ class _Reading:
             else:
                 name, parts = self.node
                 self.node = (name + ("/" if parts and not name.endswith("/") else "") + text if parts else text, parts + 1)
+                self.node_span = Span(event.start, event.end)
                 self._account(len(self.node[0]), event)
             return
         key = self.key
@@ -152,8 +153,7 @@ class _Reading:
         if self.new_mapping:
             self.namespace = (key.parameters[self.place].name, self.namespace[1] + 1)
             self.new_mapping = False
-        self.name_span = Span(event.start, event.end)
-        written = Written(self.source, self.name_span, self.name_span)
+        written = self.table.written(self.source, Span(event.start, event.end))
         if not self.namespace[1]:
             self.place = key.place(text, written)
         else:
@@ -169,7 +169,7 @@ class _Reading:
         fault = _fault_of(name)
         if fault:
             raise _Stop(fault, event)
-        self.key = self.table.key(name, self.source, Span(event.start, event.end))
+        self.key = self.table.key(name, self.source, self.node_span)
         self.node = _without_last(self.node, "/")
         self.in_parameters = True
 
@@ -185,7 +185,7 @@ class _Reading:
         parameter = key.parameters[min(self.place, len(key.parameters) - 1)]
         if not self.in_list:
             parameter.give(value)
-            parameter.written = Written(self.source, self.name_span, Span(event.start, event.end))
+            parameter.written = parameter.written._replace(value=Span(event.start, event.end))
         elif not self.list_type:
             self.list_type = value.type
             self.values = [value.data]
@@ -200,7 +200,7 @@ class _Reading:
         self.key_comes = True
         if self.key is not None and self.place < len(self.key.parameters):
             parameter = self.key.parameters[self.place]
-            parameter.written = Written(self.source, self.name_span, Span(self.list_start, event.end))
+            parameter.written = parameter.written._replace(value=Span(self.list_start, event.end))
             if self.list_type:
                 parameter.give(Value(LISTS[self.list_type], tuple(self.values)))
 

@@ -10,7 +10,7 @@ from launchlint.rcl.lexer import Lexemes
 from launchlint.rcl.parameter_files import LISTS, TYPES
 from launchlint.rcl.parameter_value import Value, scalar
 from launchlint.rcl.refused import Refused
-from launchlint.rcl.table import ANY, Parameter, Table, Written
+from launchlint.rcl.table import ANY, Parameter, Table
 from launchlint.source import Span
 from launchlint.yaml import events
 from launchlint.yaml.refusals import YamlError
@@ -44,7 +44,8 @@ def add(text: str, table: Table) -> Refused | None:
     if not value:
         return _refused(lexemes, "the value is empty")
     key = table.key(node, None, Span(0, start))
-    parameter = key.parameters[key.place(text[name.start : name.end], Written(None, name, Span(lexemes.at, len(text))))]
+    written = table.written(None, name)._replace(value=Span(lexemes.at, len(text)))
+    parameter = key.parameters[key.place(text[name.start : name.end], written)]
     return _value(value, lexemes.at, parameter)
 
 

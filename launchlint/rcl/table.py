@@ -25,11 +25,15 @@ _ORDER: tuple[Type, ...] = ("bool", "int", "double", "str", "bool[]", "int[]", "
 
 
 class Written(NamedTuple):
-    """Where a parameter was set last: its name and its value in ``source`` (None: on the command line)."""
+    """Where a parameter was set last: its name and its value in ``source`` (None: on the command line).
+
+    ``order`` grows with each name that is read, over all files.
+    """
 
     source: Source | None
     name: Span
     value: Span
+    order: int = 0
 
 
 class Parameter:
@@ -89,10 +93,16 @@ class Key:
 class Table:
     """All keys, in the order in which each of them came first."""
 
-    __slots__ = ("keys",)
+    __slots__ = ("keys", "read")
 
     def __init__(self) -> None:
         self.keys: dict[str, Key] = {}
+        self.read = 0
+
+    def written(self, source: Source | None, name: Span) -> Written:
+        """The place of a name that is read now; its value follows."""
+        self.read += 1
+        return Written(source, name, name, self.read)
 
     def key(self, name: str, source: Source | None, span: Span) -> Key:
         """The key ``name``, which is made if it is new."""
@@ -108,7 +118,12 @@ class Table:
 
 def overrides(table: Table, full_name: str) -> Mapping[str, Value]:
     """The parameters with which the node ``full_name`` starts."""
-    return {parameter.name: parameter.value for key in table.reaching(full_name) for parameter in key.parameters}
+    return {name: parameter.value for name, parameter in winning(table, full_name).items()}
+
+
+def winning(table: Table, full_name: str) -> Mapping[str, Parameter]:
+    """The same, each with where it was set."""
+    return {parameter.name: parameter for key in table.reaching(full_name) for parameter in key.parameters}
 
 
 def reaches(key: str, full_name: str) -> bool:

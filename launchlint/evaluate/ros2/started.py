@@ -8,13 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from launchlint.evaluate.ros2.parameters import source_of
+from launchlint.evaluate.ros2.parameters import PARAMETERS, source_of
 from launchlint.model import Unknown
 from launchlint.rcl import arguments, parameter_files
 from launchlint.rcl.names import Names
-from launchlint.rcl.parameter_value import Value
 from launchlint.rcl.refused import Refused
-from launchlint.rcl.table import Table, overrides
+from launchlint.rcl.table import Table, winning
 from launchlint.source import Source, Span
 from launchlint.yaml import events
 from launchlint.yaml.tree import YamlBeyond
@@ -22,16 +21,31 @@ from launchlint.yaml.tree import YamlBeyond
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.evaluate.ros2.parameters import Passed, Performs
+    from launchlint.rcl.arguments import CommandLine
+    from launchlint.rcl.parameter_value import Type
 
 _CONTENT = "/launch_params_"
 
 
+class Value(NamedTuple):
+    """A param's value by rcl's types; ``data`` may be Unknown."""
+
+    type: Type
+    data: Any
+
+
 class Started(NamedTuple):
-    """``parameters`` is what the node starts with, None where that cannot be known; ``refused`` why it dies at its start, if it does."""
+    """What becomes of a node.
+
+    ``parameters``: what it starts with, None where that cannot be known. ``refused``: why it dies at its start, if it does. ``full_name``:
+    the name that it has then, if launch gives it one. ``contents``: what launch wrote for it, with what rcl read.
+    """
 
     parameters: Mapping[str, Value] | None
     refused: Refused | None
-    command_line: arguments.CommandLine | None = None
+    full_name: str | None = None
+    command_line: CommandLine | None = None
+    contents: tuple[tuple[Source, Passed], ...] = ()
 
 
 def started(
@@ -63,22 +77,31 @@ def started(
     if namespace is not None:
         words += ["-r", f"__ns:={namespace}"]
     known = True
+    contents: dict[str, tuple[Source, Passed]] = {}
     for place, each in enumerate(passed):
-        if each.unknown:
-            known = False
-        elif each.rule is not None:
+        if each.rule is not None:
             words += ["-p", each.rule]
-        else:
-            words += [arguments.PARAMETERS_FILE, each.file or f"{_CONTENT}{place}"]
+            known = known and not each.unknown
+        elif isinstance(each.content, Mapping) and not isinstance(each.content, Unknown):
+            file = f"{_CONTENT}{place}"
+            contents[file] = (_written(each), each)
+            words += [arguments.PARAMETERS_FILE, file]
+        elif each.unknown:
+            known = False
+        elif each.file is not None:
+            words += [arguments.PARAMETERS_FILE, each.file]
+        elif each.text is not None:
+            file = f"{_CONTENT}{place}"
+            contents[file] = (_written(each), each)
+            words += [arguments.PARAMETERS_FILE, file]
     for source, target in remaps:
         words += ["-r", f"{source}:={target}"]
     beyond: list[YamlBeyond] = []
 
     def read(file: str, table: Table) -> Refused | None:
         try:
-            if file.startswith(_CONTENT):
-                return parameter_files.add(_written(passed[int(file.removeprefix(_CONTENT))]), table)
-            return _add_file(file, table, asks)
+            written = contents.get(file)
+            return _add_file(file, table, asks) if written is None else parameter_files.add(written[0], table)
         except YamlBeyond as too_much:
             beyond.append(too_much)
             return None
@@ -86,10 +109,26 @@ def started(
     line = arguments.parse(words, read)
     if isinstance(line, Refused):
         return Started(None, line)
-    if name is None or beyond or not known:
-        return Started(None, None, line)
-    full_name = Names(name, namespace or "/", line.rules).full_name
-    return Started(overrides(line.parameters, full_name), None, line)
+    full_name = None if name is None else Names(name, namespace or "/", line.rules).full_name
+    found = None if full_name is None or beyond or not known else _found(line.parameters, full_name, contents.values())
+    return Started(found, None, full_name, line, tuple(contents.values()))
+
+
+def _found(table: Table, full_name: str, contents: Iterable[tuple[Source, Passed]]) -> dict[str, Value]:
+    """The params of a node; what launch wrote without knowing it is Unknown."""
+    unknown = {
+        (id(source), name): value
+        for source, passed in contents
+        if passed.unknown
+        for values in passed.content.values()
+        for name, value in values[PARAMETERS].items()
+        if isinstance(value, Unknown)
+    }
+    found: dict[str, Value] = {}
+    for name, parameter in winning(table, full_name).items():
+        value = parameter.value
+        found[name] = Value(value.type, unknown.get((id(parameter.written.source), name), value.data))
+    return found
 
 
 def _add_file(file: str, table: Table, asks: Performs) -> Refused | None:

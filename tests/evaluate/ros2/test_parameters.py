@@ -27,7 +27,7 @@ def contents(*given: ParameterSource, asks: Asked | None = None) -> list[Any]:
 def starts(passed: list[Passed], asks: Asked, name: str | None = "n", namespace: str | None = None) -> dict[str, Any]:
     result = started((), None, name, namespace, passed, (), asks)
     assert result.refused is None, result.refused
-    return {key: value.data for key, value in (result.parameters or {}).items()}
+    return {key: value for key, (_, value) in (result.parameters or {}).items()}
 
 
 @pytest.mark.parametrize(
@@ -142,7 +142,9 @@ def test_an_unknown_value_is_no_problem_and_what_the_node_has_is_not_known() -> 
     asks = Asked()
     (given,) = node_parameters((param("v", var("q")),), (), None, asks)
     assert isinstance(given.content["/**"]["ros__parameters"]["v"], Unknown)
-    assert started((), None, "n", None, [given], (), asks).parameters is None
+    found = started((), None, "n", None, [given], (), asks).parameters
+    assert found is not None
+    assert isinstance(found["v"][1], Unknown)
 
 
 def test_a_node_that_rcl_refuses() -> None:
