@@ -8,7 +8,7 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Location
 from launchlint.model import ROS1
 from launchlint.problem import Problem
-from launchlint.rules.registry import Entry, by_kind
+from launchlint.rules.registry import Entry, speaking_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import FileView, LaunchView
 from launchlint.syntax.tree import Document, Element
@@ -60,7 +60,7 @@ def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[F
     """What the rules for this kind of problem say about it, those that speak of the dialect of ``view``."""
     told = view.told if isinstance(view, LaunchView) else {}
     dialect = view.dialect.name if isinstance(view, (FileView, LaunchView)) else ROS1
-    for rule in by_kind().get(type(problem), ()):
+    for rule in speaking_of(type(problem)):
         if rule.id in selected and dialect in rule.dialects:
             key = (id(problem), rule.id)
             if key not in told:

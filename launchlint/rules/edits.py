@@ -23,6 +23,9 @@ Edits: TypeAlias = "tuple[Edit, ...]"
 LOADS = "roslaunch loads the file"
 """What changes where it refused the file before."""
 
+LOADS2 = "ros2 launch loads the file"
+"""The same for ROS 2."""
+
 _REFERENCES = {"&": "&amp;", "<": "&lt;", '"': "&quot;", "'": "&apos;", "\n": "&#10;", "\r": "&#13;", "\t": "&#9;"}
 
 
@@ -185,6 +188,13 @@ def append_child(at: Spot | None, child: str) -> Edits:
 def _indentation(source: Source, offset: int) -> str:
     line = source.line(source.position(offset).line)
     return line[: len(line) - len(line.lstrip(" \t"))]
+
+
+def write_over(place: Place, written: str, text: str) -> Edits:
+    """Write ``text`` over ``place``, where ``written`` stands there as it is: in XML or YAML, and nothing that had to be escaped."""
+    if place.text != written or any(each in _REFERENCES for each in text):
+        return ()
+    return (Edit(place.source.path, *place.span, text),)
 
 
 def is_literal(place: Place, value: str) -> bool:

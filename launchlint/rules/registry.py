@@ -28,7 +28,10 @@ ERROR, WARNING, INFO = Severity.ERROR, Severity.WARNING, Severity.INFO
 
 
 class Entry(NamedTuple):
-    """One line of the registry. ``dialects``: those whose launch files the rule speaks of; it is not run on others."""
+    """One line of the registry. ``dialects``: those whose launch files the rule speaks of; it is not run on others.
+
+    ``ros2`` names further kinds of problem, which only ROS 2 has: classes are not imported before there is one of them.
+    """
 
     id: str
     name: str
@@ -38,6 +41,7 @@ class Entry(NamedTuple):
     on: tuple[type[Problem], ...] = ()
     default: bool = True
     dialects: tuple[DialectName, ...] = (ROS1,)
+    ros2: tuple[str, ...] = ()
 
     def load(self) -> Any:
         """Import and return the rule's module."""
@@ -46,19 +50,53 @@ class Entry(NamedTuple):
 
 
 RULES: tuple[Entry, ...] = (
-    Entry("LL100", "unreadable-file", "xml.unreadable_file", ERROR, on=(syntax.UnreadableFile,)),
-    Entry("LL101", "malformed-xml", "xml.malformed_xml", ERROR, on=(syntax.MalformedXml,)),
-    Entry("LL102", "root-not-launch", "xml.root_not_launch", ERROR, on=(syntax.RootNotLaunch,)),
-    Entry("LL103", "unknown-tag", "xml.unknown_tag", WARNING, on=(syntax.UnknownTag,)),
-    Entry("LL104", "unknown-attribute", "xml.unknown_attribute", WARNING, on=(syntax.UnknownAttribute,)),
-    Entry("LL105", "missing-attribute", "xml.missing_attribute", ERROR, on=(syntax.MissingAttribute,)),
-    Entry("LL106", "misplaced-tag", "xml.misplaced_tag", WARNING, on=(syntax.MisplacedTag,)),
+    Entry("LL100", "unreadable-file", "xml.unreadable_file", ERROR, on=(syntax.UnreadableFile,), dialects=BOTH),
+    Entry(
+        "LL101",
+        "malformed-xml",
+        "xml.malformed_xml",
+        ERROR,
+        on=(syntax.MalformedXml,),
+        dialects=BOTH,
+        ros2=("MalformedXml2", "MalformedYaml", "TooDeep"),
+    ),
+    Entry("LL102", "root-not-launch", "xml.root_not_launch", ERROR, on=(syntax.RootNotLaunch,), dialects=BOTH, ros2=("WrongRoot",)),
+    Entry("LL103", "unknown-tag", "xml.unknown_tag", WARNING, on=(syntax.UnknownTag,), dialects=BOTH, ros2=("UnknownAction",)),
+    Entry(
+        "LL104",
+        "unknown-attribute",
+        "xml.unknown_attribute",
+        WARNING,
+        on=(syntax.UnknownAttribute,),
+        dialects=BOTH,
+        ros2=("UnreadAttribute",),
+    ),
+    Entry(
+        "LL105", "missing-attribute", "xml.missing_attribute", ERROR, on=(syntax.MissingAttribute,), dialects=BOTH, ros2=("LacksAttribute",)
+    ),
+    Entry("LL106", "misplaced-tag", "xml.misplaced_tag", WARNING, on=(syntax.MisplacedTag,), dialects=BOTH, ros2=("MisplacedEntity",)),
     Entry("LL107", "stray-text", "xml.stray_text", WARNING, on=(syntax.StrayText,)),
-    Entry("LL108", "if-and-unless", "xml.if_and_unless", ERROR, on=(syntax.IfAndUnless,)),
-    Entry("LL109", "invalid-value", "xml.invalid_value", ERROR, on=(syntax.InvalidValue, evaluate.UnbalancedQuotes)),
-    Entry("LL110", "conflicting-attributes", "xml.conflicting_attributes", ERROR, on=(syntax.ConflictingAttributes,)),
+    Entry("LL108", "if-and-unless", "xml.if_and_unless", ERROR, on=(syntax.IfAndUnless,), dialects=BOTH, ros2=("BothConditions",)),
+    Entry(
+        "LL109",
+        "invalid-value",
+        "xml.invalid_value",
+        ERROR,
+        on=(syntax.InvalidValue, evaluate.UnbalancedQuotes),
+        dialects=BOTH,
+        ros2=("WrongValue", "NegativeValue", "OpenQuote", "YamlForm"),
+    ),
+    Entry(
+        "LL110",
+        "conflicting-attributes",
+        "xml.conflicting_attributes",
+        ERROR,
+        on=(syntax.ConflictingAttributes,),
+        dialects=BOTH,
+        ros2=("ParameterForm",),
+    ),
     Entry("LL111", "deprecated-construct", "xml.deprecated_construct", WARNING, view="graph", on=(syntax.DeprecatedConstruct,)),
-    Entry("LL112", "wrong-dialect", "xml.wrong_dialect", ERROR, on=(syntax.WrongDialect,)),
+    Entry("LL112", "wrong-dialect", "xml.wrong_dialect", ERROR, on=(syntax.WrongDialect,), dialects=BOTH, ros2=("OfRos1",)),
     Entry("LL113", "ineffective-attribute", "xml.ineffective_attribute", WARNING, on=(syntax.IneffectiveAttribute,)),
     Entry("LL114", "condition-on-launch", "xml.condition_on_launch", ERROR, on=(evaluate.ConditionOnLaunch, syntax.InvalidValue)),
     Entry("LL201", "undeclared-arg", "args.undeclared_arg", ERROR, on=(evaluate.UndeclaredArg,)),
@@ -67,7 +105,15 @@ RULES: tuple[Entry, ...] = (
     Entry("LL204", "arg-value-and-default", "args.arg_value_and_default", ERROR, on=(syntax.ArgValueAndDefault,)),
     Entry("LL205", "arg-cycle", "args.arg_cycle", ERROR, on=(evaluate.UsedBeforeDeclaration,)),
     Entry("LL206", "unused-arg", "args.unused_arg", WARNING, view="file"),
-    Entry("LL207", "bad-substitution", "args.bad_substitution", ERROR, on=(evaluate.BadSubstitution,)),
+    Entry(
+        "LL207",
+        "bad-substitution",
+        "args.bad_substitution",
+        ERROR,
+        on=(evaluate.BadSubstitution,),
+        dialects=BOTH,
+        ros2=("UnreadableSubstitution", "UnknownSubstitution", "SubstitutionArity"),
+    ),
     Entry("LL208", "eval-error", "args.eval_error", ERROR, on=(evaluate.EvalError, evaluate.EvalNotCovered, evaluate.EvalNeverEqual)),
     Entry("LL209", "env-unset", "args.env_unset", WARNING, view="launch", on=(evaluate.EnvUnset,)),
     Entry("LL210", "package-not-found", "args.package_not_found", ERROR, view="launch", on=(evaluate.PackageNotFound,)),
@@ -162,15 +208,21 @@ def find(word: str) -> Entry | None:
 
 
 @cache
-def by_kind() -> Mapping[type[Problem], tuple[Entry, ...]]:
+def _by_kind() -> Mapping[type[Problem] | str, tuple[Entry, ...]]:
     """Kind of problem → the rules that speak about it."""
-    kinds: dict[type[Problem], tuple[Entry, ...]] = {}
+    kinds: dict[type[Problem] | str, tuple[Entry, ...]] = {}
     for entry in RULES:
-        for kind in entry.on:
+        both: tuple[type[Problem] | str, ...] = (*entry.on, *entry.ros2)
+        for kind in both:
             kinds[kind] = (*kinds.get(kind, ()), entry)
     return kinds
 
 
+def speaking_of(kind: type[Problem]) -> tuple[Entry, ...]:
+    """The rules that speak about a kind of problem."""
+    return _by_kind().get(kind) or (_by_kind().get(kind.__name__, ()) if ".ros2." in kind.__module__ else ())
+
+
 def rule_of(kind: type[Problem]) -> str:
     """ID of the first rule that speaks about a kind of problem; ``LL000`` where none does."""
-    return next((entry.id for entry in RULES if kind in entry.on), "LL000")
+    return next((entry.id for entry in speaking_of(kind)), "LL000")

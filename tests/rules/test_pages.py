@@ -11,7 +11,8 @@ import pytest
 
 from launchlint.finding import Severity
 from launchlint.rules.page import page
-from launchlint.rules.registry import RULES, Entry
+from launchlint.rules.registry import RULES, Entry, speaking_of
+from launchlint.syntax.ros2 import problems as ros2_problems
 from tests.rules.pipeline import check, commit
 
 SECTIONS = ("Why it matters", "Example", "Use instead")
@@ -48,11 +49,20 @@ def test_registry_and_rule_agree(entry: Entry) -> None:
     rule = module.RULE
     assert (rule.id, rule.name, rule.severity, rule.default) == (entry.id, entry.name, entry.severity, entry.default)
     assert module.__name__.rpartition(".")[2] == entry.name.replace("-", "_")
-    assert entry.on or entry.view != "problem"
-    if entry.on:
+    assert entry.on or entry.ros2 or entry.view != "problem"
+    if entry.on or entry.ros2:
         problem = module.tell.__annotations__["problem"]
-        assert sorted(problem.split(" | ")) == sorted(kind.__name__ for kind in entry.on)
+        assert sorted(problem.split(" | ")) == sorted((*(kind.__name__ for kind in entry.on), *entry.ros2))
     assert entry.view == "problem" or callable(module.check)
+
+
+def test_kinds_of_ros2_are_told_by_name() -> None:
+    """The registry names them, so that a check of ROS 1 does not import them."""
+    kinds = [kind for kind in vars(ros2_problems).values() if isinstance(kind, type) and kind.__module__ == ros2_problems.__name__]
+    assert len(kinds) > 10
+    assert [entry.id for entry in speaking_of(ros2_problems.OfRos1)] == ["LL112"]
+    named = {name for entry in RULES for name in entry.ros2}
+    assert named - {kind.__name__ for kind in kinds} == set()
 
 
 @every_rule

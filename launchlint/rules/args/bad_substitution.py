@@ -4,6 +4,9 @@ It has a command that does not exist, too few or too many words, or another subs
 commands are `find`, `env`, `optenv`, `dirname`, `anon` and `arg`; `$(eval …)` must be the whole value. The same mistake is told once in a
 file.
 
+In ROS 2 there are others (`var`, `find-pkg-share`, `env`, `eval` …), they may stand in each other, and exactly one blank stands between
+their words. What is wrong with one is found when the file is read, also under a condition that is false.
+
 ## Why it matters
 
 roslaunch refuses the file when it gets to the value.
@@ -43,6 +46,7 @@ from launchlint.spelling import closest, surely
 from launchlint.syntax.parts import Malformed, Substitution, Word
 from launchlint.syntax.ros1.dialect import ROS2_SUBSTITUTIONS
 from launchlint.syntax.ros1.substitutions import COMMANDS, parse_again
+from launchlint.syntax.ros2.problems import SubstitutionArity, UnknownSubstitution, UnreadableSubstitution
 
 RULE = Rule("LL207", "bad-substitution", Severity.ERROR, roslaunch="refuses", fixable="safe")
 MOST_WORDS = 3
@@ -52,8 +56,13 @@ _NAME = late(r"[A-Za-z][\w-]*")
 EVAL_ALONE = "$(eval …) must be the whole value: write the text around it as strings in the expression"
 
 
-def tell(problem: BadSubstitution, view: object) -> Iterator[Finding]:
-    """Say what is wrong with it. What ROS 2 has is LL112's."""
+def tell(problem: BadSubstitution | UnreadableSubstitution | UnknownSubstitution | SubstitutionArity, view: object) -> Iterator[Finding]:
+    """Say what is wrong with it. What the other dialect has is LL112's."""
+    if not isinstance(problem, BadSubstitution):
+        from launchlint.rules.judging.ros2_substitutions import tell as tell_ros2
+
+        yield from tell_ros2(problem, RULE)
+        return
     reason, text = problem.reason, problem.text
     words = [word.text for word in _words(text)]
     command = words[0] if words else ""

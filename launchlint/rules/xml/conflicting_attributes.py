@@ -4,6 +4,8 @@ A node cannot be both `respawn` and `required`; a `<param>` has exactly one of `
 `command`; `ns` cannot be empty; `clear_params` on a group or include needs an `ns` that says what to clear;
 `command="delete"` of a `<rosparam>` takes no `file`. (What a `<test>` may not have is told by LL310.)
 
+In ROS 2, a `<param>` has either `from`, with or without `allow_substs`, or `name` with exactly one of `value` and params inside.
+
 ## Why it matters
 
 roslaunch refuses the file.
@@ -38,6 +40,7 @@ from launchlint.rules.edits import LOADS, fix, remove_attribute, spot
 from launchlint.rules.rule import Rule
 from launchlint.syntax.problems import ConflictingAttributes
 from launchlint.syntax.ros1.substitutions import parse
+from launchlint.syntax.ros2.problems import ParameterForm
 
 RULE = Rule("LL110", "conflicting-attributes", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -67,8 +70,23 @@ WORDS = {
 }
 
 
-def tell(problem: ConflictingAttributes, view: object) -> Iterator[Finding]:
+FORMS = {
+    "from-and-name": ("a param has both from and name", "keep from to load a file, or name with a value"),
+    "neither": ("a param needs a name, or from", 'add name="…", or from="…" for a file'),
+    "substs-without-from": ("allow_substs goes with from only", "remove allow_substs: substitutions in a value need no permission"),
+    "value-and-nested": ("a param has both a value and params inside", "keep one of them"),
+    "type-and-nested": ("a param with params inside takes no type", "remove type, or give the inner params types"),
+    "empty": ("a param has no value", 'add value="…", or params inside'),
+}
+"""Form of a param in ROS 2 → message and help."""
+
+
+def tell(problem: ConflictingAttributes | ParameterForm, view: object) -> Iterator[Finding]:
     """Say which attributes exclude each other. ``test-attribute`` is LL310's."""
+    if isinstance(problem, ParameterForm):
+        message, advice = FORMS[problem.form]
+        yield RULE.at(problem.origin, message, notes=("ros2 launch refuses the file",), help=advice, topic=problem.form)
+        return
     reason, tag = problem.reason, problem.tag
     attributes: tuple[str, ...] = problem.attributes
     if reason == "test-attribute":

@@ -5,6 +5,9 @@ only, not `1`), numbers, and the attributes that take one of a few words: `outpu
 `default` of a machine. Values made by substitutions are checked as they come out. Quotes in `args` and
 `launch-prefix` must be balanced. (For `if` and `unless` see LL214.)
 
+In ROS 2, the types of params are `str`, `bool`, `int`, `float` and lists of these (`list_of_int`), and their values must fit: a value such
+as `a: b` or `null`, and a list of several types, are refused. In YAML, params, remaps and args are a list of mappings.
+
 ## Why it matters
 
 roslaunch refuses the file. Unbalanced quotes are worse: it loads the file, starts the first nodes, and then shuts
@@ -43,6 +46,7 @@ from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely
 from launchlint.syntax.problems import InvalidValue
 from launchlint.syntax.ros1.dialect import TAGS
+from launchlint.syntax.ros2.problems import NegativeValue, OpenQuote, WrongValue, YamlForm
 
 RULE = Rule("LL109", "invalid-value", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
@@ -50,8 +54,13 @@ MEANT = {"1": "true", "yes": "true", "on": "true", "0": "false", "no": "false", 
 """Words of other formats, and what is meant where the attribute takes that."""
 
 
-def tell(problem: InvalidValue | UnbalancedQuotes, view: object) -> Iterator[Finding]:
+def tell(problem: InvalidValue | UnbalancedQuotes | WrongValue | NegativeValue | OpenQuote | YamlForm, view: object) -> Iterator[Finding]:
     """Name what the attribute takes. Conditions belong to LL214 and LL114."""
+    if not isinstance(problem, (InvalidValue, UnbalancedQuotes)):
+        from launchlint.rules.judging.ros2_values import tell as tell_ros2
+
+        yield from tell_ros2(problem, RULE)
+        return
     severity = Severity.ERROR if problem.refused else Severity.WARNING
     name = problem.attribute
     if isinstance(problem, UnbalancedQuotes):

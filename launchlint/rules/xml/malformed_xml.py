@@ -8,6 +8,9 @@ It is a warning where the file is empty, and an info where it holds nothing but 
 name: nobody starts these with roslaunch. A file that another one includes is an error all the same. It is an info where the line holds the
 placeholder of a template.
 
+In ROS 2 the same is told of launch files in YAML: tabs, lines that do not line up, brackets that are never closed, tags such as
+`!!python/…`.
+
 ## Why it matters
 
 roslaunch stops before it looks at a single tag, with a line number that is often far below the mistake.
@@ -45,17 +48,36 @@ from launchlint.rules.judging.made_file import malformed
 from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
 from launchlint.syntax.problems import MalformedXml
+from launchlint.syntax.ros2.problems import MalformedXml2, MalformedYaml, TooDeep
 
 RULE = Rule("LL101", "malformed-xml", Severity.ERROR, roslaunch="refuses")
 TEMPLATE = "template"
+_CANNOT = "ros2 launch cannot read the file: it refuses all of it"
+_YAML_ADVICE = {
+    "tag": "a launch file needs no tags: write plain values",
+    "documents": "put all actions into the list of the first document",
+    "anchor": "set the anchor before it is used, and only once",
+}
 
 
-def tell(problem: MalformedXml, view: object) -> Iterator[Finding]:
-    """Say what is wrong with the XML."""
+def tell(problem: MalformedXml | MalformedXml2 | MalformedYaml | TooDeep, view: object) -> Iterator[Finding]:
+    """Say what is wrong with the XML, or with the YAML of ROS 2."""
     source, span = problem.place
+    if isinstance(problem, MalformedYaml):
+        message = f"not valid YAML: {problem.message}"
+        yield RULE.at(
+            problem.origin, message, notes=(_CANNOT,), help=_YAML_ADVICE.get(problem.reason, ""), shared_cause=malformed(source.file)
+        )
+        return
+    if isinstance(problem, TooDeep):
+        message = f"actions stand in each other more than {problem.deepest} deep"
+        yield RULE.at(
+            problem.origin, message, notes=("ros2 launch stops with: maximum recursion depth exceeded",), help="make the file flatter"
+        )
+        return
     message, advice = f"not well-formed XML: {problem.message}", problem.hint
     severity: Severity | None = None
-    notes = ["roslaunch stops with: Invalid roslaunch XML syntax"]
+    notes = [_CANNOT if isinstance(problem, MalformedXml2) else "roslaunch stops with: Invalid roslaunch XML syntax"]
     cause = ""
     template = has_placeholder(source.line(source.position(span.start).line))
     if template:

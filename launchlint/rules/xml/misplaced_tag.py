@@ -8,6 +8,8 @@ it there, with all that it contains. What stands wrongly in one element is told 
 The setting looks as if it worked. Inside nodes and includes roslaunch prints a warning among its other output; inside
 `<param>`, `<arg>`, `<remap>`, `<env>` and `<rosparam>` it says nothing.
 
+In ROS 2, launch refuses the file: that is an error.
+
 ## Example
 
 ```xml
@@ -51,14 +53,18 @@ from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.syntax.problems import MisplacedTag
 from launchlint.syntax.ros1.dialect import TAGS
+from launchlint.syntax.ros2.problems import MisplacedEntity
 
 RULE = Rule("LL106", "misplaced-tag", Severity.WARNING, roslaunch="reports")
 SKIPPED = "skipped"
 MOST_NAMED = 6
 
 
-def tell(problem: MisplacedTag, view: object) -> Iterator[Finding]:
+def tell(problem: MisplacedTag | MisplacedEntity, view: object) -> Iterator[Finding]:
     """Say where the tag belongs."""
+    if isinstance(problem, MisplacedEntity):
+        yield _ros2(problem)
+        return
     tag, parent = problem.tag, problem.parent
     reported: bool = problem.reported
     said = "roslaunch prints a warning and skips it, with all that it contains" if reported else "roslaunch skips it without a word"
@@ -75,6 +81,8 @@ def tell(problem: MisplacedTag, view: object) -> Iterator[Finding]:
 
 def together(findings: Sequence[Finding]) -> Finding:
     """All that stands wrongly in one element: how much, what, and what to do about each kind."""
+    if any(SKIPPED not in finding.label for finding in findings):
+        return joined(findings)
     findings = sorted(findings, key=lambda finding: finding.location.start)
     first = joined(findings)
     named = [finding.label.removesuffix(f" is {SKIPPED}") if finding.label != SKIPPED else f"<{finding.element}>" for finding in findings]
@@ -99,3 +107,32 @@ def _advice(tag: str, parent: str) -> str:
     if parents == ("launch", "group"):
         return f"move it out of <{parent}>: it stands in <launch> or <group>"
     return f"move it out of <{parent}>: it stands in {', '.join(f'<{name}>' for name in parents)}" if parents else "remove it"
+
+
+def _ros2(problem: MisplacedEntity) -> Finding:
+    tag, parent, holders = problem.tag, problem.parent, problem.holders
+    if tag in _INSTEAD and parent in ("include", "group", "launch", "timer"):
+        advice = _INSTEAD[tag]
+    elif problem.action:
+        advice = f"move it out of {parent}: it stands in launch or group"
+    else:
+        advice = f"move it: it stands in {', '.join(holders)}"
+    if parent == "include" and tag == "let":
+        advice = "write arg: it passes a value to the included file"
+    return RULE.at(
+        problem.origin,
+        f"{tag} cannot stand inside {parent}",
+        severity=Severity.ERROR,
+        label=f"not in {parent}",
+        notes=("ros2 launch refuses the file",),
+        help=advice,
+        cause=f"{problem.place.source.path} {tag} {parent}",
+    )
+
+
+_INSTEAD = {
+    "remap": "write <set_remap>, in a <group> around the <include> or before the nodes; a <remap> stands in its <node>",
+    "param": "write <set_parameter>, in a <group> around it or before the nodes; a <param> stands in its <node>",
+    "env": "write <set_env> before the nodes; an <env> stands in its <node>",
+    "composable_node": "put it into a <node_container>, or into a <load_composable_node>",
+}

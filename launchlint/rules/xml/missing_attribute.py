@@ -5,6 +5,10 @@ A `<node>` needs `name`, `pkg` and `type`; `<include>` needs `file`; `<remap>` n
 `<include>` needs a `value` as well. (What a `<test>` needs is told by LL310.) Where the name of an arg or a param is the attribute itself
 (`<arg speed="2"/>`) the help says so, and LL104 says nothing of it.
 
+In ROS 2, a `<node>` needs only `exec`; a `<node_container>` needs `name` and `namespace` as well, a `<composable_node>` `pkg`, `plugin` and
+`name`. Where the attribute stands under its name in ROS 1 (`type` for `exec`), LL112 tells of it alone, and LL104 where
+it is the name in Python (`executable`).
+
 ## Why it matters
 
 roslaunch refuses the file, for some tags with a Python traceback that does not show the line.
@@ -36,6 +40,9 @@ from launchlint.rules.rule import Rule
 from launchlint.spelling import closest
 from launchlint.syntax.problems import MissingAttribute
 from launchlint.syntax.ros1.dialect import OWNERS, TAGS
+from launchlint.syntax.ros2.names import IN_PYTHON
+from launchlint.syntax.ros2.of_ros1 import ATTRIBUTES
+from launchlint.syntax.ros2.problems import LacksAttribute
 from launchlint.syntax.tree import Element
 
 RULE = Rule("LL105", "missing-attribute", Severity.ERROR, roslaunch="refuses")
@@ -46,8 +53,11 @@ STOPS = {
 }
 
 
-def tell(problem: MissingAttribute, view: object) -> Iterator[Finding]:
+def tell(problem: MissingAttribute | LacksAttribute, view: object) -> Iterator[Finding]:
     """Name the missing attribute. ``test-name`` is LL310's."""
+    if isinstance(problem, LacksAttribute):
+        yield from _ros2(problem)
+        return
     tag, name = problem.tag, problem.attribute
     if name == "test-name":
         return
@@ -99,3 +109,24 @@ def _value(element: Element, meant: str) -> str:
 
 def _is_declaration(element: Element) -> bool:
     return element.parent is None or element.parent.tag in ("launch", "group")
+
+
+def _ros2(problem: LacksAttribute) -> Iterator[Finding]:
+    tag, name = problem.tag, problem.attribute
+    old = ATTRIBUTES.get("node" if tag == "node_container" else tag, {})
+    if any(name in (old.get(given), IN_PYTHON.get(given)) for given in problem.given):
+        return  # it stands under another name: LL112 or LL104
+    if problem.child:
+        message, advice = f"{tag} needs at least one {name} inside", f"add <{name} …/>, or remove the {tag}"
+    else:
+        message, advice = f"{tag} needs the attribute {name}", _ADVICE2.get((tag, name), f'add {name}="…"')
+        if tag == "arg" and name == "value" and "default" in problem.given:
+            advice = "write value for default: what is passed to an included file is its value"
+    yield RULE.at(problem.origin, message, label=f"{name} is missing", notes=("ros2 launch refuses the file",), help=advice, topic=name)
+
+
+_ADVICE2 = {
+    ("node_container", "namespace"): 'add namespace="" for the namespace around it; a container must say it, so that nodes find it',
+    ("arg", "value"): 'add value="…": what is passed to an included file must have a value',
+    ("let", "value"): 'add value="…"; a variable that may be given from outside is an <arg> with a default',
+}

@@ -6,6 +6,8 @@ file whose root is misspelt (`<Launch>`), and a file in which a second `<launch>
 A file of another program (an Eclipse `<launchConfiguration>`, a `<concert>` with a `<launch>` inside) is no launch file:
 it is left out where a directory is searched. Where it is named, or included, it is told what it is.
 
+In ROS 2, `<launch>` has to be the root itself; a launch file in YAML has one key, `launch`, with a list of actions.
+
 ## Why it matters
 
 Nothing of the file is started.
@@ -41,13 +43,17 @@ from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest
 from launchlint.syntax.problems import RootNotLaunch
+from launchlint.syntax.ros2.problems import WrongRoot
 
 RULE = Rule("LL102", "root-not-launch", Severity.ERROR, roslaunch="refuses")
 STOPS = "roslaunch stops with: Invalid roslaunch XML syntax: no root <launch> tag"
 
 
-def tell(problem: RootNotLaunch, view: object) -> Iterator[Finding]:
+def tell(problem: RootNotLaunch | WrongRoot, view: object) -> Iterator[Finding]:
     """Say what stands there instead."""
+    if isinstance(problem, WrongRoot):
+        yield _ros2(problem)
+        return
     tag, count = problem.tag, problem.count
     if count and tag != "launch":
         alone = count == 1
@@ -76,4 +82,22 @@ def tell(problem: RootNotLaunch, view: object) -> Iterator[Finding]:
         f"the root element is <{tag}>, not <launch>",
         notes=(STOPS,),
         help="did you mean <launch>?" if near else "if this is a launch file, put everything into one <launch> element; if not, exclude it",
+    )
+
+
+def _ros2(problem: WrongRoot) -> Finding:
+    tag = problem.tag
+    if not tag:
+        message = "a launch file in YAML has the one key launch, and this one has " + (
+            "none" if not problem.keys else f"{problem.keys} keys"
+        )
+        advice = "write launch: and below it the list of actions"
+        return RULE.at(problem.origin, message, notes=("ros2 launch refuses the file",), help=advice)
+    return RULE.at(
+        problem.origin,
+        f"the root is {tag}, not launch",
+        notes=("ros2 launch stops with: Expected 'launch' as root tag",),
+        help="did you mean launch?"
+        if closest(tag, ("launch",)) is not None
+        else "if this is a launch file, put everything into one launch",
     )

@@ -12,6 +12,8 @@ A known attribute with a letter, a mark or a word like `off` put to it (`_if`, `
 somebody: that is an info, without a fix. What rosmon reads (`rosmon-name`, `enable-coredumps`), another program that starts launch files,
 is an info, too. An `<arg>` that has its name as an attribute (`<arg speed="2"/>`) is told of by LL105 alone.
 
+In ROS 2, launch refuses the file: that is an error, in YAML as in XML (there, the attributes are the keys below the tag).
+
 ## Example
 
 ```xml
@@ -39,12 +41,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.rules.edits import Spot, fix, rename_attribute, spot
+from launchlint.rules.edits import LOADS2, Spot, fix, rename_attribute, spot, write_over
 from launchlint.rules.rule import Rule
 from launchlint.rules.xml.missing_attribute import name_instead
 from launchlint.spelling import closest, surely, switched_off
 from launchlint.syntax.problems import UnknownAttribute
 from launchlint.syntax.ros1.dialect import TAGS
+from launchlint.syntax.ros2.names import IN_PYTHON
+from launchlint.syntax.ros2.problems import UnreadAttribute
 
 RULE = Rule("LL104", "unknown-attribute", Severity.WARNING, roslaunch="reports", fixable="safe")
 _ROSMON = "rosmon-"
@@ -52,8 +56,12 @@ _OF_ROSMON = ("enable-coredumps",)
 """What rosmon reads beside the attributes that begin with its name (rosmon_core, LaunchConfig::parseNode)."""
 
 
-def tell(problem: UnknownAttribute, view: object) -> Iterator[Finding]:
+def tell(problem: UnknownAttribute | UnreadAttribute, view: object) -> Iterator[Finding]:
     """Name the attribute that was meant."""
+    if isinstance(problem, UnreadAttribute):
+        if not (problem.tag == "arg" and problem.attribute == "default"):  # of an include: LL105 says what is meant
+            yield _ros2(problem)
+        return
     tag, name, owners = problem.tag, problem.attribute, problem.owners
     silent: bool = problem.silent
     if name.startswith(_ROSMON) or name in _OF_ROSMON:
@@ -120,3 +128,29 @@ def _fix(name: str, near: str, *, sure: bool, at: Spot | None) -> Fix | None:
 def _tags(tags: tuple[str, ...]) -> str:
     words = [f"<{tag}>" for tag in tags]
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
+def _ros2(problem: UnreadAttribute) -> Finding:
+    tag, name, known = problem.tag, problem.attribute, problem.known
+    meant = IN_PYTHON.get(name)
+    near = meant if meant in known else closest(name, known)
+    sure = near is not None and (near == meant or surely(name, known) == near)
+    condition = name in ("if", "unless")
+    if near is not None:
+        advice = f"did you mean {near}?"
+    elif condition:
+        advice = f"put the condition on what is around the {tag}"
+    elif problem.owners:
+        advice = f"{name} belongs to {_tags(problem.owners[:4])}: move it there, or remove it"
+    else:
+        advice = f"remove it; {tag} also takes {', '.join(known)}" if known else "remove it"
+    return RULE.at(
+        problem.origin,
+        f"{tag} takes no condition here" if condition else f"{tag} has no attribute {name}",
+        severity=Severity.ERROR,
+        label="unknown to launch",
+        notes=("ros2 launch refuses the file",),
+        help=advice,
+        cause=f"{problem.place.source.path} {tag} {name}",
+        fix=None if near is None else fix(f"write {near}", write_over(problem.place, name, near), safe=sure, changes=LOADS2),
+    )

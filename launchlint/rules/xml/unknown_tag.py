@@ -13,6 +13,9 @@ A known tag with a letter, a mark or a word like `off` put to it (`<xnode>`, `<_
 switched off by somebody: that is an info, without a fix. A tag that is like no other, holds none that roslaunch knows and stands in three
 places or more is a custom of the house, for a program that reads it (rtmlaunch reads `<rtconnect>`): one info for all of them.
 
+In ROS 2, launch refuses the file, even where the tag stands under a condition that is false: that is an error. A tag that is like no
+other may be one that an installed package brings (`<gz_server>`): where it stands among actions, that is a warning.
+
 ## Example
 
 ```xml
@@ -40,12 +43,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.rules.edits import Spot, fix, rename_tag, spot
+from launchlint.rules.edits import LOADS2, Spot, fix, rename_tag, spot, write_over
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
+from launchlint.source import Place
 from launchlint.spelling import closest, surely, switched_off
 from launchlint.syntax.problems import UnknownTag
 from launchlint.syntax.ros1.dialect import TAGS
+from launchlint.syntax.ros2.problems import UnknownAction
 from launchlint.syntax.tree import Element
 
 RULE = Rule("LL103", "unknown-tag", Severity.WARNING, roslaunch="reports", fixable="safe")
@@ -54,8 +59,11 @@ _CUSTOM = 3
 """Places in which a tag of nobody's is no slip any more: nobody makes one slip of many letters three times."""
 
 
-def tell(problem: UnknownTag, view: object) -> Iterator[Finding]:
+def tell(problem: UnknownTag | UnknownAction, view: object) -> Iterator[Finding]:
     """Name the tag that was meant."""
+    if isinstance(problem, UnknownAction):
+        yield _ros2(problem, view)
+        return
     tag, parent, known = problem.tag, problem.parent, problem.known
     ignored: bool = problem.ignored
     off = switched_off(tag, known)
@@ -114,3 +122,31 @@ def _holds_known(element: Element) -> bool:
 def _fix(near: str, *, sure: bool, at: Spot | None) -> Fix | None:
     changes = f"what the <{near}> says takes effect"
     return fix(f"make it <{near}>", rename_tag(at, near), safe=sure, changes=changes)
+
+
+def _ros2(problem: UnknownAction, view: object) -> Finding:
+    tag, parent, known, place = problem.tag, problem.parent, problem.known, problem.place
+    near = closest(tag, known)
+    foreign = near is None and not problem.child
+    if near is not None:
+        advice = f"did you mean {near}?"
+    elif foreign:
+        advice = "install the package that brings it where this is launched; else remove it"
+    else:
+        advice = f"{parent} takes {', '.join(known)}" if known else f"{parent} takes nothing inside: remove it"
+    edits = () if near is None else rename_tag(spot(view, place), near) or (write_over(place, tag, near) if _is_key(place) else ())
+    return RULE.at(
+        problem.origin,
+        f"there is no action {tag}" if not problem.child else f"{parent} has nothing inside that is called {tag}",
+        severity=Severity.WARNING if foreign else Severity.ERROR,
+        label="unknown to launch",
+        notes=("ros2 launch refuses the file, unless an installed package adds this tag" if foreign else "ros2 launch refuses the file",),
+        help=advice,
+        fix=None if near is None else fix(f"make it {near}", edits, safe=surely(tag, known) == near, changes=LOADS2),
+        cause=f"tag {tag}" if foreign else "",
+    )
+
+
+def _is_key(place: Place) -> bool:
+    """Whether a key of YAML stands there, and no tag of XML."""
+    return not place.source.text.endswith("<", 0, place.span.start)

@@ -1,7 +1,10 @@
-"""A tag, attribute or substitution of ROS 2 stands in a ROS 1 launch file.
+"""A tag, attribute or substitution of ROS 2 stands in a ROS 1 launch file, or the other way round.
 
 `exec` and `namespace` of a `<node>`, `<let>`, `<push-ros-namespace>`, `$(var …)` and `$(find-pkg-share …)` belong to
 the launch files of ROS 2, which look much the same.
+
+In a ROS 2 launch file, these are `type`, `ns`, `required` and `doc`, `<rosparam>` and `<machine>`, `$(arg …)`, `$(find …)` and
+`$(optenv …)`: launch refuses the file.
 
 ## Why it matters
 
@@ -28,8 +31,11 @@ node with `exec` in place of `type`: these are errors.
 
 ## Fix
 
-`--unsafe-fixes` writes `type` for `exec`, `ns` for `namespace`, `args` for `ros_args`, `doc` for `description`, `$(arg …)` for `$(var …)`
-and `$(find …)` for `$(find-pkg-share …)`.
+In ROS 2, `--fix` writes `exec` for `type`, `namespace` for `ns`, `description` for `doc`, `$(var …)` for `$(arg …)`, `$(find-pkg-share …)`
+for `$(find …)` and `$(env …)` for `$(optenv …)`.
+
+In ROS 1, `--unsafe-fixes` writes `type` for `exec`, `ns` for `namespace`, `args` for `ros_args`, `doc` for `description`, `$(arg …)` for
+`$(var …)` and `$(find …)` for `$(find-pkg-share …)`.
 """
 
 from __future__ import annotations
@@ -37,19 +43,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.rules.edits import LOADS, fix, rename_attribute, replace, spot
+from launchlint.rules.edits import LOADS, LOADS2, Edits, fix, rename_attribute, replace, spot, write_over
 from launchlint.rules.rule import Rule
+from launchlint.source import Place, Span
 from launchlint.syntax.parts import Substitution
 from launchlint.syntax.problems import WrongDialect
 from launchlint.syntax.ros1.substitutions import parse
+from launchlint.syntax.ros2.problems import OfRos1
 
 _SAME = {"var": "arg", "find-pkg-share": "find"}
 
-RULE = Rule("LL112", "wrong-dialect", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
+RULE = Rule("LL112", "wrong-dialect", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
-def tell(problem: WrongDialect, view: object) -> Iterator[Finding]:
-    """Give the way of ROS 1."""
+def tell(problem: WrongDialect | OfRos1, view: object) -> Iterator[Finding]:
+    """Give the way of ROS 1, or that of ROS 2."""
+    if isinstance(problem, OfRos1):
+        yield _ros2(problem)
+        return
     what, construct, instead = problem.what, problem.construct, problem.instead
     if what == "tag":
         message, note = f"<{construct}> is a tag of ROS 2", "roslaunch (ROS 1) prints a warning and skips it, with all that it contains"
@@ -81,3 +92,34 @@ def _fix(problem: WrongDialect, view: object) -> Fix | None:
         text = f"$({_SAME[written.command]} {written.only})"
         return fix(f"write {text}", replace(at, place, text), safe=False, changes=LOADS)
     return None
+
+
+def _ros2(problem: OfRos1) -> Finding:
+    what, construct, instead = problem.what, problem.construct, problem.instead
+    shown = {"tag": f"<{construct}>", "attribute": construct, "substitution": f"$({construct} …)"}[what]
+    word = {"tag": "a tag", "attribute": f"an attribute of <{problem.tag}>", "substitution": "a substitution"}[what]
+    return RULE.at(
+        problem.origin,
+        f"{shown} is {word} in ROS 1",
+        label="ROS 1",
+        notes=("ros2 launch refuses the file",),
+        help="in ROS 2: $(env NAME '')"
+        if construct == "optenv"
+        else f"in ROS 2: {instead}"
+        if instead
+        else "ROS 2 has nothing like it: remove it",
+        fix=fix(f"write {problem.renamed}", _renamed(problem), safe=True, changes=LOADS2) if problem.renamed else None,
+        cause=f"{problem.place.source.path} {problem.tag} {shown}",
+    )
+
+
+def _renamed(problem: OfRos1) -> Edits:
+    """The new name in place of the old one. ``$(optenv A)`` gives nothing where there is no such variable, and ``$(env A)`` refuses."""
+    source, span = problem.place
+    name, words = problem.construct, problem.words.split(" ")
+    if problem.what != "substitution":
+        return write_over(problem.place, name, problem.renamed)
+    if not all(words) or len(words) != (2 if name == "optenv" else 1) or "$" in problem.words:
+        return ()
+    start = span.start + len("$(")
+    return write_over(Place(source, Span(start, start + len(name))), name, problem.renamed)

@@ -7,11 +7,8 @@ TAGS = {
     "machine": "",
     "master": "",
     "test": "a test with launch_testing",
-    "env": "<set_env>",
-    "remap": "<set_remap>, or <remap> inside the <node>",
-    "param": "<param> inside the <node>, or <set_parameter> before it for all nodes",
 }
-"""Tag to the way of ROS 2, empty where there is none. Some are tags of ROS 2, too, and stand elsewhere there."""
+"""Tag to the way of ROS 2, empty where there is none."""
 
 ATTRIBUTES = {
     "node": {

@@ -168,7 +168,7 @@ class ParameterForm(Problem):
     form: Form
 
 
-class BadSubstitution(Problem):
+class UnreadableSubstitution(Problem):
     """What begins like a substitution and cannot be read: ``reason`` in plain words; ``text`` is the whole value."""
 
     text: str

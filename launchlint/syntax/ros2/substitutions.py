@@ -15,12 +15,12 @@ from launchlint.source import Origin
 from launchlint.syntax.ros2.description import Substitution, Text
 from launchlint.syntax.ros2.of_ros1 import SUBSTITUTIONS as SUBSTITUTIONS_OF_ROS1
 from launchlint.syntax.ros2.problems import (
-    BadSubstitution,
     BrokenInFrontend,
     NotInDistribution,
     OfRos1,
     SubstitutionArity,
     UnknownSubstitution,
+    UnreadableSubstitution,
 )
 from launchlint.syntax.ros2.tables import SUBSTITUTIONS, Distribution
 from launchlint.syntax.ros2.written import Written
@@ -70,7 +70,7 @@ def parse(written: Written, distribution: Distribution, problems: list[Problem])
     except _Bad as bad:
         at = written.at(min(bad.at, len(text) - 1), min(bad.at, len(text) - 1) + 1)
         problems.append(
-            BadSubstitution(
+            UnreadableSubstitution(
                 origin=Origin(written.at(bad.start, len(text))), refused=True, related=((at, bad.here),), text=text, reason=bad.reason
             )
         )

@@ -59,7 +59,7 @@ Data: TypeAlias = "Item | None"
 
 _KINDS: tuple[tuple[type, str], ...] = (
     (str, "a text"),
-    (bool, "true or false"),
+    (bool, "a boolean"),
     (int, "an integer"),
     (float, "a number"),
     (list, "a list"),

@@ -90,7 +90,7 @@ class YamlEntity(Entity):
             return WantsText(origin=Origin(place), refused=True, tag=self.tag, attribute=name, found=item.words)
         if wanted == "float" and isinstance(item.data, int) and not isinstance(item.data, bool):
             return WantsFraction(origin=Origin(place), refused=True, tag=self.tag, attribute=name, value=place.text)
-        value = place.text if isinstance(item.data, SCALARS) else item.words
+        value = place.text if "\n" not in place.text else item.words
         return WrongValue(origin=Origin(place), refused=True, tag=self.tag, attribute=name, value=value, expected=EXPECTED[wanted])
 
     def _written(self, item: Item) -> Written | None:

@@ -40,7 +40,7 @@ PARAM = '<node pkg="p" exec="e" name="n"><param {}/></node>'
 
 REFUSED_XML = [
     ("<noed/>", [("unknown-action", "noed")]),
-    ("<param name='a' value='1'/>", [("of-ros1", "param")]),
+    ("<param name='a' value='1'/>", [("misplaced-entity", "param")]),
     ("<rosparam file='f'/>", [("of-ros1", "rosparam")]),
     ("<choice value='a'/>", [("misplaced-entity", "choice")]),
     ("<node pkg='p' exec='e'><let name='a' value='b'/></node>", [("misplaced-entity", "let")]),

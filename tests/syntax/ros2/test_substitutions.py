@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from launchlint.problem import Problem
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.ros2.description import Substitution, Text
-from launchlint.syntax.ros2.problems import BadSubstitution
+from launchlint.syntax.ros2.problems import UnreadableSubstitution
 from launchlint.syntax.ros2.substitutions import parse
 from launchlint.syntax.ros2.tables import Distribution
 from launchlint.syntax.ros2.written import Written
@@ -88,7 +88,7 @@ BAD = {
 def test_what_cannot_be_read(text: str) -> None:
     made, problems = read(f"a {text}")
     (problem,) = problems
-    assert isinstance(problem, BadSubstitution)
+    assert isinstance(problem, UnreadableSubstitution)
     assert problem.refused
     assert problem.reason == BAD[text]
     assert problem.place.text.startswith("$(")
