@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 
@@ -48,10 +47,19 @@ def may_be_caused(session: Session, evaluation: Evaluation, empty: Iterable[str]
     reached = _reached(tables, empty)
     for place, followed in dict.fromkeys(place for problem in refusing for place in _places(problem)):
         document = evaluation.documents.get(place.source.path)
-        element = None if document is None else _around(document, place)
-        if element is None or not reached.isdisjoint(_deciding(element, None if followed else place)):
+        words = None if document is None else _deciding_at(session, document, place, followed=followed)
+        if words is None or not reached.isdisjoint(words):
             return True
     return False
+
+
+def _deciding_at(session: Session, document: Document, place: Place, *, followed: bool) -> frozenset[str] | None:
+    """As :func:`_deciding`, for what is at ``place``; ``None`` where that is not plain. The same in all configurations, and kept."""
+    key = document, place.span, followed
+    if key not in session.deciding:
+        element = _around(document, place)
+        session.deciding[key] = None if element is None else frozenset(_deciding(element, None if followed else place))
+    return session.deciding[key]
 
 
 def _places(problem: Problem) -> Iterator[tuple[Place, bool]]:
@@ -63,15 +71,13 @@ def _places(problem: Problem) -> Iterator[tuple[Place, bool]]:
 
 def _around(document: Document, place: Place) -> Element | None:
     """The element in whose start tag ``place`` is, where that is plain."""
-    index = bisect_right(document.elements, place.span.start, key=_start) - 1
+    after = document.element_from(place.span.start + 1)
+    index = (len(document.elements) if after is None else after.index) - 1
     if index < 0 or document.elements[index].start_span.end <= place.span.start:
         return None  # it is in a text
     element = document.elements[index]
-    return None if index and _start(document.elements[index - 1]) == _start(element) else element  # several, out of an entity
-
-
-def _start(element: Element) -> int:
-    return element.start_span.start
+    several = index and document.elements[index - 1].start_span.start == element.start_span.start  # out of an entity
+    return None if several else element
 
 
 def _reached(tables: list[Words], empty: Iterable[str]) -> set[str]:

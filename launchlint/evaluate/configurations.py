@@ -47,11 +47,12 @@ def configurations(session: Session, file: str, given: tuple[tuple[str, str], ..
         while waiting:
             base, flow = waiting.pop(0)
             before = base.launch.given[len(given) :]
+            places = {} if alone else _by_place(base)
             for branch in _open_branches(base):
                 wanted = _side(branch, not branch.taken)
                 if wanted in seen:
                     continue
-                for pairs in _candidates(branch, flow) if alone else _all_candidates(branch, flow, _around(branch, base)):
+                for pairs in _candidates(branch, flow) if alone else _all_candidates(branch, flow, _around(branch, base, places)):
                     changed = {name for name, _ in pairs}
                     changes = (*(pair for pair in before if pair[0] not in changed), *pairs)
                     if set(changes) == set(before) or tuple(sorted(changes)) in tried:
@@ -132,16 +133,23 @@ def _all_candidates(branch: Branch, flow: ArgFlow, around: list[Branch]) -> Iter
     yield from islice((pairs for pairs in combinations if len(pairs) > 1), MOST_COMBINATIONS)
 
 
-def _around(branch: Branch, base: Evaluation) -> list[Branch]:
-    """The conditions that ``branch`` stands under, in its own file and in those that include it."""
+def _by_place(base: Evaluation) -> dict[tuple[str, int], Branch]:
+    """The conditions, by where their elements stand."""
     by_place: dict[tuple[str, int], Branch] = {}
     for each in base.launch.branches:
         by_place.setdefault(each.element.key, each)
+    return by_place
+
+
+def _around(branch: Branch, base: Evaluation, by_place: dict[tuple[str, int], Branch]) -> list[Branch]:
+    """The conditions that ``branch`` stands under, in its own file and in those that include it."""
     found = []
     for place in (branch.element, *branch.origin.chain):
         path = place.source.path
         start = place.span.start
-        element = next((each for each in base.documents[path].elements if each.start_span.start == start), None)
+        element = base.documents[path].element_from(start)
+        if element is not None and element.start_span.start != start:
+            element = None
         while element is not None:
             known = by_place.get((path, element.start_span.start))
             if known is not None and known is not branch and known.steered_by:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 
-from launchlint.source import Source
+from launchlint.source import Source, Span
 from launchlint.syntax.parse import parse
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.ros2_distributions import distribution
@@ -19,9 +19,10 @@ if TYPE_CHECKING:
 
     from launchlint.evaluate.block import Block, Effect
     from launchlint.evaluate.ros1.arg_uses import ArgUses
+    from launchlint.evaluate.ros1.kept_values import KeptValues
     from launchlint.model import Argument
     from launchlint.syntax.ros2.reading import Reading
-    from launchlint.syntax.tree import Document, Element
+    from launchlint.syntax.tree import Attribute, Document, Element
 
 LARGEST_FILE = 64 * 1024 * 1024
 """Files of more bytes than this are not read: it bounds memory on hostile input."""
@@ -73,7 +74,9 @@ class Session:
         self.settings: dict[Any, list[Effect]] = {}
         self.uses: dict[Document, ArgUses] = {}
         self.words: dict[Document, Mapping[str, frozenset[str]]] = {}
+        self.deciding: dict[tuple[Document, Span, bool], frozenset[str] | None] = {}
         self.plain_arguments: dict[Element, Argument] = {}
+        self.values: dict[Attribute, KeptValues] = {}
         self.sources: dict[str, Source] = {}
         self.touched: set[str] = set()
         self.variables: set[str] = set()

@@ -20,8 +20,9 @@ from launchlint.evaluate.problems import (
     UsedBeforeDeclaration,
 )
 from launchlint.evaluate.ros1.arg_uses import args_needed
+from launchlint.evaluate.ros1.kept_values import kept_value, resolved
 from launchlint.evaluate.ros1.scope import ActiveSetting, Context, Missing, asked_of
-from launchlint.evaluate.ros1.substitution import ANONYMOUS_FOLD, OUTSIDE, SHORT, absolute_directory, never_boolean, resolve
+from launchlint.evaluate.ros1.substitution import ANONYMOUS_FOLD, OUTSIDE, SHORT, absolute_directory, never_boolean
 from launchlint.evaluate.session import Session
 from launchlint.model import Condition, ScopedSetting, Unknown
 from launchlint.problem import Problem
@@ -163,20 +164,15 @@ class FileEvaluation:
         raw = attribute.value if text is None else text
         if "$" not in raw and "(" not in raw:  # is_plain, without a call
             return raw
-        parts = parts_of(attribute) if text is None or text == attribute.value else parse(text)
+        if text is not None and text != attribute.value:
+            return resolved(self, attribute, parse(text), context, max(attribute.value.find(text), 0))
+        parts = parts_of(attribute)
         alone = only_arg(parts)
         if alone:
             known = self.plain_argument(alone, context)
             if known is not None:
                 return known
-        offset = 0 if text is None else max(attribute.value.find(text), 0)
-
-        def where(start: int, end: int) -> Span:
-            return attribute.span_of(start + offset, end + offset)
-
-        value = resolve(self, parts, where, context)
-        self.notice_left_over(parts, where)
-        return value
+        return kept_value(self, attribute, parts, context)
 
     def notice_left_over(self, parts: Parts, where: Callable[[int, int], Span]) -> None:
         """Record what looks like a substitution and is none, and so reaches the robot as it stands."""
