@@ -13,20 +13,6 @@ STOPPED = 130
 NO_READER = 141
 """As a shell reports a closed pipe."""
 
-PLAIN_FLAGS = {
-    "-q": "quiet",
-    "--quiet": "quiet",
-    "-v": "verbose",
-    "--verbose": "verbose",
-    "--no-cache": "no_cache",
-    "--no-extract": "no_extract",
-    "--exit-zero": "exit_zero",
-    "--statistics": "statistics",
-    "--staged": "staged",
-    "--changed": "changed",
-}
-"""Flags of ``check`` that need no parser."""
-
 
 def main(args: list[str] | None = None, *, standalone_mode: bool = True) -> int:
     """Run launchlint with ``args`` (default: the process's own) and end the process with its exit status.
@@ -64,22 +50,14 @@ def _run(words: list[str]) -> int:
 
 def _command(words: list[str]) -> int:
     """Run the command. The commonest one, on every commit, goes without click: that would take longer than the check itself."""
-    if words and words[0] == "check" and all(not word.startswith("-") or word in PLAIN_FLAGS for word in words):
-        from launchlint.cli.checking import CheckOptions, run_check
-        from launchlint.cli.entries import EntryOptions
+    if words and words[0] == "check":
+        from launchlint.cli.plain import plain_check
 
-        flags = {PLAIN_FLAGS[word] for word in words if word in PLAIN_FLAGS}
-        paths = tuple(word for word in words[1:] if word not in PLAIN_FLAGS)
-        options = CheckOptions(
-            quiet="quiet" in flags,
-            verbose="verbose" in flags,
-            no_cache="no_cache" in flags,
-            exit_zero="exit_zero" in flags,
-            statistics="statistics" in flags,
-            staged="staged" in flags,
-            changed="changed" in flags,
-        )
-        return run_check(EntryOptions(paths, extract="no_extract" not in flags), options)
+        plain = plain_check(words[1:])
+        if plain is not None:
+            from launchlint.cli.checking import run_check
+
+            return run_check(*plain)
     if words and words[0] == "format":  # on every save
         from launchlint.cli.formatting import plain_options, run_format
 
