@@ -80,11 +80,17 @@ class Parameters:
     def _names_below(self, name: str) -> list[str]:
         if self._below is None:
             self._below = {}
+            around: dict[str, list[list[str]]] = {}
             for full in self._settings:
-                outer = full.rpartition("/")[0]
-                while outer:
-                    self._below.setdefault(outer, []).append(full)
-                    outer = outer.rpartition("/")[0]
+                namespace = outer = full.rpartition("/")[0]
+                lists = around.get(namespace)
+                if lists is None:
+                    lists = around[namespace] = []
+                    while outer:
+                        lists.append(self._below.setdefault(outer, []))
+                        outer = outer.rpartition("/")[0]
+                for names in lists:
+                    names.append(full)
         return self._below.get(name, [])
 
 

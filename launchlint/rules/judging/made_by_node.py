@@ -14,6 +14,7 @@ from launchlint.rules.view import LaunchView
 from launchlint.syntax.parts import Literal, Malformed, Substitution
 from launchlint.syntax.ros1.substitutions import opens, parse
 from launchlint.workspace.looking import is_file
+from launchlint.workspace.packages import Packages
 
 _MOST_WORDS = 2_000
 _WRITES = late(r"(?:^|[_\-/~])(?:out|output|save|saver|record|recorder|write|writer|dump|export|exporter|generate|generator)(?![a-z])")
@@ -41,12 +42,16 @@ def maker_of(path: str, view: LaunchView) -> Maker | None:
     """
     directory, name = posixpath.split(path)
     stem, ending = posixpath.splitext(name)
+    absolutes = view.packages.once(_absolutes)
     for document in view.documents.values():
         file = posixpath.abspath(document.source.file)
         for word in _words(document.source.text):
             if not (word.writes or (word.is_node and _may_extend(stem, word.value))):
                 continue
-            one = _absolute(word.value, file, view)
+            key = word.value, file
+            one = absolutes.get(key)
+            if one is None:
+                one = absolutes[key] = _absolute(word.value, file, view.packages)
             if word.is_node and _extends(directory, stem, ending, one):
                 made = not _starts(view, word.program, one)
             else:
@@ -100,7 +105,12 @@ def _blanked(text: str) -> str:
     return _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
 
 
-def _absolute(word: str, file: str, view: LaunchView) -> str:
+def _absolutes(packages: Packages) -> dict[tuple[str, str], str]:
+    """The paths that words of files name, see :func:`_absolute`."""
+    return {}
+
+
+def _absolute(word: str, file: str, packages: Packages) -> str:
     """The path a word names, as far as ``$(find …)`` and ``$(dirname)`` tell; with other substitutions, what is behind the last of them."""
     path, whole = "", True
     for part in parse(word).parts:
@@ -109,7 +119,7 @@ def _absolute(word: str, file: str, view: LaunchView) -> str:
         elif isinstance(part, Substitution) and part.command == "dirname":
             path += posixpath.dirname(file)
         elif isinstance(part, Substitution) and part.command == "find" and part.start == 0:
-            path = view.packages.find(part.only, file) or ""
+            path = packages.find(part.only, file) or ""
         else:
             path, whole = "", False
     return posixpath.normpath(path) if whole else path

@@ -8,7 +8,8 @@ from typing import NamedTuple
 from launchlint.rules.judging.other_file import shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.view import LaunchView
-from launchlint.workspace.looking import exists
+from launchlint.workspace.looking import exists, note, watched
+from launchlint.workspace.packages import Packages
 
 
 class Made(NamedTuple):
@@ -42,7 +43,30 @@ def made(path: str, view: LaunchView, root: str) -> Made | None:
     That is a submodule of git, a command of the package's CMake files, else a template beside it, else whatever makes what ``.gitignore``
     names, else a node.
     """
+    known = view.packages.once(_told)
+    key = path, root  # of all configurations alike
+    if key not in known:
+        known[key] = watched(lambda: _made_outside(path, view.packages, root))
+    maker, looked = known[key]
+    note(looked)
+    if maker is not None:
+        return maker
     from launchlint.rules.judging.made_by_node import maker_of
+
+    node = maker_of(path, view)
+    if node is None:
+        return None
+    place = f"{shown(node.file, root)}, line {node.line}"
+    return Made(f"made by {node.program}, which is given {node.given} ({place})", f"let {node.program} make it before this is started")
+
+
+def _told(packages: Packages) -> dict[tuple[str, str], tuple[Made | None, frozenset[str]]]:
+    """The answers given so far, and what they hang on."""
+    return {}
+
+
+def _made_outside(path: str, packages: Packages, root: str) -> Made | None:
+    """As :func:`made`, but for what the launch files say."""
     from launchlint.workspace.ignored import ignored_by
     from launchlint.workspace.submodules import missing_submodule
     from launchlint.workspace.templates import template_of
@@ -51,7 +75,6 @@ def made(path: str, view: LaunchView, root: str) -> Made | None:
     if module is not None:
         name = shown(module, root)
         return Made(f"it is in the git submodule {name}, which is not checked out", f"git submodule update --init {name}")
-    packages = view.packages
     package = packages.package_of(path)
     how = None if package is None else contents(packages).made(package).by(path)
     if how is not None:
@@ -62,10 +85,6 @@ def made(path: str, view: LaunchView, root: str) -> Made | None:
         return Made(f"{name} lies beside it: a template from which it may be made", f"make it from {name} before this is started")
     ignore = ignored_by(path, packages.workspaces)
     if ignore is None:
-        node = maker_of(path, view)
-        if node is None:
-            return None
-        place = f"{shown(node.file, root)}, line {node.line}"
-        return Made(f"made by {node.program}, which is given {node.given} ({place})", f"let {node.program} make it before this is started")
+        return None
     why = f"git ignores it ({ignore.pattern} in {shown(ignore.file, root)}), so that it is made, or put there, on each machine"
     return Made(why, "see that it is there before this is started")

@@ -25,7 +25,7 @@ def is_certain(setting: ParameterSetting) -> bool:
     """Whether the setting surely happens, under a name that is meant: not one that only ROS 2 understands (LL515 tells of that)."""
     if UNKNOWN_NAMESPACE in setting.name or "/ros__parameters/" in setting.name:
         return False
-    return not any(condition.assumed for condition in setting.conditions)
+    return not setting.conditions or not any(condition.assumed for condition in setting.conditions)
 
 
 def is_same(first: Any, second: Any) -> bool:

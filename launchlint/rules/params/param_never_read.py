@@ -74,11 +74,15 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look at every param that is private to a node."""
     graph = view.graph
     instances = {instance.name: instance for instance in graph.instances}
+    owners: dict[str, Instance | None] = {}
     reads = _Reads(view)
     unread: list[tuple[ParameterSetting, Instance]] = []
     in_file: Counter[tuple[str, str]] = Counter()
     for setting in graph.launch.parameters.values():
-        owner = _owner(setting.name, instances)
+        namespace = setting.name.rpartition("/")[0]
+        if namespace not in owners:
+            owners[namespace] = _owner(namespace, instances)
+        owner = owners[namespace]
         if owner is None:
             continue
         if not is_certain(setting) or not _has_interface(owner) or reads.any_of(setting.name, owner):
@@ -101,9 +105,9 @@ def _file(setting: ParameterSetting, owner: Instance) -> tuple[str, str]:
     return setting.origin.place.source.path, owner.program
 
 
-def _owner(name: str, instances: dict[str, Instance]) -> Instance | None:
-    """The node in whose private namespace ``name`` lies."""
-    outer = name.rpartition("/")[0]
+def _owner(namespace: str, instances: dict[str, Instance]) -> Instance | None:
+    """The node whose private namespace ``namespace`` is, or lies in."""
+    outer = namespace
     while outer:
         if outer in instances:
             return instances[outer]
