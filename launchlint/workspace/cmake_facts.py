@@ -11,6 +11,7 @@ import os
 from collections.abc import Callable, Sequence
 
 from launchlint.late import late
+from launchlint.workspace.ament.cmake import PREFIX_VARIABLES, ament_command
 from launchlint.workspace.cmake import CMakeError, Command, commands
 from launchlint.workspace.cmake_blocks import block_end, never, parsed, section, sources_and_rest
 from launchlint.workspace.cmake_exports import Exported, within
@@ -18,7 +19,7 @@ from launchlint.workspace.cmake_installs import install, install_programs
 from launchlint.workspace.cmake_made import MAKING
 from launchlint.workspace.cmake_scope import Scope, Value, together
 from launchlint.workspace.cmake_targets import CMakeFacts, Generated, Target
-from launchlint.workspace.cmake_words import CATKIN_WORDS, HARMLESS, HARMLESS_PREFIXES
+from launchlint.workspace.cmake_words import ASSIGNING, CATKIN_WORDS, COMPUTING, COMPUTING_FIRST, HARMLESS, HARMLESS_PREFIXES
 from launchlint.workspace.looking import read_bytes
 
 CMAKE_FILE = "CMakeLists.txt"
@@ -45,20 +46,22 @@ _TARGET_WORDS = frozenset(
     debug optimized general BEFORE AFTER SYSTEM UNKNOWN OPTIONS CUDA_ARCHITECTURES""".split()
 )
 _TOOLING = late(r"coverage|clang|cppcheck|doxygen|sphinx")
-_COMPUTING = frozenset(("string", "math", "execute_process", "cmake_path", "separate_arguments"))
-_ASSIGNING = _COMPUTING | {"set", "list", "file", "get_filename_component"}
-_COMPUTING_FIRST = frozenset(("get_target_property", "get_property", "option", "find_path", "find_file", "find_program"))
 
 
 def read_cmake(
-    directory: str, files: Callable[[], Sequence[str]], exported: Callable[[str], Exported | None] = lambda name: None
+    directory: str,
+    files: Callable[[], Sequence[str]],
+    exported: Callable[[str], Exported | None] = lambda name: None,
+    *,
+    ament: bool = False,
 ) -> CMakeFacts:
     """Read ``CMakeLists.txt`` of the package at ``directory`` and the files it includes from the package. Never raises.
 
     ``files`` gives the package's files as paths relative to it with ``/``, for ``file(GLOB)``; ``exported`` the commands that a package
-    exports to this one, which finds it.
+    exports to this one, which finds it. With ``ament`` the commands of ament_cmake are known, and macros and functions of the package are
+    gone through for what they install.
     """
-    reader = _Reader(os.path.abspath(directory), files, exported)
+    reader = _Reader(os.path.abspath(directory), files, exported, ament)
     reader.read(os.path.join(reader.scope.root, CMAKE_FILE), 0)
     reader.find_generated()
     for target, name in reader.renamed.items():
@@ -74,11 +77,13 @@ class _Reader:
     """One run over the CMake files of a package."""
 
     __slots__ = (
-        "_blocks", "_exported", "_file_shown", "_outside", "facts", "generated", "macros", "parameters", "renamed", "scope", "steps",
+        "_ament", "_blocks", "_exported", "_file_shown", "_outside", "facts", "generated", "macros", "parameters", "renamed", "scope",
+        "steps",
     )  # fmt: skip
 
-    def __init__(self, root: str, files: Callable[[], Sequence[str]], exported: Callable[[str], Exported | None]) -> None:
-        self.scope = Scope(root, files)
+    def __init__(self, root: str, files: Callable[[], Sequence[str]], exported: Callable[[str], Exported | None], ament: bool) -> None:
+        self.scope = Scope(root, files, PREFIX_VARIABLES if ament else {})
+        self._ament = ament
         self.facts = CMakeFacts()
         self.macros: dict[str, Sequence[Command]] = {}
         self.parameters: dict[str, tuple[str, ...]] = {}
@@ -215,6 +220,8 @@ class _Reader:
             return
         if name in MAKING:
             self.facts.made.note(self.scope, command, self._file_shown)
+        if self._ament and ament_command(self.facts, self.scope, name, arguments):
+            return
         if _TARGET.fullmatch(name) or _TEST_TARGET.fullmatch(name):
             if arguments[1:2] not in (["IMPORTED"], ["ALIAS"]):
                 self._executable(first, name)
@@ -251,9 +258,9 @@ class _Reader:
         elif name == "cmake_parse_arguments":
             for variable, values in parsed(self.scope.given_arguments(arguments)).items():
                 self.scope.assign(variable, values)
-        elif name in _COMPUTING:
+        elif name in COMPUTING:
             self.scope.forget(arguments)
-        elif name in _COMPUTING_FIRST:
+        elif name in COMPUTING_FIRST:
             self.scope.forget(arguments[:1])
         elif name == "set_target_properties":
             self._properties(arguments)
@@ -387,6 +394,7 @@ class _Reader:
             for target in arguments[:at]:
                 if target is None or name is None or "$<" in name:
                     self.facts.executables_reasons.append("OUTPUT_NAME is not known")
+                    self.facts.targets_reasons.append("OUTPUT_NAME is not known")
                 else:
                     self.renamed[target] = name
 
@@ -420,6 +428,10 @@ class _Reader:
 
     def _call(self, name: str, command: Command, depth: int) -> None:
         """A macro or function of this package: only targets and files are noted of what it does, and whether it makes something."""
+        if self._ament:
+            self._through(name, command, depth)
+            self._forget_assigned(self.macros[name])
+            return
         self._targets_of(name, command, depth)
         pending, seen = [name], {name}
         while pending:
@@ -436,12 +448,23 @@ class _Reader:
 
     def _targets_of(self, name: str, command: Command, depth: int) -> None:
         """Go through a macro or function with its arguments, for the targets and the files it makes alone."""
-        body = self.macros[name]
-        if self._blocks >= _DEEPEST_BLOCK or not any(self._makes(inner.name) for inner in body):
+        if not any(self._makes(inner.name) for inner in self.macros[name]):
             return
-        facts, scope = self.facts, self.scope.variables
+        facts = self.facts
         self.facts = CMakeFacts()
         self.facts.targets, self.facts.made = facts.targets, facts.made
+        after = self._through(name, command, depth)
+        self.facts = facts
+        for each, value in after.items():
+            if value and self.scope.variables.get(each) != value:
+                self.scope.unions[each] = together([self.scope.unions.get(each, ""), value])
+
+    def _through(self, name: str, command: Command, depth: int) -> dict[str, Value]:
+        """Go through a macro or function with its arguments; the variables as they are at its end, its parameters left out."""
+        if self._blocks >= _DEEPEST_BLOCK:
+            self._unknown("calls are nested too deeply")
+            return {}
+        scope = self.scope.variables
         arguments = self.scope.expand(command.arguments, any_way=True)
         parameters = self.parameters.get(name, ())
         self.scope.variables = dict(scope)
@@ -453,14 +476,11 @@ class _Reader:
         for variable, value in numbered.items():
             self.scope.assign(variable, [value])
         self._blocks += 1
-        self.run(body, depth)
+        self.run(self.macros[name], depth)
         self._blocks -= 1
-        after = self.scope.variables
-        self.facts, self.scope.variables = facts, scope
+        after, self.scope.variables = self.scope.variables, scope
         known = {*parameters, "ARGN", "ARGV", *numbered}
-        for each, value in after.items():
-            if value and each not in known and scope.get(each) != value:
-                self.scope.unions[each] = together([self.scope.unions.get(each, ""), value])
+        return {each: value for each, value in after.items() if each not in known}
 
     def _makes(self, name: str) -> bool:
         return name in MAKING or name in self.macros or _MAKES_TARGETS.search(name) is not None
@@ -468,7 +488,7 @@ class _Reader:
     def _forget_assigned(self, listed: Sequence[Command]) -> None:
         """Variables that these commands may set, some number of times, are unknown afterwards."""
         for command in listed:
-            if command.name in _ASSIGNING:
+            if command.name in ASSIGNING:
                 self.scope.forget([each.text for each in command.arguments])
 
     def _inside(self, path: str) -> bool:

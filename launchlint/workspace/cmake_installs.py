@@ -7,8 +7,13 @@ from collections.abc import Sequence
 
 from launchlint.workspace.cmake_blocks import section
 from launchlint.workspace.cmake_scope import Scope, Value
-from launchlint.workspace.cmake_targets import CMakeFacts, Install
+from launchlint.workspace.cmake_targets import CMakeFacts, Install, TargetInstall
 from launchlint.workspace.cmake_words import INSTALL_WORDS
+
+_ARTIFACTS = frozenset(
+    """ARCHIVE LIBRARY RUNTIME OBJECTS FRAMEWORK BUNDLE PRIVATE_HEADER PUBLIC_HEADER RESOURCE FILE_SET CXX_MODULES_BMI INCLUDES""".split()
+)
+_TARGET_WORDS = INSTALL_WORDS | _ARTIFACTS | {"EXPORT", "RUNTIME_DEPENDENCIES", "RUNTIME_DEPENDENCY_SET", "NAMELINK_ONLY", "NAMELINK_SKIP"}
 
 
 def install(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
@@ -16,7 +21,9 @@ def install(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None
     kind = arguments[0] if arguments else None
     facts.installs_by_name = True
     facts.installs_targets = facts.installs_targets or kind in ("TARGETS", "EXPORT", None)
-    if kind == "PROGRAMS":
+    if kind == "TARGETS":
+        _targets(facts, arguments)
+    elif kind == "PROGRAMS":
         install_programs(facts, scope, "install", arguments)
     elif kind in ("FILES", "DIRECTORY"):
         _files(facts, scope, arguments, kind == "DIRECTORY")
@@ -32,6 +39,7 @@ def install_programs(facts: CMakeFacts, scope: Scope, how: str, arguments: Seque
         if program is None or "$<" in program:
             facts.executables_reasons.append(f"{how} with a file that is not known")
             facts.installs_reasons.append(f"{how} with a file that is not known")
+            _gap(facts, f"{how} with a file that is not known", arguments)
         elif program:
             name = os.path.basename(renamed[0] or "" if renamed else program)
             facts.executables.setdefault(name, f"{how}(PROGRAMS)")
@@ -39,10 +47,33 @@ def install_programs(facts: CMakeFacts, scope: Scope, how: str, arguments: Seque
             _installed(facts, scope, program, False, arguments)
 
 
+def _targets(facts: CMakeFacts, arguments: Sequence[Value]) -> None:
+    """``install(TARGETS …)``: executables go where RUNTIME says, else where the destination of all is, else to ``bin``."""
+    names = section(arguments, "TARGETS", _TARGET_WORDS)
+    destination: Value = ""
+    kind = ""
+    for position, word in enumerate(arguments):
+        if word in _ARTIFACTS:
+            kind = str(word)
+        elif word == "DESTINATION" and (kind == "RUNTIME" or (kind == "" and destination == "")):
+            destination = arguments[position + 1] if position + 1 < len(arguments) else None
+    for name in names:
+        if name is None or "$<" in name:
+            facts.targets_reasons.append("install(TARGETS) with a target that is not known")
+        else:
+            facts.target_installs.append(TargetInstall(name, "bin" if destination == "" else destination))
+
+
+def _gap(facts: CMakeFacts, reason: str, arguments: Sequence[Value]) -> None:
+    where = section(arguments, "DESTINATION")
+    facts.gaps.append((reason, where[0] if where else None))
+
+
 def _files(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value], is_directory: bool) -> None:
     for path in section(arguments, "DIRECTORY" if is_directory else "FILES"):
         if path is None or "$<" in path:
             facts.installs_reasons.append("install with a path that is not known")
+            _gap(facts, "install with a path that is not known", arguments)
         else:
             _installed(facts, scope, path, is_directory, arguments)
     if is_directory and "FILE_PERMISSIONS" in arguments:
@@ -67,7 +98,20 @@ def _installed(facts: CMakeFacts, scope: Scope, path: str, is_directory: bool, a
     where = section(arguments, "DESTINATION")
     destination = where[0] if where else None
     optional = "OPTIONAL" in arguments
-    facts.installs.append(Install(scope.path(path), is_directory, destination, tuple(only), tuple(without), _runnable(arguments), optional))
+    renamed = section(arguments, "RENAME")
+    facts.installs.append(
+        Install(
+            scope.path(path),
+            is_directory,
+            destination,
+            tuple(only),
+            tuple(without),
+            _runnable(arguments),
+            optional,
+            contents=is_directory and path.endswith("/"),
+            renamed=renamed[0] if renamed and not is_directory else "",
+        )
+    )
 
 
 def _runnable(arguments: Sequence[Value]) -> tuple[str, ...]:

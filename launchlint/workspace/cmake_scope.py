@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fnmatch import fnmatchcase
+from types import MappingProxyType
 
 from launchlint.workspace.cmake import Argument
 
@@ -41,7 +42,7 @@ _PACKAGE_DESTINATIONS = {"BIN": "lib", "ETC": "etc", "INCLUDE": "include", "SHAR
 
 
 class Scope:
-    """The variables of one package's CMake files; ``files`` gives its files relative to ``root``, with ``/``.
+    """The variables of one package's CMake files; ``files`` gives its files relative to ``root``, with ``/``; ``more`` are set beforehand.
 
     ``unions`` has, for lists that are not known since ways through an ``if`` differ, what any of the ways puts into them; ``ways`` has,
     for variables of which some ways are known, the values on those.
@@ -49,11 +50,11 @@ class Scope:
 
     __slots__ = ("_files", "_globs", "root", "unions", "variables", "ways")
 
-    def __init__(self, root: str, files: Callable[[], Sequence[str]]) -> None:
+    def __init__(self, root: str, files: Callable[[], Sequence[str]], more: Mapping[str, Value] = MappingProxyType({})) -> None:
         self.root = root
         self._files = files
         self._globs = 0
-        self.variables: dict[str, Value] = dict(_DESTINATIONS)
+        self.variables: dict[str, Value] = {**_DESTINATIONS, **more}
         self.unions: dict[str, str] = {}
         self.ways: dict[str, tuple[str, ...]] = {}
         for name in ("CMAKE_SOURCE_DIR", "CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR", "PROJECT_SOURCE_DIR"):

@@ -26,7 +26,8 @@ class Install(NamedTuple):
 
     ``only`` are the patterns behind FILES_MATCHING (empty: all files), ``without`` those with EXCLUDE; not those of REGEX.
     ``destination`` is ``None`` where it cannot be known. ``runnable`` are the patterns of the files that can be run once they are
-    installed, whatever their permissions in the source: ``*`` for all of them. ``optional``: it need not exist.
+    installed, whatever their permissions in the source: ``*`` for all of them. ``optional``: it need not exist. ``contents``: what is in
+    the directory is installed, without the directory itself. ``renamed`` is the new name of a file; ``None`` where it cannot be known.
     """
 
     path: str
@@ -36,6 +37,22 @@ class Install(NamedTuple):
     without: tuple[str, ...] = ()
     runnable: tuple[str, ...] = ()
     optional: bool = False
+    contents: bool = False
+    renamed: Value = ""
+
+
+class TargetInstall(NamedTuple):
+    """One target of ``install(TARGETS …)``, and where it goes if it is an executable; ``None`` where that cannot be known."""
+
+    name: str
+    destination: Value
+
+
+class ScriptsInstall(NamedTuple):
+    """A file (``setup.cfg``, absolute) that names programs written in Python, and where ``ament_python_install_package`` installs them."""
+
+    file: str
+    destination: Value
 
 
 class Target:
@@ -65,12 +82,17 @@ class CMakeFacts:
 
     ``installs_by_name`` says that there is an ``install()`` as such: ``catkin_install_python`` makes scripts run in a devel space, too;
     ``installs_targets``, that it takes something that is built.
-    ``executables_reasons`` and ``installs_reasons`` say why the respective list may be incomplete; empty lists mean: it is complete.
+    ``target_installs`` are the targets that are installed, ``automatic`` those that ``ament_auto_package`` installs if it is called, and
+    ``script_installs`` the programs in Python.
+    ``gaps`` are those of ``installs_reasons`` that concern one destination (the second), if that is known.
+    ``executables_reasons``, ``installs_reasons`` and ``targets_reasons`` say why the respective list may be incomplete; empty lists mean:
+    it is complete.
     """
 
     __slots__ = (
-        "executables", "executables_reasons", "include_directories", "installs", "installs_by_name", "installs_reasons", "installs_targets",
-        "made", "programs", "project", "targets",
+        "automatic", "executables", "executables_reasons", "gaps", "include_directories", "installs", "installs_by_name",
+        "installs_reasons", "installs_targets", "made", "programs", "project", "script_installs", "target_installs", "targets",
+        "targets_reasons",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -84,4 +106,9 @@ class CMakeFacts:
         self.installs_by_name = False
         self.installs_targets = False
         self.installs_reasons: list[str] = []
+        self.gaps: list[tuple[str, Value]] = []
+        self.automatic: list[str] = []
+        self.target_installs: list[TargetInstall] = []
+        self.script_installs: list[ScriptsInstall] = []
+        self.targets_reasons: list[str] = []
         self.made = Made()

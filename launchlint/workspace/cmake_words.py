@@ -64,3 +64,8 @@ INSTALL_WORDS = frozenset(
     """.split()
 )
 """Words that end a list of paths in install() and add_custom_command()."""
+
+COMPUTING = frozenset(("string", "math", "execute_process", "cmake_path", "separate_arguments"))
+ASSIGNING = COMPUTING | {"set", "list", "file", "get_filename_component"}
+COMPUTING_FIRST = frozenset(("get_target_property", "get_property", "option", "find_path", "find_file", "find_program"))
+"""Commands that compute variables: of some the first argument alone."""

@@ -9,11 +9,11 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Iterable, Mapping, Sequence
-from fnmatch import fnmatchcase
 from typing import NamedTuple
 
 from launchlint.workspace.cmake_facts import CMAKE_FILE, read_cmake
 from launchlint.workspace.cmake_made import Made
+from launchlint.workspace.cmake_taking import matches, takes
 from launchlint.workspace.cmake_targets import CMakeFacts, Install
 from launchlint.workspace.listing import files_of
 from launchlint.workspace.looking import note, start, walk, watched
@@ -140,18 +140,16 @@ class InstalledFiles(NamedTuple):
 
     def covers(self, path: str) -> bool:
         """Whether some ``install()`` command takes the file at ``path`` (absolute)."""
-        return any(_takes(install, path) for install in self.installs)
+        return any(takes(install, path) for install in self.installs)
 
     def leaves_out(self, path: str) -> bool:
         """Whether some ``install(DIRECTORY …)`` would take the file at ``path`` (absolute), were it not for its EXCLUDE."""
-        return any(
-            install.without and _takes(install._replace(without=()), path) and not _takes(install, path) for install in self.installs
-        )
+        return any(install.without and takes(install._replace(without=()), path) and not takes(install, path) for install in self.installs)
 
     def makes_runnable(self, path: str) -> bool:
         """Whether the file at ``path`` (absolute) can be run once it is installed, whatever its permissions are here."""
         parts = path.split("/")
-        return any(_takes(each, path) and any(_matches(pattern, parts) for pattern in each.runnable) for each in self.installs)
+        return any(takes(each, path) and any(matches(pattern, parts) for pattern in each.runnable) for each in self.installs)
 
     @property
     def directories(self) -> tuple[str, ...]:
@@ -274,22 +272,3 @@ def _libexec(package: Package, prefixes: Iterable[Prefix], installed: bool) -> l
         prefix = os.path.dirname(os.path.dirname(package.directory))
         directories += Prefix(prefix, False, False).libexec(package.name)
     return [(each, files_of(each)[0]) for each in dict.fromkeys(directories)]
-
-
-def _takes(install: Install, path: str) -> bool:
-    if not install.is_directory:
-        return path == install.path
-    start = install.path.rstrip("/") + "/"
-    if not path.startswith(start):
-        return False
-    # A pattern is held against the end of the path, from a directory separator on (cmake install(DIRECTORY)).
-    parts = path[len(start) :].split("/")
-    name = parts[-1]
-    if any(_matches(pattern, parts[: end + 1]) for pattern in install.without for end in range(len(parts))):
-        return False
-    return not install.only or any(fnmatchcase(name, pattern) or _matches(pattern, parts) for pattern in install.only)
-
-
-def _matches(pattern: str, parts: Sequence[str]) -> bool:
-    wanted = pattern.strip("/").split("/")
-    return len(wanted) <= len(parts) and all(map(fnmatchcase, parts[-len(wanted) :], wanted))

@@ -1,0 +1,122 @@
+"""The commands of ament_cmake and of the packages that belong to it: what they build, and what they install where."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+
+from launchlint.late import late
+from launchlint.workspace.cmake_blocks import section
+from launchlint.workspace.cmake_targets import Install, ScriptsInstall, TargetInstall
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.cmake_scope import Scope, Value
+    from launchlint.workspace.cmake_targets import CMakeFacts
+
+PREFIX = "/<prefix>"
+"""Stands for the directory that a package is installed to."""
+
+PREFIX_VARIABLES: Mapping[str, str] = {
+    "CMAKE_INSTALL_PREFIX": PREFIX,
+    "CMAKE_INSTALL_DATAROOTDIR": "share",
+    "CMAKE_INSTALL_LIBEXECDIR": "libexec",
+    "CMAKE_INSTALL_INCLUDEDIR": "include",
+}
+"""What is set before anything is read (GNUInstallDirs)."""
+
+_HARMLESS = frozenset(
+    """
+    rosidl_generate_interfaces rosidl_get_typesupport_target rosidl_target_interfaces rclcpp_components_register_nodes
+    generate_parameter_library generate_parameter_module add_launch_test add_ros_test add_ros_isolated_launch_test
+    qt_wrap_ui qt_wrap_cpp qt_add_resources pybind11_add_module python3_add_library generate_export_header
+    configure_build_install_location
+    """.split()
+)
+"""Commands of ROS 2's own packages that make no program and install nothing that a launch file would name."""
+_MAKES = late(r"add_(?:\w+_)?(?:executable|library|gtest|gmock)")
+_AUTO_PACKAGE = late(r"(?:\w+_)?ament_auto_package")
+_AUTO_WORDS = frozenset(("INSTALL_TO_SHARE", "INSTALL_TO_PATH", "USE_SCOPED_HEADER_INSTALL_DIR"))
+_REGISTER_WORDS = frozenset(("PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX", "NO_UNDEFINED_SYMBOLS"))
+_PYTHON_WORDS = frozenset(("VERSION", "PACKAGE_DIR", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION", "SKIP_COMPILE"))
+
+
+def ament_command(facts: CMakeFacts, scope: Scope, name: str, arguments: Sequence[Value]) -> bool:
+    """Note what the command ``name`` makes and installs; whether that is all there is to it.
+
+    Sources: the macros of ament_cmake_core, ament_cmake_auto, ament_cmake_python, rclcpp_components and pluginlib.
+    """
+    if name == "ament_auto_add_executable" or name.endswith("_ament_auto_add_executable"):
+        facts.automatic += [each for each in arguments[:1] if each]
+        return False
+    if _AUTO_PACKAGE.fullmatch(name):
+        _auto_package(facts, scope, arguments)
+        return True
+    does = _COMMANDS.get(name)
+    if does is not None:
+        does(facts, scope, arguments)
+        return True
+    return name in _HARMLESS or (name.startswith("ament_") and not _MAKES.search(name))
+
+
+def _auto_package(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
+    """``ament_auto_package(INSTALL_TO_SHARE directory …)``: the directories, and the programs of ``ament_auto_add_executable``."""
+    project = scope.variables.get("PROJECT_NAME")
+    for path in section(arguments, "INSTALL_TO_SHARE", _AUTO_WORDS):
+        if path is None or project is None:
+            facts.installs_reasons.append("ament_auto_package with a directory that is not known")
+        else:
+            facts.installs.append(Install(scope.path(path), True, f"share/{project}", contents=path.endswith("/")))
+    to = "bin" if "INSTALL_TO_PATH" in arguments else f"lib/{project}" if project else None
+    facts.target_installs += [TargetInstall(each, to) for each in facts.automatic]
+    _package(facts, scope, arguments)
+
+
+def _package(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
+    """``ament_package()``: the manifest is installed."""
+    _to_share(facts, scope, "package.xml")
+
+
+def _register_node(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
+    """``rclcpp_components_register_node(library PLUGIN class EXECUTABLE name)``: a program that loads the component."""
+    project = scope.variables.get("PROJECT_NAME")
+    for name in section(arguments, "EXECUTABLE", _REGISTER_WORDS)[:1]:
+        if name is None:
+            facts.targets_reasons.append("rclcpp_components_register_node with a name that is not known")
+        else:
+            facts.executables.setdefault(name, "rclcpp_components_register_node")
+            facts.target_installs.append(TargetInstall(name, f"lib/{project}" if project else None))
+
+
+def _python_package(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
+    """``ament_python_install_package(package SCRIPTS_DESTINATION directory)``: the programs that ``setup.cfg`` names."""
+    destination = section(arguments, "SCRIPTS_DESTINATION", _PYTHON_WORDS)[:1]
+    if destination:
+        given = section(arguments, "SETUP_CFG", _PYTHON_WORDS)[:1]
+        directory = section(arguments, "PACKAGE_DIR", _PYTHON_WORDS)[:1] or arguments[:1]
+        file = given[0] if given else f"{directory[0]}/../setup.cfg" if directory and directory[0] else None
+        if file is None:
+            facts.targets_reasons.append("ament_python_install_package with a package that is not known")
+        else:
+            facts.script_installs.append(ScriptsInstall(scope.path(file), destination[0]))
+
+
+def _plugins(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
+    """``pluginlib_export_plugin_description_file(category file)``: the file goes to the same path below ``share``."""
+    if len(arguments) > 1 and arguments[1]:
+        _to_share(facts, scope, arguments[1])
+
+
+def _to_share(facts: CMakeFacts, scope: Scope, file: str) -> None:
+    project = scope.variables.get("PROJECT_NAME")
+    facts.installs.append(
+        Install(scope.path(file), False, None if project is None else os.path.join(f"share/{project}", os.path.dirname(file)))
+    )
+
+
+_COMMANDS: Mapping[str, Callable[[CMakeFacts, Scope, Sequence[Value]], None]] = {
+    "ament_package": _package,
+    "ament_python_install_package": _python_package,
+    "pluginlib_export_plugin_description_file": _plugins,
+    "rclcpp_components_register_node": _register_node,
+}

@@ -1,0 +1,81 @@
+"""What the packages of a run install, each looked at once."""
+
+from __future__ import annotations
+
+import os
+
+from launchlint.workspace.ament.installed import Installed, of_cmake, of_files, of_prefix, unknown
+from launchlint.workspace.ament.scripts import Script, entry_points, read_setup_cfg
+from launchlint.workspace.cmake_exports import Exported, exported_commands
+from launchlint.workspace.cmake_facts import read_cmake
+from launchlint.workspace.cmake_targets import CMakeFacts
+from launchlint.workspace.listing import files_of
+from launchlint.workspace.looking import note, watched
+from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
+from launchlint.workspace.prefixes import is_installed
+
+ROS2 = {"ROS_VERSION": "2"}
+
+
+class InstalledIndex:
+    """What the packages that :attr:`Packages.colcon` finds install; ``packages.once(InstalledIndex)`` is the one of a run."""
+
+    __slots__ = ("_found", "_packages")
+
+    def __init__(self, packages: Packages) -> None:
+        self._packages = packages
+        self._found: dict[str, tuple[Installed, frozenset[str]]] = {}
+
+    def of(self, package: Package) -> Installed:
+        """What ``package`` installs. Never raises."""
+        if package.directory not in self._found:
+            self._found[package.directory] = watched(lambda: installed(package, self._packages))
+        found, looked = self._found[package.directory]
+        note(looked)
+        return found
+
+
+def installed(package: Package, packages: Packages) -> Installed:
+    """What ``package`` installs, by its build type; unknown for those that ament does not build. Never raises."""
+    if is_installed(package.directory):
+        return of_prefix(package)
+    types = () if package.manifest is None else package.manifest.under(ROS2).build_types
+    if types == ("ament_cmake",):
+        return _by_cmake(package, packages)
+    if types == ("ament_python",):
+        return _by_python(package)
+    return unknown(package, f"its build type is {', '.join(types) or 'not known'}")
+
+
+def _by_cmake(package: Package, packages: Packages) -> Installed:
+    files, complete = files_of(package.directory)
+
+    def exported(name: str) -> Exported | None:
+        other = packages.get(name, package.directory)
+        return None if other is None or is_installed(other.directory) else exported_commands(other.directory)
+
+    facts = read_cmake(package.directory, lambda: list(files), exported, ament=True)
+    scripts, reasons = _scripts(package, facts)
+    return of_cmake(package, facts, files, scripts, reasons if complete else [*reasons, "the package has too many files"])
+
+
+def _scripts(package: Package, facts: CMakeFacts) -> tuple[list[Script], list[str]]:
+    scripts: list[Script] = []
+    reasons: list[str] = []
+    for install in facts.script_installs:
+        read = read_setup_cfg(install.file)
+        try:
+            scripts += entry_points(() if read is None else read.scripts, os.path.dirname(install.file), install.destination)
+        except ValueError as error:
+            reasons.append(str(error))
+        if read is None:
+            reasons.append("setup.cfg cannot be read")
+    return scripts, reasons
+
+
+def _by_python(package: Package) -> Installed:
+    from launchlint.workspace.ament.setup_py import read_setup
+
+    found = read_setup(package.directory)
+    return of_files(package, found.installs, found.reasons, found.scripts, found.script_reasons)
