@@ -29,6 +29,8 @@ def formatted(data: bytes, path: str, style: Style) -> Formatted:
     Encoding, byte order mark and the prevailing kind of line end stay. ``path`` is the name that people see. A file that roslaunch could
     not read, and one that the result would not say the same as, is left alone.
     """
+    if path.endswith((".yaml", ".yml")):
+        return _yaml(data, path, style)
     document = parse(data, path)
     if document.problems:
         return Formatted(data, problem=document.problems[0])
@@ -59,3 +61,18 @@ def normal_form(text: str, style: Style) -> str:
         ValueError: the text is not well-formed.
     """
     return printed(with_line_feeds(text), style).replace("\n", prevailing_line_end(text))
+
+
+def _yaml(data: bytes, path: str, style: Style) -> Formatted:
+    """The same for a launch file of ROS 2 in YAML."""
+    from launchlint.fix.format.yaml_file import yaml_normal_form
+    from launchlint.syntax.ros2.reading import read
+
+    reading = read(data, path)
+    unread = next((each for each in reading.problems if each.kind in ("malformed-yaml", "unreadable-file", "wrong-root")), None)
+    if unread is not None:
+        return Formatted(data, problem=unread)
+    text = reading.source.text
+    mark = data[: len(data) - len(text.encode())]
+    result = yaml_normal_form(with_line_feeds(text), style)
+    return Formatted(mark + result.replace("\n", prevailing_line_end(text)).encode())

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from launchlint.fix.format.style import Style
 from launchlint.fix.format.tokens import Token
 from launchlint.syntax.ros1.dialect import TAGS
+from launchlint.syntax.ros2.order import ORDER
 
 _ATTRIBUTE = re.compile(r"""([^ \t\n=/>"']+)[ \t\n]*=[ \t\n]*(?:"([^"]*)"|'([^']*)')""")
 
@@ -59,7 +60,7 @@ def start_tag(tag: Token, *, closed: bool, style: Style, column: int) -> str:
 
 
 def in_canonical_order(tag: str, attributes: list[Attribute]) -> list[Attribute]:
-    """Those the dialect knows in the order of its table, then all others as they were."""
+    """Those that either dialect knows in the order of its table, then all others as they were."""
     ranks = _ranks(tag)
     last = len(ranks)
     return sorted(attributes, key=lambda each: ranks.get(each.name, last))
@@ -67,5 +68,12 @@ def in_canonical_order(tag: str, attributes: list[Attribute]) -> list[Attribute]
 
 @lru_cache(maxsize=64)
 def _ranks(tag: str) -> Mapping[str, int]:
+    """The order of both dialects in one: what only ROS 2 has goes behind what stands before it there."""
     rule = TAGS.get(tag) or TAGS.get(tag.lower())  # inside <node> and <include> roslaunch takes tags in any case
-    return {each.name: number for number, each in enumerate(() if rule is None else rule.attributes)}
+    names = [each.name for each in (() if rule is None else rule.attributes)]
+    position = 0
+    for name in ORDER.get(tag, ()):
+        if name not in names:
+            names.insert(position, name)
+        position = names.index(name) + 1
+    return {name: number for number, name in enumerate(names)}

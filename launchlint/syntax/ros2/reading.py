@@ -17,7 +17,7 @@ from launchlint.syntax.problems import MalformedXml, UnreadableFile
 from launchlint.syntax.ros2.description import Description
 from launchlint.syntax.ros2.parsing import Parser
 from launchlint.syntax.ros2.problems import MalformedXml2, MalformedYaml, WrongRoot, YamlForm
-from launchlint.syntax.ros2.tables import DEFAULT, Distribution
+from launchlint.syntax.ros2.tables import DEFAULT, distribution
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def read(data: bytes, path: str, file: str | None = None, distro: str = DEFAULT)
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         return _not_utf8(Source(path, data.decode("utf-8", "replace"), file), data, error.start)
-    parser = Parser(Distribution(distro))
+    parser = Parser(distribution(distro))
     start = text.lstrip()[:1]
     if start == "<" or (start == "" and not (file or path).endswith(_ENDS)):
         return _xml(data, path, file, parser)

@@ -7,6 +7,7 @@ read. Source: the ``parse`` methods of launch 1.0 to 3.7 and launch_ros 0.19 to 
 from __future__ import annotations
 
 from enum import Enum
+from functools import cache
 from typing import NamedTuple
 
 TYPE_CHECKING = False
@@ -255,3 +256,9 @@ class Distribution:
 
     def _of(self, tag: Tag) -> Tag:
         return tag._replace(reads=tuple(each for each in tag.reads if not isinstance(each, Attribute) or self.has(each.since)))
+
+
+@cache
+def distribution(name: str) -> Distribution:
+    """The tables as the distribution of this name has them; those of the default one for a name that nobody knows."""
+    return Distribution(name)

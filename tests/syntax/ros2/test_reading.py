@@ -6,6 +6,7 @@ import time
 
 import pytest
 
+from launchlint.syntax.ros2.complaints import attributes_of
 from launchlint.syntax.ros2.description import (
     Argument,
     Executable,
@@ -19,7 +20,9 @@ from launchlint.syntax.ros2.description import (
     Timer,
     TypedValue,
 )
+from launchlint.syntax.ros2.order import ORDER
 from launchlint.syntax.ros2.reading import Reading, read
+from launchlint.syntax.ros2.tables import PARAMETER, Children, distribution
 
 
 def xml(body: str, distro: str = "jazzy") -> Reading:
@@ -299,3 +302,12 @@ def test_great_files_take_linear_time(piece: str) -> None:
 def test_deep_nesting_is_refused_and_does_not_overflow() -> None:
     reading = xml("<group>" * 900 + "</group>" * 900)
     assert [problem.kind for problem in reading.problems] == ["too-deep"]
+
+
+def test_the_canonical_order_names_all_attributes_of_all_tags() -> None:
+    for tag in distribution("rolling").tags.values():
+        assert set(attributes_of(tag.reads)) <= set(ORDER.get(tag.name, ("if", "unless"))), tag.name
+        for inner in tag.reads:
+            if isinstance(inner, Children) and inner.name != "arg":
+                assert set(attributes_of(inner.reads)) <= set(ORDER[inner.name]), inner.name
+    assert set(PARAMETER) <= set(ORDER["param"])
