@@ -7,7 +7,7 @@ read. Source: the ``parse`` methods of launch 1.0 to 3.7 and launch_ros 0.19 to 
 from __future__ import annotations
 
 from enum import Enum
-from functools import cache
+from functools import lru_cache
 from typing import NamedTuple
 
 TYPE_CHECKING = False
@@ -258,7 +258,7 @@ class Distribution:
         return tag._replace(reads=tuple(each for each in tag.reads if not isinstance(each, Attribute) or self.has(each.since)))
 
 
-@cache
+@lru_cache(maxsize=8)
 def distribution(name: str) -> Distribution:
     """The tables as the distribution of this name has them; those of the default one for a name that nobody knows."""
     return Distribution(name)
