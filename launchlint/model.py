@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     """What a part of a node is for, whatever a dialect calls what it is written in (``pkg``, ``ns``, ``args`` …)."""
     DialectName = Literal["ros1", "ros2"]
     """Who starts a launch file; what is done with it in a way of its own, :mod:`launchlint.dialects` holds."""
+    NodeKind = Literal["node", "container", "lifecycle", "composable"]
     from typing import Final
 else:
     Role = DialectName = str
@@ -74,11 +75,15 @@ class Scope(NamedTuple):
 
 
 class Condition(NamedTuple):
-    """An ``if`` or ``unless`` that was taken on the way to an item; ``assumed`` where its value is unknown and was taken to be true."""
+    """An ``if`` or ``unless`` that was taken on the way to an item; ``assumed`` where its value is unknown and was taken to be true.
+
+    ``text`` is what it was judged by (ROS 2 only).
+    """
 
     attribute: str
     place: Place
     assumed: bool = False
+    text: str = ""
 
 
 class Branch(NamedTuple):
@@ -124,6 +129,36 @@ class EnvironmentSetting(NamedTuple):
     origin: Origin
 
 
+class ParameterSource(NamedTuple):
+    """One of the things that give a ROS 2 node its params, in the order in which they stand on its command line.
+
+    One of the first three is not None: a ``file``; the ``content`` of a file that launch writes for this start, with the file it is made
+    ``of`` where it is a copy; or a ``rule`` (``name:=value``).
+    """
+
+    origin: Origin
+    file: str | None = None
+    content: Any = None
+    rule: str | None = None
+    of: str | None = None
+
+
+class Process(NamedTuple):
+    """What ROS 2 launch says of a process that it starts, beyond what every dialect says of a node.
+
+    ``arguments`` and ``ros_arguments`` are words; ``label`` is what its output is marked with; ``environment`` is what differs from the
+    environment that launch itself has (None: not set). ``on_exit`` says what its end leads to: ``shutdown``, or ``actions``.
+    """
+
+    arguments: tuple[str, ...] = ()
+    ros_arguments: tuple[str, ...] = ()
+    label: str = ""
+    environment: Mapping[str, str | None] = MappingProxyType({})
+    shell: bool = False
+    on_exit: str | None = None
+    respawn_delay: float | None = None
+
+
 class Node(NamedTuple):
     """A node (or, with ``test_name``, a test) that would be started.
 
@@ -131,6 +166,12 @@ class Node(NamedTuple):
     them; ``respawn_delay`` and ``time_limit`` are seconds. ``places`` says by role where the values are written. ``unknown``
     names the roles whose value is not known; their fields hold the text as written, ``patterns`` what is known of the values
     (see :class:`Unknown`). With ``remaps`` among them, more remaps act on the node: ``open_remaps``, of names that are not known.
+
+    The rest is of ROS 2. ``kind``: what starts it; a ``composable`` node is a ``plugin`` that is loaded into the ``container`` of that
+    name. ``deferred`` names what it waits for (``timer``). ``has_namespace``: launch gives it one; else it has its own, as it has its own
+    name where ``name`` is empty. ``sources`` are what its params come from, ``own`` what it ends up with: type and value by name, None if
+    that cannot be known. ``fatal`` is why rcl would refuse its command line, so that it dies when it starts, else empty.
+    ``extra_arguments``: of a composable node, as ``own``. ``condition_ignored``: it is loaded although its condition does not hold.
     """
 
     name: str
@@ -158,6 +199,17 @@ class Node(NamedTuple):
     retry: int = 0
     patterns: Mapping[Role, str] = MappingProxyType({})
     open_remaps: tuple[Remap, ...] = ()
+    kind: NodeKind = "node"
+    plugin: str | None = None
+    container: str | None = None
+    deferred: str | None = None
+    has_namespace: bool = True
+    process: Process | None = None
+    sources: tuple[ParameterSource, ...] = ()
+    own: Mapping[str, tuple[str, Any]] | None = None
+    fatal: str = ""
+    extra_arguments: Mapping[str, tuple[str, Any]] = MappingProxyType({})
+    condition_ignored: bool = False
 
     @property
     def full_name(self) -> str:
@@ -214,8 +266,29 @@ class Argument(NamedTuple):
     in_group: bool = False
 
 
+class Declaration(NamedTuple):
+    """An ``<arg>`` that ROS 2 launch executed; ``given``: it had a value before. ``has_default`` and ``choices`` are as declared."""
+
+    argument: Argument
+    given: bool
+    has_default: bool
+    choices: tuple[str, ...] | None
+
+
+class ListedArgument(NamedTuple):
+    """An arg as ``ros2 launch --show-args`` lists it, without executing anything; ``conditional``: it may never be declared."""
+
+    name: str
+    required: bool
+    conditional: bool
+    place: Place
+
+
 class Include(NamedTuple):
-    """An ``<include>`` that was followed (``file`` is the name it was opened under) or could not be (``source`` is None)."""
+    """An ``<include>`` that was followed (``file`` is the name it was opened under) or could not be (``source`` is None).
+
+    ROS 2: ``pushed`` is the namespace that was pushed before it, if any; ``deferred`` as for a :class:`Node`.
+    """
 
     file: str
     source: Source | None
@@ -225,6 +298,26 @@ class Include(NamedTuple):
     origin: Origin
     scope: Scope | None = None
     conditions: tuple[Condition, ...] = ()
+    pushed: str | None = None
+    deferred: str | None = None
+
+
+class Executable(NamedTuple):
+    """A program that ROS 2 launch starts as it is, whatever it is (``<executable>``): ``command`` are its words."""
+
+    command: tuple[str, ...]
+    process: Process
+    cwd: str | None
+    output: str | None
+    launch_prefix: str | None
+    respawn: bool
+    respawn_delay: float
+    file: str
+    origin: Origin
+    scope: Scope | None = None
+    conditions: tuple[Condition, ...] = ()
+    deferred: str | None = None
+    unknown: frozenset[Role] = frozenset()
 
 
 class ScopedSetting(NamedTuple):
@@ -254,6 +347,10 @@ class Launch(NamedTuple):
     ``executables`` are the rosparam dump and delete steps as ``(command, parameter, file)``. ``files`` are the names of the loaded launch
     files in order. ``complete`` is false where an include could not be followed, so that there may be more nodes than are known. In the
     namespaces ``more_parameters`` there may be more parameters than are known. ``dialect`` is that of the entry file.
+
+    The rest is of ROS 2: the ``distro`` whose launch this is; ``programs`` that are no nodes; ``declarations``, those of :attr:`declared`
+    as launch executed them; ``listed``, the args as people are shown them; ``late``, the first problem of each body that is executed
+    later (a timer's) and fails then: it does not keep the file from being loaded.
     """
 
     entry: Source
@@ -276,6 +373,11 @@ class Launch(NamedTuple):
     complete: bool
     more_parameters: tuple[str, ...] = ()
     dialect: DialectName = ROS1
+    distro: str = ""
+    programs: tuple[Executable, ...] = ()
+    declarations: tuple[Declaration, ...] = ()
+    listed: tuple[ListedArgument, ...] = ()
+    late: tuple[Problem, ...] = ()
 
     def noticed(self, kind: type[Kind]) -> Iterator[Kind]:
         """The problems of one kind."""

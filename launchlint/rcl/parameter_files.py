@@ -181,7 +181,7 @@ class _Reading:
             raise _Stop(f"{PARAMETERS} must hold names with values, and has itself a value", event)
         if not event.value and not event.quoted:
             raise _Stop('a value is missing; write "" for an empty text', event)
-        value = scalar(event.value, event.quoted, event.tag)
+        value = scalar(event.value, event.quoted, event.tag if self.table.tags else None)
         parameter = key.parameters[min(self.place, len(key.parameters) - 1)]
         if not self.in_list:
             parameter.give(value)

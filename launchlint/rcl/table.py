@@ -91,12 +91,13 @@ class Key:
 
 
 class Table:
-    """All keys, in the order in which each of them came first."""
+    """All keys, in the order in which each of them came first. ``tags``: a tag such as ``!!str`` says of which type a value is."""
 
-    __slots__ = ("keys", "read")
+    __slots__ = ("keys", "read", "tags")
 
     def __init__(self) -> None:
         self.keys: dict[str, Key] = {}
+        self.tags = True
         self.read = 0
 
     def written(self, source: Source | None, name: Span) -> Written:

@@ -42,6 +42,10 @@ class Performs(Protocol):
     def digits_are_boolean(self) -> bool:
         """Whether ``1`` and ``0`` are truth values."""
 
+    @property
+    def tags_count(self) -> bool:
+        """Whether a tag in a parameter file says of which type a value is."""
+
     def perform(self, text: Text) -> str | Unknown:
         """The string that a text stands for. Raises where launch stops."""
 

@@ -99,6 +99,7 @@ def started(
     beyond: list[YamlBeyond] = []
 
     def read(file: str, table: Table) -> Refused | None:
+        table.tags = asks.tags_count
         try:
             written = contents.get(file)
             return _add_file(file, table, asks) if written is None else parameter_files.add(written[0], table)

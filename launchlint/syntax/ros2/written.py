@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 _ESCAPED = re.compile(r"\\(?:x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|\r?\n[ \t]*|.)", re.DOTALL)
 _BLANK = " \t\r\n"
+_LINE_END = re.compile(r"\r\n?")
 
 
 class Written:
@@ -57,6 +58,20 @@ class InXml(Written):
     def at(self, start: int, end: int) -> Place:
         """As far as it can be told."""
         return Place(self.place.source, self._attribute.span_of(start, end))
+
+
+class InText(Written):
+    """The whole of a file that is no launch file: the line ends are those that Python makes of its own."""
+
+    __slots__ = ()
+
+    def __init__(self, source: Source) -> None:
+        text = source.text
+        super().__init__(_LINE_END.sub("\n", text) if "\r" in text else text, Place(source, Span(0, len(text))))
+
+    def at(self, start: int, end: int) -> Place:
+        """Exact, where no line end is longer than one character."""
+        return Place(self.place.source, Span(start, end)) if len(self.text) == self.place.span.end else self.place
 
 
 class InYaml(Written):

@@ -28,6 +28,7 @@ class Asked:
     """See the module; ``noticed`` fills."""
 
     digits_are_boolean = True
+    tags_count = True
 
     def __init__(self, variables: Mapping[str, str] | None = None, files: Mapping[str, str] | None = None) -> None:
         self.variables = variables or {}

@@ -1,0 +1,42 @@
+"""Which function executes which action."""
+
+from __future__ import annotations
+
+from launchlint.evaluate.ros2 import components, including, nodes, processes, setting_actions
+from launchlint.evaluate.ros2.walk import Walk
+from launchlint.syntax.ros2 import description as described
+from launchlint.syntax.ros2.description import Action
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+_EXECUTE: dict[type, Callable[[Walk, Any], None]] = {
+    described.Argument: setting_actions.argument,
+    described.Let: setting_actions.let,
+    described.Include: including.include,
+    described.Group: setting_actions.group,
+    described.Executable: processes.executable,
+    described.Node: nodes.node,
+    described.LoadComponents: components.load_components,
+    described.PushNamespace: setting_actions.push_namespace,
+    described.SetRemap: setting_actions.set_remap,
+    described.SetParameter: setting_actions.set_parameter,
+    described.SetParametersFromFile: setting_actions.set_parameters_from_file,
+    described.SetUseSimTime: setting_actions.set_use_sim_time,
+    described.SetEnvironment: setting_actions.set_environment,
+    described.UnsetEnvironment: setting_actions.unset_environment,
+    described.AppendEnvironment: setting_actions.append_environment,
+    described.ResetEnvironment: setting_actions.reset_environment,
+    described.Reset: setting_actions.reset,
+    described.SetLogDirectory: setting_actions.set_log_directory,
+    described.Log: setting_actions.log,
+    described.Shutdown: setting_actions.shutdown,
+    described.Timer: setting_actions.timer,
+}
+
+
+def execute(walk: Walk, action: Action) -> None:
+    """Execute one action whose condition holds."""
+    _EXECUTE[type(action)](walk, action)

@@ -1,0 +1,111 @@
+"""What is in force at one moment of a ROS 2 launch (launch.LaunchContext).
+
+There is one flat set of launch configurations for all files; a group puts it back afterwards, an include does not. The environment is a set
+of its own. What ``set_remap`` and ``set_parameter`` add to are lists: a group puts the same list back, with what was
+added inside still in it. What ``$(dirname)`` says is changed by an include and put back by nobody.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from launchlint.model import Remap, Unknown
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Literal, TypeAlias
+
+    from launchlint.evaluate.ros2.parameters import GlobalSource
+    from launchlint.evaluate.session import Session
+    from launchlint.source import Origin
+
+    How = Literal["given", "default", "let", "passed", "kept", "anonymous", "namespace", "missing"]
+
+Value: TypeAlias = "str | Unknown"
+NAMESPACE = "ros_namespace"
+"""The launch configuration that holds the pushed namespace: it can be read and set like any other."""
+
+
+class Setting(NamedTuple):
+    """A launch configuration: its value, where it was set, and how.
+
+    ``steer`` are the names that would have to be given another value for this one to change; ``outside``: it is made from an environment
+    variable. ``missing``: an arg without a value, which has been told.
+    """
+
+    value: Value
+    origin: Origin | None
+    how: How
+    steer: frozenset[str] = frozenset()
+    outside: bool = False
+
+
+class Environment:
+    """The environment variables, as what differs from those that launch was started with (None: not set any more)."""
+
+    __slots__ = ("changes", "session", "version")
+
+    def __init__(self, session: Session) -> None:
+        self.session = session
+        self.changes: dict[str, Value | None] = {}
+        self.version = 0
+
+    def get(self, name: str) -> Value | None:
+        """The value of a variable, None where it is not set."""
+        return self.changes[name] if name in self.changes else self.session.variable(name)
+
+    def set(self, name: str, value: Value | None) -> None:
+        """Set a variable, or unset it."""
+        self.changes[name] = value
+        self.version += 1
+
+    def restore(self, changes: Mapping[str, Value | None]) -> None:
+        """Make the variables what they were."""
+        if self.changes != changes:
+            self.version += 1
+            self.changes = dict(changes)
+
+
+class _Saved(NamedTuple):
+    configurations: dict[str, Setting]
+    remaps: list[Remap] | None
+    parameters: list[GlobalSource] | None
+    environment: dict[str, Value | None]
+
+
+class Context:
+    """See the module. ``directory`` and ``file`` are what ``$(dirname)`` and ``$(filename)`` say."""
+
+    __slots__ = ("configurations", "directory", "environment", "file", "parameters", "remaps", "stack")
+
+    def __init__(self, session: Session) -> None:
+        self.configurations: dict[str, Setting] = {}
+        self.remaps: list[Remap] | None = None
+        self.parameters: list[GlobalSource] | None = None
+        self.environment = Environment(session)
+        self.directory: str | None = None
+        self.file: str | None = None
+        self.stack: list[_Saved] = []
+
+    def push(self) -> None:
+        """Begin a scope: everything is inherited (PushLaunchConfigurations, PushEnvironment)."""
+        self.stack.append(_Saved(dict(self.configurations), self.remaps, self.parameters, dict(self.environment.changes)))
+
+    def pop(self) -> None:
+        """End a scope. The lists of remaps and params are the ones of before, with whatever was added to them inside."""
+        saved = self.stack.pop()
+        self.configurations, self.remaps, self.parameters = saved.configurations, saved.remaps, saved.parameters
+        self.environment.restore(saved.environment)
+
+    def forget(self, keep: Mapping[str, Setting]) -> None:
+        """Drop all launch configurations but ``keep`` (ResetLaunchConfigurations), remaps and params among them."""
+        self.configurations = dict(keep)
+        self.remaps = None
+        self.parameters = None
+
+    @property
+    def namespace(self) -> Value | None:
+        """The pushed namespace, if any."""
+        setting = self.configurations.get(NAMESPACE)
+        return None if setting is None else setting.value

@@ -1,0 +1,179 @@
+"""``<include>``, and how the entry file is entered (launch.actions.IncludeLaunchDescription)."""
+
+from __future__ import annotations
+
+import os
+
+from launchlint.evaluate.problems import IncludeCycle, IncludeMissingArg, IncludeNotFound, RequiredArgUnset
+from launchlint.evaluate.ros2.context import Setting
+from launchlint.evaluate.ros2.problems import RequiredArgNotPassed
+from launchlint.evaluate.ros2.setting_actions import configure
+from launchlint.evaluate.ros2.walk import DEEPEST_INCLUDE, PYTHON, STARTING, Exhausted, Here, Told, Walk
+from launchlint.evaluate.session import Read
+from launchlint.model import Include, Scope, Unknown
+from launchlint.source import IncludeStep, Origin
+from launchlint.syntax.ros2 import description as described
+from launchlint.syntax.ros2.description import Description
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from launchlint.syntax.ros2.reading import Reading
+
+
+def include(walk: Walk, action: described.Include) -> None:
+    """Load the file, look at what it must be passed, pass the args one after the other, and execute it. Nothing of it is put back."""
+    walk.spend(STARTING, action.place)
+    file, _, outside = walk.known(action.file)
+    origin = walk.at(action.place)
+    context = walk.context
+    pushed = context.namespace
+    below = pushed.rstrip("/") + "/" if isinstance(pushed, str) else "/"
+    entry = Include(
+        file if isinstance(file, str) else file.text, None, below, {}, False, origin, walk.here.scope, walk.here.conditions,
+        pushed if isinstance(pushed, str) or pushed is None else pushed.text, walk.here.deferred,
+    )  # fmt: skip
+    if isinstance(file, Unknown):
+        walk.complete = False
+        walk.includes.append(entry)
+        _pass(walk, action)
+        return
+    if len(walk.here.files) >= DEEPEST_INCLUDE - 1:
+        _too_deep(walk, action, file)
+    known = None if file.endswith(PYTHON) and walk.session.exists(file) else walk.read(file)
+    if isinstance(known, Read):
+        walk.record(
+            IncludeNotFound(origin=walk.at(action.file.place), refused=True, file=file, written=action.file.place.text,
+                            reason=known.reason, environment=outside)
+        )  # fmt: skip
+        walk.complete = False
+        walk.includes.append(entry)
+        _pass(walk, action)
+        return
+    context.file = os.path.abspath(file)
+    context.directory = os.path.dirname(context.file)
+    outer = walk.here
+    step = IncludeStep(action.place, outer.step)
+    if known is None:  # Python: what it starts is not looked into
+        walk.complete = False
+        walk.files.append(file)
+        walk.includes.append(entry._replace(arguments=_pass(walk, action)))
+        return
+    _tell_refusals(walk, known, step)
+    names = [name for name in (walk.value(pair.name) for pair in action.arguments) if isinstance(name, str)]
+    told = _missing(walk, known.description, names, action)
+    at = len(walk.includes)
+    walk.includes.append(entry)
+    walk.includes[at] = entry._replace(source=known.source, arguments=_pass(walk, action))
+    scope = Scope("include", origin, below, outer.scope)
+    way = (*outer.way, id(action))
+    walk.executed[way] = known.description
+    walk.here = Here(file, step, (*outer.files, file), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way)
+    _run(walk, known, file)
+    walk.here = outer
+
+
+def enter(walk: Walk, file: str, known: Reading, given: Mapping[str, str]) -> None:
+    """Execute the entry file with the args of the command line."""
+    context = walk.context
+    context.file = os.path.abspath(file)
+    context.directory = os.path.dirname(context.file)
+    _tell_refusals(walk, known, None)
+    told = _missing(walk, known.description, list(given), None)
+    for name, value in given.items():
+        steer = frozenset() if name in walk.pinned else frozenset((name,))
+        context.configurations[name] = Setting(value, None, "given", steer)
+    walk.here = Here(file, None, (file,), told=told)
+    _run(walk, known, file)
+
+
+def _run(walk: Walk, known: Reading, file: str) -> None:
+    walk.files.append(file)
+    walk.readings[known.source.path] = known
+    walk.execute(known.description.actions)
+
+
+def _pass(walk: Walk, action: described.Include) -> dict[str, str | Unknown]:
+    """Set the args: each of them before the next one is evaluated, so that later ones see earlier ones."""
+    passed: dict[str, str | Unknown] = {}
+    for pair in action.arguments:
+        done = configure(walk, pair, passed=True)
+        if done is not None:
+            passed[done[0]] = done[1]
+    return passed
+
+
+def _tell_refusals(walk: Walk, known: Reading, step: IncludeStep | None) -> None:
+    """What is wrong with a file as it is written: the whole of it is read before anything is executed."""
+    if known.source.path in walk.readings:
+        return
+    for problem in known.problems:
+        walk.record(problem.but(origin=Origin(problem.place, step)))
+
+
+def _missing(
+    walk: Walk, description: Description, names: list[str], action: described.Include | None
+) -> frozenset[tuple[str, tuple[str, int]]]:
+    """Tell which args without a default are not passed (to the entry file: not given), whatever is set already.
+
+    What includes further below pass counts from the first arg on that is reached through them, as it does for launch.
+    """
+    listing = walk.lister.list(description)
+    passed = set(names)
+    told: set[tuple[str, tuple[str, int]]] = set()
+    for shown in listing.shown:
+        argument = shown.argument
+        if shown.conditional or argument.default is not None:
+            continue
+        if shown.through is not None:
+            passed |= listing.passed[shown.through] or frozenset()
+        at = (argument.name, argument.place.key)
+        if argument.name in passed or at in walk.here.told:
+            continue
+        told.add(at)
+        _tell_missing(walk, shown.argument, shown.include, names, action)
+    return frozenset(told)
+
+
+def _tell_missing(
+    walk: Walk, argument: described.Argument, through: described.Include | None, names: list[str], action: described.Include | None
+) -> None:
+    related = ((argument.place, "declared here without a default"),)
+    source = argument.place.source
+    passed = tuple(sorted(names))
+    if action is not None:
+        origin = walk.at(action.file.place)
+        if argument.name in walk.context.configurations:
+            walk.record(
+                RequiredArgNotPassed(origin=origin, refused=True, related=related, name=argument.name, file=source.path, passed=passed,
+                                     target=source.file)
+            )  # fmt: skip
+            return
+    elif through is None:
+        walk.record(RequiredArgUnset(origin=walk.at(argument.place), refused=True, name=argument.name))
+        return
+    else:
+        origin = walk.at(through.file.place)
+    walk.record(
+        IncludeMissingArg(origin=origin, refused=True, related=related, name=argument.name, file=source.path, passed=passed,
+                          target=source.file, pass_all=False)
+    )  # fmt: skip
+    if argument.name not in walk.context.configurations:
+        missing = Told("", f"the arg {argument.name} has no value")
+        walk.context.configurations[argument.name] = Setting(missing, walk.at(argument.place), "missing", frozenset((argument.name,)))
+
+
+def _too_deep(walk: Walk, action: described.Include, file: str) -> None:
+    """Files that include each other without end: told at the include that leads back for the first time. Raises Exhausted."""
+    files = (*walk.here.files, file)
+    again = next((index for index, each in enumerate(files) if each in files[:index]), 0)
+    start = files.index(files[again])
+    cycle = files[start : again + 1] if again else files[-2:]
+    places = (*(walk.here.step.outermost_first() if walk.here.step is not None else ()), action.place)
+    step: IncludeStep | None = None
+    for place in places[: max(again - 1, 0)]:
+        step = IncludeStep(place, step)
+    place = places[max(again - 1, 0)]
+    shown = tuple(walk.session.shown(each) for each in cycle)
+    raise Exhausted(IncludeCycle(origin=Origin(place, step), refused=True, cycle=shown, endless=bool(again), depth=len(files)))

@@ -1,0 +1,85 @@
+"""Evaluate one entry file as ``ros2 launch`` does: the one door through which other rooms come in."""
+
+from __future__ import annotations
+
+import sys
+
+from launchlint.evaluate.assemble import Evaluation, not_loadable
+from launchlint.evaluate.ros2.actions import execute
+from launchlint.evaluate.ros2.including import enter
+from launchlint.evaluate.ros2.performing import rules_of
+from launchlint.evaluate.ros2.walk import Exhausted, Walk
+from launchlint.evaluate.session import Read, Session
+from launchlint.finding import whole_file
+from launchlint.model import ROS2, Launch, ListedArgument
+from launchlint.source import Origin, Source
+from launchlint.syntax.problems import UnreadableFile
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.syntax.ros2.reading import Reading
+
+DEEPEST_STACK = 12_000
+"""Python frames: 200 nested includes with groups between them need some thousands."""
+
+
+def evaluate(
+    session: Session,
+    file: str,
+    given: tuple[tuple[str, str], ...] = (),
+    pinned: frozenset[str] = frozenset(),
+) -> Evaluation:
+    """What ``ros2 launch FILE name:=value …`` would start. Never raises for anything the file holds.
+
+    ``pinned`` names args that people fixed, which therefore do not count as steering any condition.
+    """
+    if sys.getrecursionlimit() < DEEPEST_STACK:
+        sys.setrecursionlimit(DEEPEST_STACK)
+    walk = Walk(session, file, rules_of(session.distro), pinned, execute)
+    known = walk.read(file)
+    if isinstance(known, Read):
+        source = Source(session.shown(file), "", file)
+        problem = UnreadableFile(origin=Origin(whole_file(source)), refused=True, reason=known.reason)
+        evaluation = not_loadable(source, None, given, problem)
+        return evaluation._replace(launch=evaluation.launch._replace(dialect=ROS2, distro=walk.rules.distro))
+    try:
+        enter(walk, file, known, dict(given))
+        walk.finish()
+    except Exhausted as exhausted:
+        walk.record(exhausted.args[0])
+        walk.complete = False
+    return _evaluation(walk, known, given)
+
+
+def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...]) -> Evaluation:
+    launch = Launch(
+        entry=known.source,
+        arguments=dict(given),
+        given=given,
+        refused=walk.refused,
+        problems=tuple(walk.problems),
+        nodes=tuple(walk.nodes),
+        tests=(),
+        parameters={},
+        parameter_settings=(),
+        clear_params=(),
+        machines={},
+        executables=(),
+        includes=tuple(walk.includes),
+        settings=(),
+        declared=tuple(each.argument for each in walk.declared),
+        declarations=tuple(walk.declared),
+        branches=tuple(walk.branches),
+        files=tuple(walk.files),
+        complete=walk.complete,
+        dialect=ROS2,
+        distro=walk.rules.distro,
+        programs=tuple(walk.programs),
+        listed=tuple(
+            ListedArgument(shown.argument.name, shown.argument.default is None, shown.conditional, shown.argument.place)
+            for shown in walk.lister.list_executed(known.description, walk.executed).values()
+        ),
+        late=tuple(walk.late),
+    )
+    documents = {path: reading.document for path, reading in walk.readings.items() if reading.document is not None}
+    return Evaluation(launch, documents, {})

@@ -1,0 +1,89 @@
+"""What can be wrong with what a ROS 2 launch file comes to, where ROS 1 has no such thing: one class for each kind.
+
+What both have is in :mod:`launchlint.evaluate.problems`.
+"""
+
+from __future__ import annotations
+
+from launchlint.problem import Problem
+
+
+class NotABoolean(Problem):
+    """A ``value`` that ``$(not …)``, ``$(and …)``, ``$(or …)`` or ``$(if …)`` cannot take for a truth value; ``text`` is all of it."""
+
+    substitution: str
+    value: str
+    text: str
+
+
+class ParameterNotSet(Problem):
+    """``$(param name)`` of something that no ``<set_parameter>`` has set."""
+
+    name: str
+
+
+class ContentMissing(Problem):
+    """``$(file-content …)`` of a ``file`` that cannot be read, for this ``reason``."""
+
+    file: str
+    reason: str
+
+
+class CommandOption(Problem):
+    """A second word of ``$(command …)`` that says nothing to launch; ``known`` are those that do."""
+
+    value: str
+    known: tuple[str, ...]
+
+
+class InvalidPackageName(Problem):
+    """What is looked for as a package and can be the name of none."""
+
+    package: str
+
+
+class NodePackageMissing(Problem):
+    """The package of a node, which is not here (looked for from the entry file ``near``), or, not being ``valid``, is the name of none."""
+
+    package: str
+    near: str
+    valid: bool
+
+
+class NoDirectory(Problem):
+    """``$(dirname)`` or ``$(filename)`` where there is no launch file."""
+
+    substitution: str
+
+
+class ChoiceRefused(Problem):
+    """A ``value`` that an arg does not take; ``given``: from the command line or an include, else its own default."""
+
+    name: str
+    value: str
+    choices: tuple[str, ...]
+    given: bool
+
+
+class RequiredArgNotPassed(Problem):
+    """An arg that the included ``file`` needs, that has a value here, and that the include does not pass.
+
+    ``passed`` are those that it passes. launch looks at what is passed before it looks at what is set.
+    """
+
+    name: str
+    file: str
+    passed: tuple[str, ...]
+    target: str
+
+
+class NeverWorks(Problem):
+    """An action that launch's front ends for XML and YAML make so that it fails whenever it is executed."""
+
+    tag: str
+
+
+class UnsplittablePrefix(Problem):
+    """A ``launch-prefix`` with a quote that nothing closes."""
+
+    value: str

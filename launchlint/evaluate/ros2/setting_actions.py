@@ -1,0 +1,234 @@
+"""Actions that change the context: configurations, scopes, namespace, environment, what is set for all nodes."""
+
+from __future__ import annotations
+
+import os
+
+from launchlint.evaluate.problems import InvalidNamespace, RequiredArgUnset
+from launchlint.evaluate.ros2 import parameters
+from launchlint.evaluate.ros2.context import NAMESPACE, Setting, Value
+from launchlint.evaluate.ros2.names import absolute, namespace_fault, prefixed
+from launchlint.evaluate.ros2.performing import Failure
+from launchlint.evaluate.ros2.problems import ChoiceRefused, NeverWorks, NotABoolean
+from launchlint.evaluate.ros2.walk import Told, Walk
+from launchlint.model import Argument as Declared
+from launchlint.model import Declaration, Remap, Scope, Unknown
+from launchlint.syntax.ros2 import description as described
+from launchlint.syntax.ros2.description import Pair, Text
+
+ENVIRONMENT_SEPARATOR = os.pathsep
+
+
+def argument(walk: Walk, action: described.Argument) -> None:
+    """``<arg>``: a default is performed only where nothing is set (launch.actions.DeclareLaunchArgument.execute)."""
+    name, origin = action.name, walk.at(action.place)
+    configurations = walk.context.configurations
+    setting = configurations.get(name)
+    given = setting is not None
+    if setting is None:
+        if action.default is None:
+            if (name, action.place.key) not in walk.here.told:
+                walk.record(RequiredArgUnset(origin=origin, refused=True, name=name))
+            setting = Setting(Told("", f"the arg {name} has no value"), origin, "missing", frozenset((name,)))
+        else:
+            value, steer, outside = walk.known(action.default)
+            setting = Setting(value, origin, "default", steer | {name}, outside)
+        configurations[name] = setting
+    value = setting.value
+    written = None if action.default is None else action.default.literal
+    default = None if action.default is None else written if written is not None else Unknown(action.default.place.text, "it is computed")
+    in_group = walk.here.scope is not None and walk.here.scope.kind == "group"
+    walk.declared.append(
+        Declaration(Declared(name, value, default, origin, False, in_group), given, action.default is not None, action.choices)
+    )
+    if action.choices is not None and isinstance(value, str) and value not in action.choices:
+        walk.record(ChoiceRefused(origin=origin, refused=True, name=name, value=value, choices=action.choices, given=given))
+
+
+def let(walk: Walk, action: described.Let) -> None:
+    """``<let>``."""
+    configure(walk, Pair(action.name, action.value, action.place))
+
+
+def configure(walk: Walk, pair: Pair, *, passed: bool = False) -> tuple[str, Value] | None:
+    """Set a launch configuration (launch.actions.SetLaunchConfiguration); its name and value, None where the name is not known."""
+    value, steer, outside = walk.known(pair.value)
+    name = walk.value(pair.name)
+    if isinstance(name, Unknown):
+        return None
+    walk.context.configurations[name] = Setting(value, walk.at(pair.place), "passed" if passed else "let", steer, outside)
+    return name, value
+
+
+def group(walk: Walk, action: described.Group) -> None:
+    """``<group>``: what is kept is evaluated inside (launch.actions.GroupAction)."""
+    context, outer = walk.context, walk.here
+    scoped = action.scoped is not False  # a text is always true to launch, whatever it says
+    namespace = context.namespace
+    below = namespace.rstrip("/") + "/" if isinstance(namespace, str) else "/"
+    walk.here = outer._replace(scope=Scope("group", walk.at(action.place), below, outer.scope))
+    if scoped:
+        context.push()
+    if scoped and action.forwarding is False:
+        context.environment.restore({})
+        forget(walk, action.keep)
+    else:
+        for pair in action.keep:
+            configure(walk, pair)
+    walk.execute(action.actions)
+    if scoped:
+        context.pop()
+    walk.here = outer
+
+
+def reset(walk: Walk, action: described.Reset) -> None:
+    """``<reset>``."""
+    forget(walk, action.keep)
+
+
+def forget(walk: Walk, keep: tuple[Pair, ...]) -> None:
+    """Forget all launch configurations but those of ``keep``, which are evaluated before."""
+    kept: dict[str, Setting] = {}
+    for pair in keep:
+        name = walk.value(pair.name)
+        value, steer, outside = walk.known(pair.value)
+        if isinstance(name, str):
+            kept[name] = Setting(value, walk.at(pair.place), "kept", steer, outside)
+    walk.context.forget(kept)
+
+
+def push_namespace(walk: Walk, action: described.PushNamespace) -> None:
+    """``<push_ros_namespace>``: there is no way to pop it but the end of a group (launch_ros.actions.PushROSNamespace)."""
+    pushed, steer, outside = walk.known(action.namespace)
+    before = walk.context.namespace
+    after: Value
+    if isinstance(pushed, Unknown) or isinstance(before, Unknown):
+        unknown = pushed if isinstance(pushed, Unknown) else before
+        after = Unknown(pushed if isinstance(pushed, str) else pushed.text, unknown.reason if isinstance(unknown, Unknown) else "")
+    else:
+        joined = absolute(prefixed(before, pushed)) or "/"
+        after = joined
+        if namespace_fault(joined):
+            walk.record(InvalidNamespace(origin=walk.at(action.namespace.place), refused=True, namespace=pushed, private=False))
+            after = Told(pushed, "it is no namespace")
+    walk.context.configurations[NAMESPACE] = Setting(after, walk.at(action.place), "namespace", steer, outside)
+    scope = walk.here.scope
+    if scope is not None and isinstance(after, str):
+        walk.here = walk.here._replace(scope=scope._replace(namespace=after.rstrip("/") + "/"))
+
+
+def set_remap(walk: Walk, action: described.SetRemap) -> None:
+    """``<set_remap>``: added to one list, which is made in the scope of the first (launch_ros.actions.SetRemap)."""
+    remap = remapping(walk, described.Remap(action.source, action.target, action.place))
+    if walk.context.remaps is None:
+        walk.context.remaps = []
+    walk.context.remaps.append(remap)
+
+
+def remapping(walk: Walk, remap: described.Remap) -> Remap:
+    """A rule with both sides performed, the source first."""
+    source, target = walk.value(remap.source), walk.value(remap.target)
+    if isinstance(source, str) and isinstance(target, str):
+        return Remap(source, target, walk.at(remap.place))
+    patterns = tuple(side if isinstance(side, str) else side.pattern for side in (source, target))
+    return Remap("", "", walk.at(remap.place), (patterns[0], patterns[1]))
+
+
+def set_parameter(walk: Walk, action: described.SetParameter) -> None:
+    """``<set_parameter>``."""
+    try:
+        made = parameters.set_parameter(action, walk.performer)
+    except Failure as failure:
+        walk.record(failure.problem)
+        return
+    if walk.context.parameters is None:
+        walk.context.parameters = []
+    walk.context.parameters.append(made)
+
+
+def set_parameters_from_file(walk: Walk, action: described.SetParametersFromFile) -> None:
+    """``<set_parameters_from_file>``: whether the file is there is seen when the first node after it is started."""
+    file = walk.value(action.file)
+    if walk.context.parameters is None:
+        walk.context.parameters = []
+    walk.context.parameters.append(parameters.GlobalFile(file, walk.at(action.file.place)))
+
+
+def set_use_sim_time(walk: Walk, action: described.SetUseSimTime) -> None:
+    """``<set_use_sim_time>``: what XML and YAML give to it is never the boolean that it wants."""
+    if isinstance(action.value, Text):
+        walk.record(NeverWorks(origin=walk.at(action.place), refused=True, tag="set_use_sim_time"))
+
+
+def set_environment(walk: Walk, action: described.SetEnvironment) -> None:
+    """``<set_env>``."""
+    name, value = walk.value(action.name), walk.value(action.value)
+    if isinstance(name, str):
+        walk.context.environment.set(name, value)
+
+
+def unset_environment(walk: Walk, action: described.UnsetEnvironment) -> None:
+    """``<unset_env>``: not an error where it is not set."""
+    name = walk.value(action.name)
+    if isinstance(name, str):
+        walk.context.environment.set(name, None)
+
+
+def append_environment(walk: Walk, action: described.AppendEnvironment) -> None:
+    """``<append_env>``: appended or prepended, with a separator; only set where the variable is not set yet."""
+    name, value = walk.value(action.name), walk.value(action.value)
+    prepend: bool | None = action.prepend if isinstance(action.prepend, bool) else truth(walk, action.prepend, "append_env")
+    separator = ENVIRONMENT_SEPARATOR if action.separator is None else walk.value(action.separator)
+    if isinstance(name, Unknown):
+        return
+    before = walk.context.environment.get(name)
+    after: Value = value
+    if before is not None:
+        parts = (value, separator, before) if prepend else (before, separator, value)
+        if prepend is not None and all(isinstance(part, str) for part in parts):
+            after = "".join(part for part in parts if isinstance(part, str))
+        else:
+            after = Unknown("", "a part of it is not known")
+    walk.context.environment.set(name, after)
+
+
+def truth(walk: Walk, text: Text, tag: str) -> bool | None:
+    """What a text means where launch wants a truth value; None where that is not known, or none (which is recorded)."""
+    value = walk.value(text)
+    if isinstance(value, Unknown):
+        return None
+    known = walk.performer.boolean(value)
+    if known is None:
+        walk.record(NotABoolean(origin=walk.at(text.place), refused=True, substitution=tag, value=value, text=text.place.text))
+    return known
+
+
+def reset_environment(walk: Walk, action: described.ResetEnvironment) -> None:
+    """``<reset_env>``: as it was when launch was started."""
+    walk.context.environment.restore({})
+
+
+def set_log_directory(walk: Walk, action: described.SetLogDirectory) -> None:
+    """``<set_ros_log_dir>``: below the directory of before, unless it is absolute."""
+    directory = walk.value(action.directory)
+    environment = walk.context.environment
+    before = environment.get("ROS_LOG_DIR")
+    if before is None:
+        home = environment.get("HOME")
+        before = f"{home}/.ros/log" if isinstance(home, str) else Unknown("", "the log directory is made at the start")
+    known = isinstance(directory, str) and isinstance(before, str)
+    environment.set("ROS_LOG_DIR", os.path.join(before, directory) if known else directory)  # type: ignore[arg-type]
+
+
+def log(walk: Walk, action: described.Log) -> None:
+    """``<log>``."""
+    walk.value(action.message)
+
+
+def shutdown(walk: Walk, action: described.Shutdown) -> None:
+    """``<shutdown>``: an event like any other, so that what follows is still executed; its reason is never performed."""
+
+
+def timer(walk: Walk, action: described.Timer) -> None:
+    """``<timer>`` and ``<ros_timer>``: the actions in it are executed later."""
+    walk.defer("timer", action.actions)

@@ -1,0 +1,288 @@
+"""What each substitution of ROS 2 launch is replaced by (launch.substitutions, launch_ros.substitutions).
+
+How many words each takes is a matter of how the file is written (:mod:`launchlint.syntax.ros2`); where it is wrong, that has been told.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from collections.abc import Callable
+
+from launchlint.evaluate.problems import EnvUnset, PackageNotFound, UndeclaredArg
+from launchlint.evaluate.ros2.context import Setting, Value
+from launchlint.evaluate.ros2.parameters import GlobalParameter
+from launchlint.evaluate.ros2.performing import Failure, Perform, Performer
+from launchlint.evaluate.ros2.problems import CommandOption, ContentMissing, InvalidPackageName, NoDirectory, NotABoolean, ParameterNotSet
+from launchlint.late import late
+from launchlint.model import Unknown
+from launchlint.syntax.ros2.description import Substitution
+
+_FOLD = str.maketrans(".-:", "___")
+_PACKAGE = late(r"[a-zA-Z0-9][a-zA-Z0-9_-]+")
+_STDERR = ("fail", "ignore", "warn", "capture")
+_LONGEST_NUMBER = 400
+
+
+class _Unknown(Exception):
+    """A word of the substitution is not known."""
+
+    def __init__(self, value: Unknown) -> None:
+        super().__init__(value)
+        self.value = value
+
+
+def _known(performer: Performer, substitution: Substitution, index: int) -> str:
+    """The word at ``index`` as a string; _Unknown where it is not known, or not there."""
+    if index >= len(substitution.arguments):
+        raise _Unknown(Unknown(substitution.place.text, "the substitution lacks a word"))
+    value = performer.perform(substitution.arguments[index])
+    if isinstance(value, Unknown):
+        raise _Unknown(Unknown(substitution.place.text, value.reason))
+    return value
+
+
+def _of_known(function: Callable[[Performer, Substitution], Value]) -> Perform:
+    def perform(performer: Performer, substitution: Substitution) -> Value:
+        try:
+            return function(performer, substitution)
+        except _Unknown as unknown:
+            return unknown.value
+
+    return perform
+
+
+def _var(performer: Performer, substitution: Substitution) -> Value:
+    """``$(var name default)``: the default is performed only where it is needed."""
+    name = _known(performer, substitution, 0)
+    setting = performer.context.configurations.get(name)
+    if setting is not None:
+        performer.steer |= setting.steer
+        performer.outside |= setting.outside
+        return setting.value
+    performer.steer.add(name)  # giving it a value would be enough
+    if len(substitution.arguments) > 1:
+        return performer.perform(substitution.arguments[1])
+    known = tuple(sorted(performer.context.configurations))
+    performer.spend(4 * len(known), substitution.place)
+    origin = performer.where(substitution.place)
+    raise Failure(
+        UndeclaredArg(origin=origin, refused=True, name=name, known=known, entry=origin.step is None, skipped=(), in_expression=False)
+    )
+
+
+def _env(performer: Performer, substitution: Substitution) -> Value:
+    """``$(env NAME default)``: the default is performed first, needed or not."""
+    default = performer.perform(substitution.arguments[1]) if len(substitution.arguments) > 1 else None
+    name = _known(performer, substitution, 0)
+    performer.outside = True
+    value = performer.context.environment.get(name)
+    if value is not None:
+        return value
+    if default is not None:
+        return default
+    raise Failure(EnvUnset(origin=performer.where(substitution.place), refused=True, variable=name))
+
+
+def is_package_name(name: str) -> bool:
+    """Whether anything can be a package of that name."""
+    return _PACKAGE.fullmatch(name) is not None
+
+
+def package_directory(performer: Performer, name: str, substitution: Substitution) -> str:
+    """The share directory of a package: that of its sources. Raises Failure (ament_index_python.packages.get_package_share_directory)."""
+    origin = performer.where(substitution.place)
+    if not is_package_name(name):
+        raise Failure(InvalidPackageName(origin=origin, refused=True, package=name))
+    directory = performer.session.packages.colcon.find(name, performer.entry)
+    if directory is None:
+        raise Failure(PackageNotFound(origin=origin, refused=True, package=name, near=performer.entry))
+    return directory
+
+
+def prefix(performer: Performer) -> str:
+    """Where everything is said to be installed."""
+    return f"/opt/ros/{performer.rules.distro}"
+
+
+def _share(performer: Performer, substitution: Substitution) -> Value:
+    return package_directory(performer, _known(performer, substitution, 0), substitution)
+
+
+def _prefix(performer: Performer, substitution: Substitution) -> Value:
+    package_directory(performer, _known(performer, substitution, 0), substitution)
+    return prefix(performer)
+
+
+def _program(performer: Performer, substitution: Substitution) -> Value:
+    executable, package = _known(performer, substitution, 0), _known(performer, substitution, 1)
+    package_directory(performer, package, substitution)
+    return os.path.join(prefix(performer), "lib", package, executable)
+
+
+def _executable(performer: Performer, substitution: Substitution) -> Value:
+    return "/usr/bin/" + _known(performer, substitution, 0)
+
+
+def _command(performer: Performer, substitution: Substitution) -> Value:
+    """Never run: only the command line is known."""
+    line = performer.perform(substitution.arguments[0]) if substitution.arguments else ""
+    if len(substitution.arguments) > 1:
+        option = _known(performer, substitution, 1)
+        if option not in _STDERR:
+            raise Failure(CommandOption(origin=performer.where(substitution.place), refused=True, value=option, known=_STDERR))
+    return Unknown(f"$(command {line if isinstance(line, str) else line.text})", "it is the output of a command, which is not run")
+
+
+def _directory(performer: Performer, substitution: Substitution) -> Value:
+    if performer.context.directory is None:
+        raise Failure(NoDirectory(origin=performer.where(substitution.place), refused=True, substitution=substitution.name))
+    return performer.context.directory
+
+
+def _file(performer: Performer, substitution: Substitution) -> Value:
+    if performer.context.file is None:
+        raise Failure(NoDirectory(origin=performer.where(substitution.place), refused=True, substitution=substitution.name))
+    return performer.context.file
+
+
+def _log_directory(performer: Performer, substitution: Substitution) -> Value:
+    home = performer.context.environment.get("HOME")
+    performer.outside = True
+    return (
+        f"{home}/.ros/log/launch" if isinstance(home, str) else Unknown(substitution.place.text, "the log directory is made at the start")
+    )
+
+
+def _anonymous(performer: Performer, substitution: Substitution) -> Value:
+    """A name that is made once, and kept as a launch configuration: so it is another one again behind the group that it was made in."""
+    name = _known(performer, substitution, 0)
+    configurations = performer.context.configurations
+    if "anon" + name not in configurations:
+        performer.anonymous += 1
+        made = f"{name.translate(_FOLD)}_anon{performer.anonymous}"
+        configurations["anon" + name] = Setting(made, performer.where(substitution.place), "anonymous")
+    return configurations["anon" + name].value
+
+
+def _truth(performer: Performer, substitution: Substitution, index: int) -> bool:
+    value = _known(performer, substitution, index)
+    truth = performer.boolean(value)
+    if truth is None:
+        place = substitution.place
+        raise Failure(
+            NotABoolean(origin=performer.where(place), refused=True, substitution=substitution.name, value=value, text=place.text)
+        )
+    return truth
+
+
+def _said(truth: bool) -> str:
+    return "true" if truth else "false"
+
+
+def _not(performer: Performer, substitution: Substitution) -> Value:
+    return _said(not _truth(performer, substitution, 0))
+
+
+def _and(performer: Performer, substitution: Substitution) -> Value:
+    left, right = _truth(performer, substitution, 0), _truth(performer, substitution, 1)
+    return _said(left and right)
+
+
+def _or(performer: Performer, substitution: Substitution) -> Value:
+    left, right = _truth(performer, substitution, 0), _truth(performer, substitution, 1)
+    return _said(left or right)
+
+
+def _equal(performer: Performer, substitution: Substitution) -> bool:
+    """Truth values as such, then numbers, else texts (launch.substitutions.EqualsSubstitution)."""
+    left, right = _known(performer, substitution, 0), _known(performer, substitution, 1)
+    truths = [{"true": True, "1": True, "false": False, "0": False}.get(each.lower()) for each in (left, right)]
+    if None not in truths:
+        return truths[0] == truths[1]
+    numbers = [_number(each) for each in (left, right)]
+    if numbers[0] is not None and numbers[1] is not None:
+        return math.isclose(numbers[0], numbers[1])
+    return left == right
+
+
+def _number(text: str) -> float | None:
+    if len(text) > _LONGEST_NUMBER:
+        return None
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def _equals(performer: Performer, substitution: Substitution) -> Value:
+    return _said(_equal(performer, substitution))
+
+
+def _not_equals(performer: Performer, substitution: Substitution) -> Value:
+    return _said(not _equal(performer, substitution))
+
+
+def _if(performer: Performer, substitution: Substitution) -> Value:
+    """``$(if condition then else)``: only the one that is taken is performed."""
+    taken = 1 if _truth(performer, substitution, 0) else 2
+    return performer.perform(substitution.arguments[taken]) if taken < len(substitution.arguments) else ""
+
+
+def _parameter(performer: Performer, substitution: Substitution) -> Value:
+    name = _known(performer, substitution, 0)
+    for each in performer.context.parameters or ():
+        if isinstance(each, GlobalParameter) and each.name == name:
+            return each.text
+    if len(substitution.arguments) > 1:
+        return performer.perform(substitution.arguments[1])
+    raise Failure(ParameterNotSet(origin=performer.where(substitution.place), refused=True, name=name))
+
+
+def _content(performer: Performer, substitution: Substitution) -> Value:
+    file = _known(performer, substitution, 0)
+    read = performer.session.read(file)
+    if read.data is None:
+        raise Failure(ContentMissing(origin=performer.where(substitution.place), refused=True, file=file, reason=read.reason))
+    return re.sub("\r\n?", "\n", read.data.decode("utf-8", "replace"))
+
+
+def _eval(performer: Performer, substitution: Substitution) -> Value:
+    from launchlint.evaluate.ros2.evaluating import evaluate
+
+    return evaluate(performer, substitution, _known(performer, substitution, 0), _modules(performer, substitution))
+
+
+def _modules(performer: Performer, substitution: Substitution) -> tuple[str, ...]:
+    if len(substitution.arguments) < 2:
+        return ("math",)
+    return tuple(name.strip() for name in _known(performer, substitution, 1).split(",") if name.strip())
+
+
+PERFORM: dict[str, Perform] = {
+    name: _of_known(perform)
+    for name, perform in {
+        "var": _var,
+        "env": _env,
+        "find-pkg-share": _share,
+        "find-pkg-prefix": _prefix,
+        "exec-in-pkg": _program,
+        "find-exec": _executable,
+        "command": _command,
+        "dirname": _directory,
+        "filename": _file,
+        "log_dir": _log_directory,
+        "launch_log_dir": _log_directory,
+        "anon": _anonymous,
+        "not": _not,
+        "and": _and,
+        "or": _or,
+        "equals": _equals,
+        "not-equals": _not_equals,
+        "if": _if,
+        "param": _parameter,
+        "file-content": _content,
+        "eval": _eval,
+    }.items()
+}

@@ -1,0 +1,285 @@
+"""The walk over the actions of a ROS 2 launch, in the order in which launch executes them: what all actions share.
+
+What each action does is in ``setting_actions``, ``including``, ``processes``, ``nodes`` and ``components``; :mod:`.actions` names them all.
+After a problem for which launch would stop, the walk goes on with an unknown value: what else is wrong is told, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import NamedTuple
+
+from launchlint.evaluate.problems import ConditionNotBoolean, EvaluationBound
+from launchlint.evaluate.ros2.context import Context, Value
+from launchlint.evaluate.ros2.listing import Lister
+from launchlint.evaluate.ros2.performing import Failure, Performer, Rules
+from launchlint.evaluate.ros2.substitutions import PERFORM
+from launchlint.evaluate.session import Read
+from launchlint.model import Branch, Condition, Declaration, Executable, Include, Node, Scope, Unknown
+from launchlint.problem import Problem
+from launchlint.source import IncludeStep, Origin, Place
+from launchlint.syntax.ros2 import description as described
+from launchlint.syntax.ros2.description import Action, Text
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.session import Session
+    from launchlint.syntax.ros2.reading import Reading
+
+PYTHON = ".py"
+"""The end of launch files that are programs."""
+LARGEST_EVALUATION = 200_000
+"""Actions executed in one configuration; more than any real launch has, few enough to end in seconds."""
+CHARACTERS_PER_ACTION = 100
+STARTING = 5
+"""What it costs to start something or to enter a file, in further actions."""
+DEEPEST_INCLUDE = 200
+"""Includes inside includes: launch itself overflows Python's stack a little above this."""
+MOST_DEFERRED = 500
+
+_TRUE = ("true", "1")
+_FALSE = ("false", "0")
+_TAGS: dict[type, str] = {
+    described.Argument: "arg",
+    described.Let: "let",
+    described.Include: "include",
+    described.Group: "group",
+    described.Executable: "executable",
+    described.Node: "node",
+    described.Component: "composable_node",
+    described.LoadComponents: "load_composable_node",
+    described.PushNamespace: "push_ros_namespace",
+    described.SetRemap: "set_remap",
+    described.SetParameter: "set_parameter",
+    described.SetParametersFromFile: "set_parameters_from_file",
+    described.SetUseSimTime: "set_use_sim_time",
+    described.SetEnvironment: "set_env",
+    described.UnsetEnvironment: "unset_env",
+    described.AppendEnvironment: "append_env",
+    described.ResetEnvironment: "reset_env",
+    described.Reset: "reset",
+    described.SetLogDirectory: "set_ros_log_dir",
+    described.Log: "log",
+    described.Shutdown: "shutdown",
+    described.Timer: "timer",
+}
+_CONTAINERS = {"container": "node_container", "lifecycle": "lifecycle_node"}
+
+
+class Told(Unknown):
+    """A value that is not known because of a problem, which has been recorded."""
+
+    __slots__ = ()
+
+
+class Exhausted(Exception):
+    """The evaluation is given up, since it would not end in reasonable time; holds the problem that says so."""
+
+
+class Known(NamedTuple):
+    """A value with what it depends on: see :class:`~launchlint.evaluate.ros2.context.Setting`."""
+
+    value: Value
+    steer: frozenset[str]
+    outside: bool
+
+
+class Here(NamedTuple):
+    """Where the walk is: the included ``file`` and the includes that lead to it, the group around, the conditions that were met on the way.
+
+    ``told`` are the args whose absence has been told where the file was included, each with the place of its declaration. ``way`` are the
+    includes once more, each by its identity.
+    """
+
+    file: str
+    step: IncludeStep | None
+    files: tuple[str, ...]
+    scope: Scope | None = None
+    conditions: tuple[Condition, ...] = ()
+    assumed: bool = False
+    deferred: str | None = None
+    told: frozenset[tuple[str, tuple[str, int]]] = frozenset()
+    way: tuple[int, ...] = ()
+
+
+class Body(NamedTuple):
+    """Actions to be executed later, from ``here``; ``directory``, ``launch_file``: what ``$(dirname)`` and ``$(filename)`` say then."""
+
+    kind: str
+    actions: tuple[Action, ...]
+    here: Here
+    directory: str | None
+    launch_file: str | None
+
+
+class Walk:
+    """One evaluation of an entry file in one configuration: the context, and what has come of it so far."""
+
+    def __init__(self, session: Session, entry: str, rules: Rules, pinned: frozenset[str], handle: Callable[[Walk, Action], None]) -> None:
+        self.session = session
+        self.entry = entry
+        self.rules = rules
+        self.pinned = pinned
+        self.handle = handle
+        self.context = Context(session)
+        self.performer = Performer(session, self.context, entry, rules, self.at, self.spend_characters, self.record, PERFORM)
+        quiet = Performer(session, Context(session), entry, rules, Origin, self.spend_characters, _nothing, PERFORM)
+        quiet.context.environment = self.context.environment
+        self.lister = Lister(quiet, self.description_of, lambda: self.context.environment.version)
+        self.here = Here(entry, None, ())
+        self.looked_at = 0
+        self.problems: list[Problem] = []
+        self.refused: Problem | None = None
+        self.late: list[Problem] = []
+        self.nodes: list[Node] = []
+        self.programs: list[Executable] = []
+        self.includes: list[Include] = []
+        self.declared: list[Declaration] = []
+        self.branches: list[Branch] = []
+        self.files: list[str] = []
+        self.readings: dict[str, Reading] = {}
+        self.executed: dict[tuple[int, ...], described.Description] = {}
+        self.complete = True
+        self.waiting: list[Body] = []
+
+    # -- files -------------------------------------------------------------------------------------------------
+
+    def read(self, file: str) -> Reading | Read:
+        """What is written in a launch file; the failed Read where it cannot be read."""
+        return self.session.reading(file)
+
+    def description_of(self, file: str) -> described.Description | None:
+        """What a file describes, None where launch cannot load it."""
+        if file.endswith(PYTHON):
+            return None
+        known = self.session.reading(file)
+        return None if isinstance(known, Read) or known.refusal is not None else known.description
+
+    # -- recording ---------------------------------------------------------------------------------------------
+
+    def at(self, place: Place) -> Origin:
+        """A place in the file that is executed, as where something comes from."""
+        return Origin(place, self.here.step)
+
+    def record(self, problem: Problem) -> None:
+        """Record ``problem``; under a condition of unknown value it may never come to pass, so that it refuses nothing."""
+        if self.here.assumed:
+            problem = problem.but(assumed=True, refused=False)
+        self.problems.append(problem)
+        if not problem.refused:
+            return
+        if self.here.deferred is not None:
+            self.late.append(problem)
+        elif self.refused is None:
+            self.refused = problem
+
+    def spend(self, actions: int, place: Place) -> None:
+        """Count work at ``place`` that is worth that many actions. Raises Exhausted, at the bound of the whole evaluation."""
+        self.looked_at += actions
+        if self.looked_at > LARGEST_EVALUATION:
+            raise Exhausted(EvaluationBound(origin=self.at(place), elements=LARGEST_EVALUATION))
+
+    def spend_characters(self, count: int, place: Place) -> None:
+        """Count a text of ``count`` characters. Raises Exhausted."""
+        if count >= CHARACTERS_PER_ACTION:
+            self.spend(count // CHARACTERS_PER_ACTION, place)
+
+    # -- values ------------------------------------------------------------------------------------------------
+
+    def value(self, text: Text) -> Value:
+        """What a text stands for now; where launch stops at it, that is recorded, and the value is unknown."""
+        literal = text.literal
+        if literal is not None:
+            return literal
+        try:
+            return self.performer.perform(text)
+        except Failure as failure:
+            self.record(failure.problem)
+            return Told(text.place.text, "launch stops at it")
+
+    def optional(self, text: Text | None) -> Value | None:
+        """The same for what may be absent."""
+        return None if text is None else self.value(text)
+
+    def known(self, text: Text) -> Known:
+        """The same, with what the value depends on."""
+        literal = text.literal
+        if literal is not None:
+            return Known(literal, frozenset(), False)
+        performer = self.performer
+        steer, outside = performer.steer, performer.outside
+        performer.steer, performer.outside = set(), False
+        try:
+            value = self.value(text)
+            return Known(value, frozenset(performer.steer), performer.outside)
+        finally:
+            performer.steer |= steer
+            performer.outside |= outside
+
+    # -- actions -----------------------------------------------------------------------------------------------
+
+    def execute(self, actions: Iterable[Action]) -> None:
+        """Execute actions one after the other, those of them whose condition holds (launch.Action.visit)."""
+        for action in actions:
+            self.spend(1, action.place)
+            if action.condition is None:
+                self.handle(self, action)
+                continue
+            met = self.judge(action.condition, tag_of(action), action.place)
+            if met is None:
+                continue
+            outer = self.here
+            self.here = outer._replace(conditions=(*outer.conditions, met), assumed=outer.assumed or met.assumed)
+            self.handle(self, action)
+            self.here = self.here._replace(conditions=outer.conditions, assumed=outer.assumed)
+
+    def judge(self, condition: described.Condition, tag: str, element: Place) -> Condition | None:
+        """The condition as one that was met, None where it does not hold. One of unknown value is taken to hold."""
+        value, steer, outside = self.known(condition.operands[0])
+        origin = self.at(condition.place)
+        if isinstance(value, Told):
+            return None
+        taken: bool | None = None
+        if isinstance(value, str):
+            word = value.strip().lower()
+            if word not in _TRUE and word not in _FALSE:
+                written, reason = condition.operands[0].place.text, "it is none of true, 1, false and 0"
+                self.record(
+                    ConditionNotBoolean(origin=origin, refused=True, attribute=condition.kind, value=value, text=written, reason=reason)
+                )
+                return None
+            taken = (word in _TRUE) is (condition.kind == "if")
+        text = condition.operands[0].place.text
+        steered = steer - self.pinned
+        self.branches.append(Branch(origin, element, tag, condition.kind, text, taken, steered, outside or bool(steer)))
+        if taken is False:
+            return None
+        return Condition(condition.kind, condition.place, taken is None, value if isinstance(value, str) else value.text)
+
+    def defer(self, kind: str, actions: tuple[Action, ...]) -> None:
+        """Execute ``actions`` after everything else, with the context as it is then."""
+        self.waiting.append(Body(kind, actions, self.here, self.context.directory, self.context.file))
+
+    def finish(self) -> None:
+        """Execute what was deferred, in the order in which it was."""
+        late: list[Problem] = []
+        for body in self.waiting:  # grows on the way
+            if len(late) + len(self.nodes) > LARGEST_EVALUATION or self.waiting.index(body) >= MOST_DEFERRED:
+                break
+            self.late = []
+            self.here = body.here._replace(deferred=body.kind)
+            self.context.directory, self.context.file = body.directory, body.launch_file
+            self.execute(body.actions)
+            late += self.late[:1]
+        self.late = late
+
+
+def tag_of(action: Action | described.Component) -> str:
+    """The name of the tag that makes an action."""
+    if isinstance(action, described.Node):
+        return _CONTAINERS.get(action.kind, "node")
+    return _TAGS[type(action)]
+
+
+def _nothing(problem: Problem) -> None:
+    """Nothing is told of what is only looked at in advance."""
