@@ -60,12 +60,15 @@ def merge(
     fine: set[Fine] = set()
     visited: dict[str, set[int]] = {}
     files: dict[str, FileResult] = {}
+    whole = _parts_in_order(entries)
     for result in entries:
         fine.update(result.fine)
         for path, indices in result.visited:
             visited.setdefault(path, set()).update(indices)
         for finding in result.findings:
             key = finding.key
+            if result.path in whole.get(Fine(finding.rule, finding.location.path, finding.location.start, finding.topic), ()):
+                continue
             reached.setdefault(key, set()).add(result.path)
             if finding.arguments == result.request.arguments:
                 by_default.add(key)
@@ -108,6 +111,16 @@ def merge(
     looked_at = files.keys() | {result.path for result in results}
     sight = together(each.sight for each in entries)
     return Outcome(tuple(ordered([*kept, *crashes])), len(looked_at), len(entries), bool(crashes), verdicts, sight)
+
+
+def _parts_in_order(entries: Sequence[EntryResult]) -> dict[Fine, set[str]]:
+    """What is in order in an entry file that includes others: the files that it is made of, which alone need not be whole."""
+    found: dict[Fine, set[str]] = {}
+    for result in entries:
+        for fine in result.fine:
+            if fine.topic:
+                found.setdefault(fine, set()).update(path for path in result.summary.included if path != result.path)
+    return found
 
 
 def without_parts(results: Sequence[EntryResult]) -> list[EntryResult]:

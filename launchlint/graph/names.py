@@ -150,11 +150,31 @@ class Namer:
         return table
 
     def elsewhere(self, unremapped: str) -> tuple[list[str], bool]:
-        """Patterns of the names that remappings which are not known may make of a name, and whether one of them acts for certain."""
+        """Patterns of the names that remappings which are not known may make of a name, and whether one of them acts for certain.
+
+        A remapping of a namespace that the code puts around the name acts where the code makes a NodeHandle of that
+        (ros::NodeHandle::construct), and does not where the name is one text: both may be.
+        """
+        inner = list(self._handles(unremapped))
         if not self._unknown:
-            return [], False
+            return inner, False
         found = [(source, target) for source, target in self._unknown if matches(source, unremapped)]
-        return [target for _, target in found], any("*" not in source for source, _ in found)
+        return [*(target for _, target in found), *inner], any("*" not in source for source, _ in found)
+
+    def _handles(self, unremapped: str) -> Iterator[str]:
+        """What a name is if the code makes NodeHandles of the namespaces of its own around it, of those that are remapped."""
+        if self._is_rospy:
+            return
+        own = {self.namespace, self.private, *around(self.namespace), *around(self.private)}
+        for outer in around(unremapped):
+            if outer in own:
+                continue
+            rest, applied = unremapped[len(outer) + 1 :], self._applied(outer)
+            if applied is not None and applied.target != outer:
+                yield clean(f"{applied.target}/{rest}")
+            for source, target in self._unknown:
+                if "*" not in source and source == outer:
+                    yield f"{target}/{rest}"
 
     @property
     def remappings(self) -> Mapping[str, Applied]:

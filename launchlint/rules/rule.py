@@ -39,11 +39,15 @@ def _bounded(fix: Fix | None) -> Fix | None:
 
 
 class Fine(NamedTuple):
-    """The place where rule ``rule`` has looked and found nothing wrong, although it may in other configurations."""
+    """The place where rule ``rule`` has looked and found nothing wrong, although it may in other configurations.
+
+    With a ``topic`` that holds for what it says of that one only, and in entry files that are parts of the one where it is in order.
+    """
 
     rule: str
     path: str
     start: int
+    topic: str = ""
 
 
 class Rule(NamedTuple):
@@ -132,7 +136,7 @@ class Rule(NamedTuple):
             cause=shared_cause or (cause and f"{self.id} {cause}"),
         )
 
-    def fine(self, where: Origin | Place) -> Fine:
+    def fine(self, where: Origin | Place, topic: str = "") -> Fine:
         """Say that ``where`` is in order in this configuration."""
         place = where.place if isinstance(where, Origin) else where
-        return Fine(self.id, place.source.path, place.span.start)
+        return Fine(self.id, place.source.path, place.span.start, topic)

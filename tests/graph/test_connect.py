@@ -152,6 +152,26 @@ def test_a_remap_that_is_not_known_makes_names_unknown_and_not_the_node(
     assert [(doubt.category, doubt.pattern) for doubt in found.doubts] == doubts
 
 
+@pytest.mark.parametrize(
+    ("client", "source", "doubts"),
+    [
+        ("roscpp", "camera", ["/moved/left/image"]),
+        ("roscpp", "camera/left", ["/moved/image"]),
+        ("roscpp", "camera/left/image", []),
+        ("roscpp", "left", []),
+        ("rospy", "camera", []),
+    ],
+)
+def test_a_remap_of_a_namespace_acts_where_the_code_makes_a_node_handle_of_it(
+    client: str, source: str, doubts: list[str], tmp_path: Path
+) -> None:
+    known = {"p": {"executables": {"n": {**program(publishers=[{"name": "camera/left/image"}]), "class": client}}}}
+    launch = f'<node pkg="p" type="n" name="n"><remap from="{source}" to="/moved"/></node>'
+    (found,) = graph(tmp_path, launch, known).instances
+    assert [doubt.pattern for doubt in found.doubts] == doubts
+    assert [each.certain for each in found.endpoints] == [not doubts]
+
+
 def test_two_remaps_that_are_not_known_do_not_replace_each_other(tmp_path: Path) -> None:
     remaps = '<remap from="in" to="$(env A)/a"/><remap from="out" to="$(env B)/b"/>'
     (found,) = graph(tmp_path, f'{remaps}<node pkg="my_pkg" type="cpp" name="n"/>', TALK).instances

@@ -58,16 +58,18 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.meant_for import tell
+from launchlint.rules.judging.met import met
 from launchlint.rules.judging.misspelt import Repairs
 from launchlint.rules.judging.one_cause import causes
-from launchlint.rules.rule import Rule
+from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 
 RULE = Rule("LL612", "no-publisher", Severity.WARNING, fixable="unsafe")
 
 
-def check(view: GraphView) -> Iterator[Finding]:
+def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look at the topics that have subscribers only."""
+    yield from met(RULE, view, "subscriber")
     repairs = Repairs(view)
     for cause in view.once(causes)["subscriber"]:
         yield tell(RULE, cause, "both nodes run and neither complains, but no message arrives", repairs)

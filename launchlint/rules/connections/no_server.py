@@ -44,16 +44,18 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.meant_for import tell
+from launchlint.rules.judging.met import met
 from launchlint.rules.judging.misspelt import Repairs
 from launchlint.rules.judging.one_cause import causes
-from launchlint.rules.rule import Rule
+from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 
 RULE = Rule("LL614", "no-server", Severity.WARNING, fixable="unsafe")
 
 
-def check(view: GraphView) -> Iterator[Finding]:
+def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look at the services and actions that have clients only."""
+    yield from met(RULE, view, "client", "action client")
     repairs = Repairs(view)
     for cause in view.once(causes)["client"]:
         yield tell(RULE, cause, "the call fails, or waits for the server for ever", repairs)

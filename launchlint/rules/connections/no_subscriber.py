@@ -49,16 +49,18 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.meant_for import tell
+from launchlint.rules.judging.met import met
 from launchlint.rules.judging.misspelt import Repairs
 from launchlint.rules.judging.one_cause import causes
-from launchlint.rules.rule import Rule
+from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 
 RULE = Rule("LL613", "no-subscriber", Severity.INFO, fixable="unsafe")
 
 
-def check(view: GraphView) -> Iterator[Finding]:
+def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look at the topics that have publishers only."""
+    yield from met(RULE, view, "publisher")
     repairs = Repairs(view)
     for cause in view.once(causes)["publisher"]:
         yield tell(RULE, cause, "what it publishes reaches nobody", repairs)

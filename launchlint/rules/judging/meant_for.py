@@ -8,6 +8,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance
 from launchlint.graph.names import kind
 from launchlint.rules.judging.loose_ends import Missed
+from launchlint.rules.judging.met import topic_of
 from launchlint.rules.judging.misplaced import moved_include
 from launchlint.rules.judging.misspelt import Repairs
 from launchlint.rules.judging.name_places import TALKS, acting_origin, how, node_origin, remap_origin, with_sources
@@ -59,7 +60,7 @@ def tell(rule: Rule, cause: Cause, consequence: str, repairs: Repairs) -> Findin
         related=tuple(related),
         notes=tuple(notes),
         help=_help_for_all(cause) if cause.hub is not None else _help(missed, repairs, at_partner=at_partner),
-        topic=f"{end.node} {end.role} {end.name}" if cause.hub is None else " ".join((cause.hub[0], *map("/".join, cause.hub[1]))),
+        topic=topic_of(end) if cause.hub is None else " ".join((cause.hub[0], *map("/".join, cause.hub[1]))),
         fix=None if others else repairs.of(missed),
         cause="" if others else _cause(missed),
     )
@@ -92,12 +93,20 @@ def _help_for_all(cause: Cause) -> str:
     """What joins all the ends that have the ``hub`` of the cause in common."""
     assert cause.hub is not None
     node, (mine, theirs) = cause.hub
+    if len(theirs) == 1 and mine == (node.rpartition("/")[2],) and all(_is_private(each, node) for each in (cause.first, *cause.others)):
+        return f'call {node} {theirs[0]}, below which its names are looked for: name="{theirs[0]}"'
     wrong, right = ("/".join(each) or "no namespace" for each in (mine, theirs))
     doubt = "if these belong together, " if cause.first.level is Severity.INFO else ""
     around = moved_include(cause.first, node)
     if around is not None:
         return doubt + around
     return f"{doubt}start {node} in another namespace, or remap its names: they are in {wrong} where the others have {right}"
+
+
+def _is_private(missed: Missed, node: str) -> bool:
+    """Whether the end of ``node`` has a private name, which no remap acts on."""
+    end = missed.end if missed.instance.name == node else missed.other
+    return kind(end.declared) == "private" and not end.applied
 
 
 def _help(missed: Missed, repairs: Repairs, *, at_partner: bool) -> str:

@@ -4,7 +4,9 @@ It is told where the library knows the node completely, and none of the names in
 is the `from` of the remap. Of a remap outside a node it is told where this holds for all nodes that it reaches. It is an info
 where the remap would change nothing anyhow: one of `/tf` and the like, one of a param that the node does not read and others
 do, or one to a name that the node uses in any case, be it that `to` lacks a slash in front of the namespace. So it is where the
-sources of the node have the name in a comment. A name that the node would have if it were started in another way is one of its names.
+sources of the node have the name in a comment, and where none of several remaps of a node matches anything and it has params that
+the program does not read, whose sources are not here: all this may be for another version. A name that the node would have if it were
+started in another way is one of its names.
 
 A nodelet in no namespace has its relative names in the namespace of its manager (roscpp makes them there, and the `<remap>` of the
 nodelet does not know it), so that a remap must say that namespace, too. A remap acts on params as it does on topics: where a node has a
@@ -52,7 +54,7 @@ from typing import NamedTuple
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
-from launchlint.graph.names import Applied, absolute, kind
+from launchlint.graph.names import Applied, absolute, around, kind
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.judging.commented_code import commented_out
 from launchlint.rules.judging.name_places import is_inside
@@ -172,7 +174,12 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
     off = commented_out(written, instance, root_of(view.launch.entry))
     if off:
         notes.append(f"the code that has this name is commented out: {off}")
-    severity = Severity.INFO if off or all(_is_harmless(miss) for miss in misses) else RULE.severity
+    other = rule.remap is not None and _is_another_version(first)
+    if other:
+        notes.append(
+            f"nor does any other remap here, and the params are not its own: this may be for another version of {instance.program}"
+        )
+    severity = Severity.INFO if off or other or all(_is_harmless(miss) for miss in misses) else RULE.severity
     return RULE.at(
         origin,
         f"the remap of {written} matches nothing: {who}",
@@ -215,6 +222,19 @@ def _is_harmless(miss: _Miss) -> bool:
     if _as_wanted(miss) is not None or _is_idle_param(miss):
         return True
     return miss.instance.client != "rospy" and any(full.startswith(f"{source}/") for full in miss.names.spelled)
+
+
+def _is_another_version(miss: _Miss) -> bool:
+    """Whether all of several remaps in a ``<node>`` match nothing, and the program, whose sources are not here, reads other params."""
+    instance = miss.instance
+    if any("here" in each for endpoint in instance.endpoints for each in endpoint.declaration.evidence):
+        return False
+    inside = [each for each in instance.namer.remappings.values() if each.rule.remap is not None and is_inside(each.rule.remap, instance)]
+    sources = {each.source for each in inside}
+    if len(sources) < 2 or miss.applied.source not in sources or not sources.isdisjoint(miss.names.spelled):
+        return False
+    read = {reading.name for reading in instance.readings}
+    return any(not read & {name, *around(name)} for name in miss.graph.parameters.below(instance.namer.private))
 
 
 def _as_wanted(miss: _Miss) -> str | None:
