@@ -129,7 +129,7 @@ def _add(
         resolved = namer.topic(name)
     else:
         resolved = namer.action(name) if category == "actions" else namer.resolve(name)
-    patterns, moved = namer.elsewhere(resolved.unremapped)
+    patterns, moved = namer.elsewhere(resolved.unremapped, handles=category != "params")  # nobody remaps the namespace of a param
     for pattern in patterns:
         interface.doubts.extend(_around(declaration, pattern, type_))
     if moved:

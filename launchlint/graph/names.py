@@ -149,13 +149,13 @@ class Namer:
             table[resolved] = self._spelled[source] = Applied(resolved, absolute(rule.target, self.namespace, full), rule)
         return table
 
-    def elsewhere(self, unremapped: str) -> tuple[list[str], bool]:
+    def elsewhere(self, unremapped: str, *, handles: bool = True) -> tuple[list[str], bool]:
         """Patterns of the names that remappings which are not known may make of a name, and whether one of them acts for certain.
 
         A remapping of a namespace that the code puts around the name acts where the code makes a NodeHandle of that
-        (ros::NodeHandle::construct), and does not where the name is one text: both may be.
+        (ros::NodeHandle::construct), and does not where the name is one text: both may be, unless ``handles`` says that it is one text.
         """
-        inner = list(self._handles(unremapped))
+        inner = list(self._handles(unremapped)) if handles else []
         if not self._unknown:
             return inner, False
         found = [(source, target) for source, target in self._unknown if matches(source, unremapped)]
