@@ -15,6 +15,8 @@ _OPPOSITES = (
     ("horizontal", "vertical"), ("north", "south"), ("east", "west"), ("roll", "yaw"), ("roll", "pitch"), ("pitch", "yaw"),
     ("pan", "tilt"), ("linear", "angular"), ("source", "target"), ("master", "slave"), ("read", "write"), ("pre", "post"),
     ("with", "without"), ("static", "dynamic"), ("x", "y"), ("x", "z"), ("y", "z"), ("red", "green"), ("red", "blue"),
+    ("pub", "sub"), ("publish", "subscribe"), ("client", "server"), ("request", "response"), ("parent", "child"), ("lat", "lon"),
+    ("tx", "rx"), ("row", "col"), ("even", "odd"),
 )  # fmt: skip
 """Words that take each other's place in two names for two different things."""
 _NEGATIONS = ("un", "non", "no", "not", "dis", "anti", "de")

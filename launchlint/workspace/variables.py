@@ -17,6 +17,8 @@ _SHELL_ENDS = (".sh", ".bash", ".zsh", ".env", ".service", ".rc", ".bashrc", ".z
 _SOURCE_ENDS = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
 _COMPOSE_ENDS = (".yml", ".yaml")
 _SHELL = re.compile(r"^[ \t]*(?:(?:export|declare -x)[ \t]+|Environment=[\"']?)?([A-Za-z_]\w*)=", re.MULTILINE)
+_SHELL_NAME = re.compile(r"\.?[\w-]*(?:env|setup|profile|vars)[\w-]*", re.IGNORECASE)
+"""What people call a shell file that they source, without an ending: ``envsetup``."""
 _DOCKER = re.compile(r"^[ \t]*(?:ENV|ARG)[ \t]+([A-Za-z_]\w*)", re.MULTILINE | re.IGNORECASE)
 _COMPOSE = re.compile(r"^[ \t]*(?:-[ \t]*[\"']?)?([A-Z_][A-Z_0-9]*)[ \t]*[:=]", re.MULTILINE)
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
@@ -58,7 +60,7 @@ def _places(directories: Iterable[str], wanted: Callable[[str], bool]) -> Iterat
 
 
 def _pattern(name: str) -> re.Pattern[str] | None:
-    if name.endswith(_SHELL_ENDS):
+    if name.endswith(_SHELL_ENDS) or _SHELL_NAME.fullmatch(name):
         return _SHELL
     if name.startswith("Dockerfile") or name.endswith(".dockerfile"):
         return _DOCKER

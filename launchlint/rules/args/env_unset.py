@@ -5,8 +5,8 @@ Variables that every login or ROS installation sets are not told of, nor those t
 `package.xml` needs. Others may be set on the robot and not where this check runs; `env:` in `.launchlint.yaml` gives them a value for the
 check. The variables of a file are told of together. It is an info where the workspace itself sets or reads the variable elsewhere (a shell
 file, a Dockerfile, a service, `os.environ` or `getenv`), where a document of it or a comment of the launch file names the variable (then
-people are told to set it), where it is a secret by its name (`DB_PASSWORD`, `API_TOKEN`), and where
-three or more launch files read it: it is the project's own.
+people are told to set it), where it is a secret by its name (`DB_PASSWORD`, `API_TOKEN`), where a public package sets it that nothing here
+names, and where three or more launch files read it: it is the project's own.
 
 ## Why it matters
 
@@ -58,6 +58,7 @@ USUAL = (
 OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE")
 
 
+_SET_BY = "the public package"
 SECRET = "it holds a secret, by its name: it belongs into no file, and without it nothing is to start"
 
 
@@ -72,7 +73,7 @@ def tell(problem: EnvUnset, view: LaunchView) -> Iterator[Finding]:
     if _is_set(name, view):
         return
     slip = slip_of(name)
-    reason = "" if slip is not None else SECRET if is_secret(name, variable=True) else _elsewhere(name, problem, view)
+    reason = "" if slip is not None else _reason(name, problem, view)
     given = f"write $(optenv {name} DEFAULT), or give it a value under env: in .launchlint.yaml if it is always set"
     if reason == SECRET:
         given = "set it before roslaunch is called; give it any value under env: in .launchlint.yaml for the check"
@@ -83,7 +84,7 @@ def tell(problem: EnvUnset, view: LaunchView) -> Iterator[Finding]:
         notes=(f"where it is not set roslaunch stops with: environment variable '{name}' is not set", *([reason] if reason else [])),
         help=given if slip is None else f"did you mean {slip}?",
         topic=name,
-        cause=name if reason or slip is not None else " ".join(_like(problem, view)),
+        cause=reason if reason.startswith(_SET_BY) else name if reason or slip is not None else " ".join(_like(problem, view)),
     )
 
 
@@ -96,7 +97,7 @@ def together(findings: Sequence[Finding]) -> Finding:
     more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
     return whole._replace(
         message=f"{len(names)} environment variables are not set here: {', '.join(names[:MOST_NAMED])}{more}",
-        notes=("where one of them is not set roslaunch stops",),
+        notes=("where one of them is not set roslaunch stops", *(note for note in whole.notes if note.startswith(_SET_BY))),
         help="write $(optenv NAME DEFAULT), or give them values under env: in .launchlint.yaml if they are always set",
     )
 
@@ -127,6 +128,14 @@ def slip_of(name: str) -> str | None:
     return one_slip(name, (*USUAL, *OPTIONAL))
 
 
+def _reason(name: str, problem: EnvUnset, view: LaunchView) -> str:
+    """Why it is no wonder that the variable is not set here; empty where nothing says so."""
+    if is_secret(name, variable=True):
+        return SECRET
+    setters = public_setters(name)
+    return f"{_SET_BY} {setters[0]} sets it wherever that is installed" if setters else _elsewhere(name, problem, view)
+
+
 def _elsewhere(name: str, problem: EnvUnset, view: LaunchView) -> str:
     """Where the project itself sets or reads the variable, for people; empty where it does not. Launch files are not looked at here."""
     own = view.packages.own_variables().get(name)
@@ -149,4 +158,4 @@ def _like(problem: EnvUnset, view: LaunchView) -> list[str]:
     """The variables of the same file that nothing says are set."""
     path = problem.place.source.path
     names = {each.variable for each in view.launch.noticed(EnvUnset) if each.place.source.path == path}
-    return sorted(name for name in names if not _is_set(name, view) and slip_of(name) is None and not _elsewhere(name, problem, view))
+    return sorted(name for name in names if not _is_set(name, view) and slip_of(name) is None and not _reason(name, problem, view))

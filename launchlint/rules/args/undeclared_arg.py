@@ -48,6 +48,7 @@ from launchlint.evaluate.ros1.values import automatic, shown
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.late import late
 from launchlint.rules.edits import LOADS, fix, replace, spot
+from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
@@ -98,6 +99,7 @@ def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         notes=(note,),
         help=help_,
         topic=name,
+        shared_cause=never_declared(problem.place.source.path, name),
         fix=None if near is None or severity is Severity.INFO or help_ != f"did you mean {near}?" else _fix(problem, view, name, near),
     )
 

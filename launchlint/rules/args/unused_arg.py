@@ -54,6 +54,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.rules.edits import fix, remove_element, spot
 from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.spelling import closest, distance, folded
@@ -124,7 +125,8 @@ def check(view: FileView) -> Iterator[Finding]:
             label="unused",
             related=tuple((place, "declared here too") for place in others),
             notes=(idle or NO_EFFECT, *([NO_DEFAULT.format(name)] if _lacks_default(elements) else [])),
-            cause=f"{document.source.path} {name} for {meant[name]}" if name in meant else causes[idle],
+            cause="" if name in meant else causes[idle],
+            shared_cause=never_declared(document.source.path, meant[name]) if name in meant else "",
             help=f"this file reads $(arg {meant[name]}) and declares no {meant[name]}: give both one name"
             if name in meant
             else f"remove it here and in the includes that pass it, or use it as $(arg {name})",
@@ -137,7 +139,7 @@ def check(view: FileView) -> Iterator[Finding]:
 def together(findings: Sequence[Finding]) -> Finding:
     """The args of one cause, by their names."""
     result = joined(findings)
-    names = list(dict.fromkeys(map(name_of, findings)))
+    names = list(dict.fromkeys(name_of(finding) for finding in findings if finding.rule == RULE.id))
     if len(names) < 2:
         return result
     more = f" and {len(names) - 4} more" if len(names) > 4 else ""

@@ -4,12 +4,11 @@ What it does: it looks for the `file` of every `<include>` whose name can be wor
 roslaunch is started, not beside the including file. It is a warning where the answer hangs on this machine: for absolute names outside
 the workspace, for relative names that do exist beside the including file, and for files that `CMakeLists.txt` may install. It is an info
 where only the default of an arg leads there that all files which include this one override, or a default such as `none` that stands for
-no choice,
-for files of the robot (below `/etc`, `/opt`, `/home` and the like, outside of the workspace), for names made from an environment
+no choice, for files of the robot (below `/etc`, `/opt`, `/home` and the like, outside of the workspace), for names made from an environment
 variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a template that lies beside
 it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration, or by what `.gitignore`
 keeps out of the repository; and for one in a git submodule that is not checked out. A directory that is missing is told once, with all
-files that would be in it.
+files that would be in it, and so is one in which files are looked for that lie in another.
 
 ## Why it matters
 
@@ -84,6 +83,7 @@ _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _MOST_DIRECTORIES = 300
 _MOST_FILES = 5_000
 _MOST_NAMED = 3
+MOVED = "moved "
 _CORRECT = "correct the name, or create the file"
 
 
@@ -151,8 +151,16 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
         notes=tuple(notes),
         help=advice,
         fix=repair,
-        shared_cause=left_over_in(file, view) or ("" if relative or environment or installed is not None else cause_of(file, maker)),
+        shared_cause=left_over_in(file, view)
+        or (_moved(file, meant) if severity is None and repair is not None else "")
+        or ("" if relative or environment or installed is not None else cause_of(file, maker)),
     )
+
+
+def _moved(file: str, meant: str) -> str:
+    """The cause of all that is looked for in one directory and lies in another one: it is the directory that is wrong."""
+    (wrong, base), (right, name) = posixpath.split(file), posixpath.split(meant)
+    return f"{MOVED}{wrong} {right}" if base == name and right else ""
 
 
 def together(findings: Sequence[Finding]) -> Finding:
@@ -163,8 +171,19 @@ def together(findings: Sequence[Finding]) -> Finding:
     if broken is not None:
         return led_by(findings, "LL101")
     told = led_by(findings, "LL215")
+    files = list(dict.fromkeys(_named(each) for each in findings))
+    if told.cause.startswith(MOVED) and len(files) > 1:
+        more = f" and {len(files) - _MOST_NAMED} more" if len(files) > _MOST_NAMED else ""
+        return told._replace(
+            message=f"{len(files)} included files do not exist: {', '.join(files[:_MOST_NAMED])}{more}",
+            help=f"{told.help.removesuffix('?')}, and so for the others?",
+        )
     portable = next((each for each in findings if each.rule == "LL406"), None)  # the same name, as it is written
     return told if portable is None or told.help != _CORRECT else told._replace(help=portable.help)
+
+
+def _named(finding: Finding) -> str:
+    return finding.message.removeprefix("the included file ").removesuffix(" does not exist")
 
 
 def _keeps_args(written: str, meant: str) -> bool:

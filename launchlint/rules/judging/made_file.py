@@ -8,7 +8,7 @@ from typing import NamedTuple
 from launchlint.rules.judging.other_file import shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.view import LaunchView
-from launchlint.workspace.looking import exists, note, watched
+from launchlint.workspace.looking import exists, names, note, watched
 from launchlint.workspace.packages import Packages
 
 
@@ -20,6 +20,8 @@ class Made(NamedTuple):
 
 
 _DEEPEST = 60
+_KEEPERS = (".gitkeep", ".keep", ".gitignore", ".gitattributes", ".placeholder", ".empty", "empty", "placeholder", "readme")
+_LAUNCH_ENDS = (".launch", ".xml", ".test")
 
 
 def cause_of(path: str, maker: Made | None) -> str:
@@ -41,7 +43,7 @@ def made(path: str, view: LaunchView, root: str) -> Made | None:
     """What makes the file at ``path`` (absolute), which is not here; ``None`` where nothing is known to.
 
     That is a submodule of git, a command of the package's CMake files, else a template beside it, else whatever makes what ``.gitignore``
-    names, else a node.
+    names, else who fills a directory that is kept empty, else a node.
     """
     known = view.packages.once(_told)
     key = path, root  # of all configurations alike
@@ -85,6 +87,23 @@ def _made_outside(path: str, packages: Packages, root: str) -> Made | None:
         return Made(f"{name} lies beside it: a template from which it may be made", f"make it from {name} before this is started")
     ignore = ignored_by(path, packages.workspaces)
     if ignore is None:
-        return None
+        kept = _kept_empty(path)
+        if kept is None:
+            return None
+        why = f"{shown(kept, root)} is all that its directory holds: what belongs there is put there on each machine"
+        return Made(why, "see that it is there before this is started")
     why = f"git ignores it ({ignore.pattern} in {shown(ignore.file, root)}), so that it is made, or put there, on each machine"
     return Made(why, "see that it is there before this is started")
+
+
+def _kept_empty(path: str) -> str | None:
+    """The file that keeps the directory of ``path`` under version control, where it is all that is in there; launch files are no data."""
+    directory, name = posixpath.split(path)
+    if name.endswith(_LAUNCH_ENDS):
+        return None
+    listed = names(directory)
+    return posixpath.join(directory, listed[0]) if 0 < len(listed) <= len(_KEEPERS) and all(map(_keeps, listed)) else None
+
+
+def _keeps(name: str) -> bool:
+    return posixpath.splitext(name)[0].lower() in _KEEPERS

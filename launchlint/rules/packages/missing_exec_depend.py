@@ -107,6 +107,7 @@ LEFT_OUT = "it may do without: "
 MOST_NAMED = 12
 TRIED = "only launch files that seem to be there to try something out need {}"
 SETTING_UP = "only files need it that MoveIt's Setup Assistant writes beside those that drive the robot"
+_LATER = "once {} {} what {} own launch files use, to declare {} here could close a ring"
 _MOVE = "move {} to a package that starts both, such as a bringup package"
 # What MoveIt's Setup Assistant writes into every package and what nobody needs to drive the robot; it declares none of this itself.
 _GENERATED_EXTRA = late(
@@ -192,7 +193,7 @@ def check(view: FileView) -> Iterator[Finding]:
 
 def _doubts(name: str, later: Mapping[str, Way], manifest: Manifest, packages: Packages) -> list[str]:
     """Why a fix that declares the package is not safe; nothing where it is."""
-    doubts = [f"once {name} declares what its own launch files use, to declare it here could close a ring"] if name in later else []
+    doubts = [_LATER.format(name, "declares", "its", "it")] if name in later else []
     named = {each.lower() for text in _CONDITION.findall(manifest.source.text) for each in _DISTRIBUTION.findall(text)}
     meant = named | packages.distributions().meant
     lacking = sorted(each for each in meant or _RECENT if never_released((name,), each))
@@ -232,6 +233,9 @@ def together(findings: Sequence[Finding]) -> Finding:
         return first
     names = [finding.topic for finding in findings]
     passing = {TRIED.format(name) for name in names if first.severity > Severity.INFO}
+    later = [finding.topic for finding in findings if _LATER.format(finding.topic, "declares", "its", "it") in finding.notes]
+    if len(later) > 1:  # one line for all of them
+        passing |= {_LATER.format(name, "declares", "its", "it") for name in later}
     fixes = [finding.fix for finding in findings if finding.fix is not None]
     fixes = [fix for fix in fixes if fix.safe] or fixes  # what is not safe is told again when it is alone
     help = next((finding.help for finding in findings if finding.fix in fixes), first.help)
@@ -251,8 +255,9 @@ def together(findings: Sequence[Finding]) -> Finding:
             if any(finding.notes[:1] == (ELSEWHERE.format(finding.topic),) for finding in findings)
             else "they lie in this workspace; whoever has only this package lacks them",
             *list(dict.fromkeys(note for finding in findings for note in finding.notes[1:] if note not in passing))[:MOST_NAMED],
+            *([_LATER.format(_listed(later), "declare", "their", "them")] if len(later) > 1 else []),
         ),
-        help=f"{help}, and so on" if fixes else first.help,
+        help=f"{help}, and so on" if help.startswith("add ") else help,
         fix=fix,
         topic="",
     )

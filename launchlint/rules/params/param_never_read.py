@@ -9,7 +9,8 @@ part, so that `global_costmap/inflation/radus` is near `global_costmap/inflation
 the node takes from a param. Of a node that may read more than is known, only a slip of one letter is told.
 
 The infos about one YAML file and one program are told as one, and so are those about the same param in several launch files. One finding
-are also all params of a node in one file that its code reads outside of its private namespace, and the same slip in several files.
+are also all params of a node in one file that its code reads outside of its private namespace, and the same slip in several files, or in
+several names that differ in a number only.
 
 ## Why it matters
 
@@ -48,6 +49,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.graph.connections import Instance
+from launchlint.late import late
 from launchlint.library.lookup import Library
 from launchlint.model import ParameterSetting
 from launchlint.rules.edits import Edits, fix, set_value, spot
@@ -62,6 +64,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+_NUMBER = late(r"\d+")
 RULE = Rule("LL507", "param-never-read", Severity.WARNING, fixable="unsafe")
 _FARTHEST = 3
 """Letters that :func:`~launchlint.spelling.closest` lets two names be apart at most."""
@@ -250,7 +253,7 @@ def _cause(
     if elsewhere is not None:
         return f"{path}: {owner.program} reads others{default}"
     if near is not None:
-        return f"{owner.program} {inner} for {near}{default}"
+        return f"{owner.program} {_NUMBER.sub('#', inner)} for {_NUMBER.sub('#', near)}{default}"  # of one that is written for each arm
     return f"{path}: {owner.program}" if several else f"{owner.program} {inner}"
 
 

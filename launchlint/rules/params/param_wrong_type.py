@@ -5,7 +5,7 @@ for a double and rounds a double to an int, and nothing else: text is no number,
 list or a mapping instead of a single value is told, and the reverse. Values in one YAML file that are wrong in the same way are told as
 one, also where the file was copied, and so is the same value of the same param in several files. An empty text is an info: it is a way to
 say that the param is not set. So is a value that says the same as the default that the node falls back to: `1e-3`, a text for YAML, where
-the default is 0.001, or `none` where it is false.
+the default is 0.001, `pi / 2` where it is 1.5708, or `none` where it is false.
 
 ## Why it matters
 
@@ -34,8 +34,9 @@ A roscpp node that asks for a bool and finds an int behaves as if the param were
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
-from math import ceil, floor
+from math import ceil, floor, isclose, pi, prod
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance, Reading
@@ -61,6 +62,10 @@ _NOTHING = ("", "~", "none", "null", "nil", "off", "no", "n", "disabled", "false
 _ON = ("on", "yes", "y", "enabled", "true", "1")
 _EXPONENT = late(r"([-+]?[0-9]+)(\.[0-9]*)?[eE]([-+]?)([0-9]+)")
 """A number with an exponent. roslaunch wants a point in it (roslaunch.loader.convert_value), PyYAML a point and a sign."""
+
+
+_PRODUCT = late(r"\s*(?:[\d.]+|pi)(?:\s*[*/]\s*(?:[\d.]+|pi)){1,8}\s*", re.IGNORECASE)
+_FACTOR = late(r"([*/])\s*([\d.]+|pi)", re.IGNORECASE)
 
 
 def check(view: GraphView) -> Iterator[Finding]:
@@ -154,13 +159,16 @@ def _words_for(default: Any) -> tuple[str, ...]:
 
 
 def _is_number(value: Any, default: Any) -> bool:
-    """Whether ``value`` is the number ``default``, written as a text: ``1e-3`` and 0.001."""
+    """Whether ``value`` is the number ``default``, written as a text: ``1e-3`` and 0.001, ``pi / 2`` and 1.5708."""
     if not isinstance(value, str) or isinstance(default, (bool, str, list, dict)):
         return False
+    factors = _FACTOR.findall(f"*{value}") if _PRODUCT.fullmatch(value) else [("*", value)]
     try:
-        return float(value) == float(default)
-    except ValueError:
+        numbers = [(sign, pi if factor.lower() == "pi" else float(factor)) for sign, factor in factors]
+        result = prod(1 / number if sign == "/" else number for sign, number in numbers)
+    except (ValueError, ZeroDivisionError):
         return False
+    return isclose(result, float(default))
 
 
 def _looks_alike(text: str, type_: str) -> bool:
