@@ -2,7 +2,8 @@
 
 ``<!-- launchlint: ignore[LL301] why -->`` before an element covers that whole element; several rules are separated by commas, by ID or by
 name; ``ignore`` alone covers every rule. ``<!-- launchlint: ignore-file[LL206] why -->`` at the top, before the first element inside
-``<launch>``, covers the whole file. ``<!-- launchlint: format off -->`` is no suppression (see :mod:`launchlint.fix.format.directives`).
+``<launch>``, covers the whole file. In YAML the same stands behind a ``#``, above an item or in its first line.
+``<!-- launchlint: format off -->`` is no suppression (see :mod:`launchlint.fix.format.directives`).
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from typing import NamedTuple
 from launchlint.finding import Edit, Finding, Location
 from launchlint.fix.format.directives import directive
 from launchlint.source import Place, Source, Span
-from launchlint.syntax.tree import Comment, Document, Element
+from launchlint.syntax.remarks import Remark
 
 _MEANT = re.compile(r"\s*launchlint\s*:|\s*launchlint\s+ignore\b", re.IGNORECASE)
 _WHOLE = re.compile(
@@ -23,10 +24,10 @@ _WHOLE = re.compile(
 )
 _NAME = re.compile(r"[^\s,]+")
 _LOOKS_LIKE_AN_ID = re.compile(r"LL\d{3}\b", re.IGNORECASE)
-_NOT_TEXT = re.compile(r"\s*(?:<\?.*?\?>\s*)*", re.DOTALL)
 _MODEL = "launchlint: ignore[RULE] reason"
 _MOST_NAMES = 1_000
 _NO_ELEMENT = "no element follows it: it belongs right before the element it is about"
+_BELOW = "it stands below the first element: ignore-file belongs at the top of the file"
 
 
 class Name(NamedTuple):
@@ -61,19 +62,12 @@ Used = set[tuple[Suppression, str]]
 """A suppression together with each name in it (as written; the empty string where it names none) that suppressed at least one finding."""
 
 
-def read(document: Document) -> list[Suppression]:
-    """All suppression comments of ``document`` in order.
+def read(source: Source, remarks: Iterable[Remark]) -> list[Suppression]:
+    """All suppressions among the comments of a launch file, in order.
 
     Those that are malformed, or stand where they cover nothing, are among them and have a ``problem``.
     """
-    targets: list[Element | None] | None = None
-    found: list[Suppression] = []
-    for index, comment in enumerate(document.comments):
-        if _MEANT.match(comment.text) and not directive(comment.text):
-            if targets is None:
-                targets = _targets(document)
-            found.append(_suppression(document, comment, targets[index]))
-    return found
+    return [_suppression(source, each) for each in remarks if _MEANT.match(each.text) and not directive(each.text)]
 
 
 def applies(suppression: Suppression, finding: Finding, resolve: Resolve) -> bool:
@@ -158,33 +152,9 @@ def _reaches(suppression: Suppression, finding: Finding) -> bool:
     return suppression.covers is None or suppression.covers.start <= finding.location.start < suppression.covers.end
 
 
-def _targets(document: Document) -> list[Element | None]:
-    """For each comment the element it stands before: only white space, other comments and processing instructions may come between."""
-    text = document.source.text
-    targets: list[Element | None] = [None] * len(document.comments)
-    for index in range(len(document.comments) - 1, -1, -1):
-        comment = document.comments[index]
-        end = comment.span.end
-        element = document.element_from(end)
-        following = document.comments[index + 1] if index + 1 < len(document.comments) else None
-        if following is not None and (element is None or following.span.start < element.span.start):
-            if _blank(text, end, following.span.start):
-                targets[index] = targets[index + 1]
-        elif element is not None and element.parent is comment.parent and _blank(text, end, element.span.start):
-            targets[index] = element
-    return targets
-
-
-def _blank(text: str, start: int, end: int) -> bool:
-    match = _NOT_TEXT.match(text, start, end)
-    return match is not None and match.end() == end
-
-
-def _suppression(document: Document, comment: Comment, target: Element | None) -> Suppression:
-    source, span = document.source, comment.span
-    written = source.text.startswith("<!--", span.start)  # else it comes out of an entity, and its names have no place of their own
-    first = span.start + len("<!--")
-    match = _WHOLE.match(source.text, first, span.end - len("-->")) if written else _WHOLE.match(comment.text)
+def _suppression(source: Source, remark: Remark) -> Suppression:
+    inside = remark.inside  # else it comes out of an entity, and its names have no place of their own
+    match = _WHOLE.match(remark.text) if inside is None else _WHOLE.match(source.text, *inside)
     names: list[Name] = []
     word = reason = problem = ""
     if match is not None:
@@ -192,20 +162,21 @@ def _suppression(document: Document, comment: Comment, target: Element | None) -
         reason = " ".join(match["reason"].split()).lstrip(":,-–— ")
         base = match.start("names")
         names = [
-            Name(name[0], Span(base + name.start(), base + name.end()) if written else span)
+            Name(name[0], remark.span if inside is None else Span(base + name.start(), base + name.end()))
             for name in _NAME.finditer(match["names"] or "")
         ]
         problem = _spelling(match, names, reason)
         if len(names) > _MOST_NAMES:
             names, problem = [], f"it names {len(names):,} rules, which is more than there are"
+    of_file = word == "ignore-file"
     return Suppression(
-        Location.of(Place(source, span)),
+        Location.of(Place(source, remark.span)),
         frozenset(name.text.lower() for name in names),
         tuple(names),
-        None if target is None or word == "ignore-file" else target.span,
+        None if of_file else remark.covers,
         reason,
-        problem or (_place_of_file_comment(document, span) if word == "ignore-file" else _NO_ELEMENT if target is None else ""),
-        _removal(source, span),
+        problem or (("" if remark.on_top else _BELOW) if of_file else _NO_ELEMENT if remark.covers is None else ""),
+        _removal(source, remark.span),
     )
 
 
@@ -225,13 +196,6 @@ def _spelling(match: re.Match[str], names: list[Name], reason: str) -> str:
     if not match["list"] and _LOOKS_LIKE_AN_ID.match(reason):
         return f"rules stand in brackets: write {word}[{reason.split()[0]}]"
     return ""
-
-
-def _place_of_file_comment(document: Document, span: Span) -> str:
-    root = document.root
-    if root is None or not root.children or span.end <= root.children[0].span.start:
-        return ""
-    return "it stands below the first element: ignore-file belongs at the top of the file"
 
 
 def _removal(source: Source, span: Span) -> Edit:

@@ -12,6 +12,7 @@ from launchlint.finding import Finding, Location, Severity
 from launchlint.source import Place, Span
 from launchlint.suppression import Suppression, applies, apply, read, unused
 from launchlint.syntax.parse import parse
+from launchlint.syntax.remarks import remarks
 from launchlint.syntax.tree import Document
 
 RULES = {
@@ -29,7 +30,8 @@ def document(text: str) -> Document:
 
 
 def suppressions(text: str) -> list[Suppression]:
-    return read(document(text))
+    parsed = document(text)
+    return read(parsed.source, remarks(parsed))
 
 
 def covered(text: str) -> list[str | None]:

@@ -42,16 +42,16 @@ def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
     findings: list[Guarded] = []
     for problem in view.dialect.validate(document):
         findings += [Guarded(finding, _guard(document, finding.location)) for finding in tell(problem, view, selected)]
-    if document.launch is not None:
+    if document.launch is not None or view.dialect.name != ROS1:
         for rule in rules:
             if rule.view == "file" and view.dialect.name in rule.dialects:
                 told = run_rule(rule, view, document.source.path)
                 findings += [Guarded(found, _guard(document, found.location)) for found in told if isinstance(found, Finding)]
     suppressions: tuple[Suppression, ...] = ()
-    if any("launchlint" in comment.text for comment in document.comments):
+    if "launchlint" in document.source.text:
         from launchlint.suppression import read
 
-        suppressions = tuple(read(document))
+        suppressions = tuple(read(document.source, view.dialect.remarks(document)))
     root = None if document.root is None else Location.of(document.place(document.root.name_span))
     return FileResult(document.source.path, tuple(findings), suppressions, root)
 

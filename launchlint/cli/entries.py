@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable
 from launchlint.check.options import Arguments, EntryRequest, Options
 from launchlint.errors import UsageError
 from launchlint.finding import Severity
+from launchlint.workspace.discovery import is_in_python
 
 STANDARD_INPUT = "stdin.launch"
 """What standard input is called where nobody says it."""
@@ -181,20 +182,19 @@ class EntryOptions:
 
 
 def leave_others_out(entry: EntryOptions, requests: list[EntryRequest], session: Session) -> tuple[list[EntryRequest], tuple[str, ...]]:
-    """``requests`` without those that are no ROS 1 launch files and nobody asked for by name, and notices of them."""
-    if (
-        entry.entries is not None
-        or entry.standard_input is not None
-        or entry.named.issuperset(os.path.abspath(each.at) for each in requests)
-    ):
+    """``requests`` without those that are no launch files and nobody asked for by name, nor those in Python; and notices of them."""
+    named = entry.named
+    if entry.entries is not None or entry.standard_input is not None:
+        named = frozenset(os.path.abspath(each.at) for each in requests)
+    if named.issuperset(os.path.abspath(each.at) for each in requests) and not any(is_in_python(each.at) for each in requests):
         return requests, ()
     from launchlint.check.dialects import sort_out
 
-    kept, ros2, other = sort_out(requests, entry.named, session)
+    kept, python, other = sort_out(requests, named, session)
     notices = []
-    if ros2:
-        files = f"{len(ros2)} ROS 2 launch files such as {ros2[0]}" if len(ros2) > 1 else f"the ROS 2 launch file {ros2[0]}"
-        notices.append(f"left out {files}: only ROS 1 is checked; name a file to check it all the same")
+    if python:
+        files = f"{len(python)} launch files in Python such as {python[0]}" if len(python) > 1 else f"the launch file {python[0]}"
+        notices.append(f"left out {files}: of ROS 2, those in XML and YAML are read, and none in Python")
     if other:
         path, root = other[0]
         many = f"{len(other)} files such as {path}: their roots are others than <launch>, so that they are no launch files"

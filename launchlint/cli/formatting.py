@@ -89,7 +89,7 @@ class _Run:
         return int(self._changed > 0 and (self._given.check or self._given.diff))
 
     def _files(self) -> list[str]:
-        """The launch files that are asked for, without those of ROS 2 that nobody named."""
+        """The launch files that are asked for, without those in Python, and what nobody named and is none."""
         from launchlint.workspace.discovery import discover
 
         entry, configuration = self._entry, self._entry.configuration
@@ -132,7 +132,7 @@ class _Run:
         if result.problem is not None or result.refusal:
             self._leave(file, result)
             return None
-        if self._entry.configuration.sort_args:
+        if self._entry.configuration.sort_args and self._is_of_ros1(file, data):
             from launchlint.fix.format.ordering import args_first
 
             result = formatted(args_first(file, result.data, self._guard), file, self._style)
@@ -184,6 +184,13 @@ class _Run:
         parts += [f"{_files(self._kept)} in normal form already"] if self._kept else []
         parts += [f"{_files(self._failed)} left alone"] if self._failed else []
         return ", ".join(parts) or "no launch files to format"
+
+    def _is_of_ros1(self, file: str, data: bytes) -> bool:
+        """Whether it is a launch file of roslaunch: that args may stand first is proved for those only."""
+        from launchlint.dialects.door import dialect_of
+        from launchlint.model import ROS1
+
+        return dialect_of(self._session.with_text(file, data), file).name == ROS1
 
     @cached_property
     def _session(self) -> Session:

@@ -57,14 +57,14 @@ launchlint:
 
 
 class Found(NamedTuple):
-    """What is in a repository: names of ``packages``, paths of ``ros1`` and ``ros2`` launch files, and the CI it uses.
+    """What is in a repository: names of ``packages``, paths of launch files that are ``read``, and of those in ``python``, and the CI.
 
     ``started`` are the launch files that no other one includes; ``errors`` and ``warnings`` count what a check finds.
     """
 
     packages: Sequence[str]
-    ros1: Sequence[str]
-    ros2: Sequence[str]
+    read: Sequence[str]
+    python: Sequence[str]
     started: Sequence[str]
     errors: int
     warnings: int

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from launchlint.dialects.record import Dialect
 from launchlint.dialects.ros1 import DIALECT as ROS1_DIALECT
+from launchlint.model import ROS1, ROS2
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -13,16 +14,62 @@ if TYPE_CHECKING:
     from launchlint.evaluate.assemble import Evaluation
     from launchlint.evaluate.session import Session
     from launchlint.model import DialectName
+    from launchlint.workspace.packages import Packages
+
+_YAML_ENDS = (".yaml", ".yml")
 
 
 def named(name: DialectName) -> Dialect:
     """The dialect of this name."""
-    return ROS1_DIALECT
+    if name == ROS1:
+        return ROS1_DIALECT
+    from launchlint.dialects.ros2 import DIALECT
+
+    return DIALECT
 
 
 def dialect_of(session: Session, file: str) -> Dialect:
-    """The dialect of an entry file."""
-    return ROS1_DIALECT
+    """The dialect of an entry file: by its name, what stands in it, its package, and the environment. What it includes is in the same."""
+    return named(_told(session, file))
+
+
+def _told(session: Session, file: str) -> DialectName:
+    if file.endswith(_YAML_ENDS):
+        return ROS2
+    data = session.read(file).data
+    expected = _expected(session, file)
+    if data is None:
+        return expected or ROS1
+    if not data[:3].removeprefix(b"\xef\xbb\xbf").startswith(b"<") and b"<launch" not in data:
+        from launchlint.workspace.launch_root import has_launch_key
+
+        if has_launch_key(data):
+            return ROS2
+    from launchlint.evaluate.session import Read
+    from launchlint.syntax.dialect import told
+
+    document = session.document(file)
+    return expected or ROS1 if isinstance(document, Read) else told(document, expected)
+
+
+def _expected(session: Session, file: str) -> DialectName | None:
+    """The ROS that the package of ``file`` is built for, where that is one only; else that of the environment."""
+    from launchlint.workspace.ros2_distributions import environment_is_for
+
+    built_for = _built_for(file, session.packages)
+    if built_for is not None:
+        return built_for
+    return ROS2 if session.asked_distro else environment_is_for(session.environment)
+
+
+def _built_for(file: str, packages: Packages) -> DialectName | None:
+    package = packages.package_of(file)
+    manifest = None if package is None else package.manifest
+    if manifest is None or (manifest.is_catkin and any(each.startswith("ament") for each in manifest.build_types)):
+        return None
+    if not manifest.build_types and "catkin" not in manifest.depends():
+        return None  # it says nothing; that catkin would build it is no more than the default
+    return ROS2 if manifest.is_ament else ROS1 if manifest.is_catkin else None
 
 
 def evaluate(session: Session, file: str, given: Pairs = ()) -> Evaluation:

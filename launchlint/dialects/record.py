@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 TYPE_CHECKING = False
@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from launchlint.evaluate.session import Read, Session
     from launchlint.model import DialectName
     from launchlint.problem import Problem
+    from launchlint.syntax.remarks import Remark
     from launchlint.syntax.tree import Document
 
     Pairs: TypeAlias = tuple[tuple[str, str], ...]
-    Attributes: TypeAlias = Mapping[str, tuple[str, ...]]
 
 
 class Dialect(NamedTuple):
@@ -28,7 +28,7 @@ class Dialect(NamedTuple):
     ``validate(document)``: what is wrong with it as it is written, whoever includes it, in order.
     ``evaluate(session, file, given)``: what it starts with these args. ``configurations``: the same in every configuration that matters,
     the one that is given first. Neither raises, whatever the file holds.
-    ``attributes()``: the attributes of each tag in canonical order, from the metamodel.
+    ``remarks(document)``: its comments, each with what it stands before.
     """
 
     name: DialectName
@@ -38,4 +38,4 @@ class Dialect(NamedTuple):
     validate: Callable[[Document], Iterator[Problem]]
     evaluate: Callable[[Session, str, Pairs], Evaluation]
     configurations: Callable[[Session, str, Pairs], Iterator[Evaluation]]
-    attributes: Callable[[], Attributes]
+    remarks: Callable[[Document], list[Remark]]

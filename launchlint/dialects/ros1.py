@@ -9,10 +9,11 @@ from launchlint.model import ROS1
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.dialects.record import Attributes, Pairs
+    from launchlint.dialects.record import Pairs
     from launchlint.evaluate.assemble import Evaluation
     from launchlint.evaluate.session import Read, Session
     from launchlint.problem import Problem
+    from launchlint.syntax.remarks import Remark
     from launchlint.syntax.tree import Document
 
 
@@ -40,10 +41,10 @@ def _configurations(session: Session, file: str, given: Pairs) -> Iterator[Evalu
     return configurations(session, file, given)
 
 
-def _attributes() -> Attributes:
-    from launchlint.syntax.ros1.dialect import TAGS
+def _remarks(document: Document) -> list[Remark]:
+    from launchlint.syntax.remarks import remarks
 
-    return {tag: tuple(each.name for each in rule.attributes) for tag, rule in TAGS.items()}
+    return remarks(document)
 
 
-DIALECT = Dialect(ROS1, "ROS 1", "roslaunch", _parse, _validate, _evaluate, _configurations, _attributes)
+DIALECT = Dialect(ROS1, "ROS 1", "roslaunch", _parse, _validate, _evaluate, _configurations, _remarks)

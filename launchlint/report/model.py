@@ -1,4 +1,4 @@
-"""What roslaunch would start: as a table for people, and as JSON with the keys other tools compare."""
+"""What would be started: as a table for people, and as JSON with the keys other tools compare."""
 
 from __future__ import annotations
 
@@ -8,16 +8,20 @@ from collections.abc import Mapping
 from hashlib import sha1
 from typing import Any
 
-from launchlint.model import Binary, Command, Launch, Node, ParameterSetting, Unknown
+from launchlint.model import ROS2, Binary, Command, Launch, Node, ParameterSetting, Unknown
 from launchlint.report.escape import visible
 from launchlint.verdict import LOADS, Verdict
 
 
 def as_object(launch: Launch, file: str, error: tuple[str, str] | None, verdict: Verdict = LOADS) -> dict[str, Any]:
-    """The model as one JSON object; ``error`` is (rule ID, message) of the first reason why roslaunch refuses the file here.
+    """The model as one JSON object; ``error`` is (rule ID, message) of the first reason why its launcher refuses the file here.
 
-    ``verdict`` is what people are told of that: it sets apart what only this machine lacks.
+    ``verdict`` is what people are told of that: it sets apart what only this machine lacks. Each dialect has keys of its own.
     """
+    if launch.dialect == ROS2:
+        from launchlint.report.launched import as_object as launched
+
+        return launched(launch, file, error, verdict)
     return {
         "file": file,
         "verdict": "ok" if error is None else "error",

@@ -11,6 +11,8 @@ from launchlint.errors import UsageError
 _ENDS = (".launch", ".launch.xml")
 _TEST_END = ".test"
 _XML_END = ".xml"
+_YAML_ENDS = (".launch.yaml", ".launch.yml", "_launch.yaml", "_launch.yml")
+_PYTHON_ENDS = (".launch.py", "_launch.py")
 # Files that are never launch files, and so frequent that looking into each would be felt.
 _OTHER_XML = frozenset(("package.xml", "manifest.xml", "stack.xml", "plugin_description.xml"))
 
@@ -34,7 +36,8 @@ _MOST_DIRECTORIES = 100_000
 def discover(paths: Sequence[str], exclude: Sequence[str] = (), base: str | None = None) -> list[str]:
     """Launch files at and below ``paths``, sorted, each once.
 
-    Taken are files named ``*.launch`` and ``*.launch.xml``, and files named ``*.test`` and ``*.xml`` that have ``<launch>`` as root.
+    Taken are files named ``*.launch`` and ``*.launch.xml``, files named ``*.test`` and ``*.xml`` that have ``<launch>`` as root, those
+    named ``*.launch.yaml``, ``*_launch.yaml`` and the like that have the key ``launch``, and those in Python (:func:`is_in_python`).
     Left out are hidden directories, and the build, devel, install and log directories of catkin and colcon. Links to directories are
     followed, but no directory is searched twice.
 
@@ -68,7 +71,7 @@ def discover(paths: Sequence[str], exclude: Sequence[str] = (), base: str | None
 
 def is_launch_file(path: str) -> bool:
     """Whether the file at ``path`` is a launch file by its name and, where the name leaves it open, by its content."""
-    if path.endswith(_ENDS):
+    if path.endswith((*_ENDS, *_PYTHON_ENDS)):
         return True
     if not may_be_launch_file(path):
         return False
@@ -85,17 +88,24 @@ def is_launch_file(path: str) -> bool:
     return is_launch_content(path, start)
 
 
+def is_in_python(path: str) -> bool:
+    """Whether a file of this name is a launch file of ROS 2 in Python, which nobody here reads."""
+    return path.endswith(_PYTHON_ENDS)
+
+
 def may_be_launch_file(path: str) -> bool:
     """Whether a file of this name can be a launch file."""
-    return path.endswith((*_ENDS, _TEST_END, _XML_END)) and os.path.basename(path) not in _OTHER_XML
+    return path.endswith((*_ENDS, _TEST_END, _XML_END, *_YAML_ENDS, *_PYTHON_ENDS)) and os.path.basename(path) not in _OTHER_XML
 
 
 def is_launch_content(path: str, content: bytes) -> bool:
     """Whether a file that may be a launch file by its name is one, with what it holds (its beginning is enough)."""
-    if path.endswith(_ENDS):
+    if path.endswith((*_ENDS, *_PYTHON_ENDS)):
         return True
-    from launchlint.workspace.dialect import has_launch_root
+    from launchlint.workspace.launch_root import has_launch_key, has_launch_root
 
+    if path.endswith(_YAML_ENDS):
+        return has_launch_key(content[:_SNIFFED])
     # A test file may be broken, and is then still meant to be one; an XML file with another root is simply something else.
     return has_launch_root(content[:_SNIFFED]) or (path.endswith(_TEST_END) and b"<launch" in content[:_SNIFFED])
 

@@ -4,6 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from launchlint.model import ROS1, ROS2
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.model import DialectName
+
 DISTRIBUTIONS = ("humble", "jazzy", "kilted", "rolling")
 """Oldest first."""
 DEFAULT = "jazzy"
@@ -16,9 +22,9 @@ def distribution(said: str, variables: Mapping[str, str]) -> str:
     return said or (here if here in DISTRIBUTIONS else DEFAULT)
 
 
-def environment_is_for(variables: Mapping[str, str]) -> str | None:
-    """``ros1`` or ``ros2`` where a set-up script of ROS has made this environment (REP 149); None where none has."""
+def environment_is_for(variables: Mapping[str, str]) -> DialectName | None:
+    """The dialect whose set-up script has made this environment (REP 149); None where none has."""
     version = variables.get("ROS_VERSION", "")
     if version in ("1", "2"):
-        return f"ros{version}"
-    return "ros2" if variables.get("ROS_DISTRO", "") in DISTRIBUTIONS else None
+        return ROS1 if version == "1" else ROS2
+    return ROS2 if variables.get("ROS_DISTRO", "") in DISTRIBUTIONS else None

@@ -262,22 +262,37 @@ def test_nothing_to_check(tmp_path: Path) -> None:
 ROS2 = '<launch>\n  <let name="robot" value="one"/>\n  <node pkg="demo" exec="talk" namespace="$(var robot)"/>\n</launch>\n'
 
 
-def test_ros2_launch_files_are_left_out_with_one_notice(repository: Path) -> None:
+def test_both_dialects_in_one_run(repository: Path) -> None:
     write(repository, {"demo/launch/two.launch.xml": ROS2})
+    assert concise(repository) == (1, BOTH, "")
+    broken = "launch:\n- node:\n    pkg: demo\n    exce: talk\n"
+    write(repository, {"demo/launch/three.launch.yaml": broken})
+    ran = run(repository, "check", "--format", "concise")
+    assert (ran.status, ran.errors) == (1, "")
+    told = [line for line in ran.output.splitlines() if line.startswith("demo/launch/three.launch.yaml:")]
+    assert [line.partition(" ")[2].split()[:2] for line in told] == [["error", "LL105"], ["error", "LL104"]]
+    whole = run(repository, "check", "demo/launch/three.launch.yaml")
+    assert "roslaunch" not in whole.output
+    assert "refused by ros2 launch" in whole.output
+
+
+def test_a_comment_in_yaml_silences_a_rule(repository: Path) -> None:
+    text = "launch:\n# launchlint: ignore[LL104] read by our own tools\n- node:\n    pkg: demo\n    exec: talk\n    color: red\n"
+    write(repository, {"demo/launch/three.launch.yaml": text})
+    told = run(repository, "check", "--format", "concise", "demo/launch/three.launch.yaml")
+    assert (told.status, told.output.count("LL104")) == (0, 0)
+    write(repository, {"demo/launch/three.launch.yaml": text.replace("launchlint:", "")})
+    assert "LL104" in run(repository, "check", "--format", "concise", "demo/launch/three.launch.yaml").output
+
+
+def test_launch_files_in_python_are_left_out_with_one_notice(repository: Path) -> None:
+    write(repository, {"demo/launch/two.launch.py": "", "demo/launch/three_launch.py": ""})
     notice = (
-        "launchlint: left out the ROS 2 launch file demo/launch/two.launch.xml: only ROS 1 is checked; "
-        "name a file to check it all the same\n"
+        "launchlint: left out 2 launch files in Python such as demo/launch/three_launch.py: "
+        "of ROS 2, those in XML and YAML are read, and none in Python\n"
     )
     assert concise(repository) == (1, BOTH, notice)
     assert run(repository, "check", "-q") == (1, "", "")
-    write(repository, {"demo/launch/three.launch.xml": ROS2})
-    assert concise(repository)[2] == (
-        "launchlint: left out 2 ROS 2 launch files such as demo/launch/three.launch.xml: only ROS 1 is checked; "
-        "name a file to check it all the same\n"
-    )
-    named = run(repository, "check", "--format", "concise", "demo/launch/two.launch.xml")
-    assert (named.status, named.errors) == (1, "")
-    assert "LL112" in named.output
 
 
 def test_files_of_other_programs_are_left_out_with_one_notice(repository: Path) -> None:
@@ -295,4 +310,5 @@ def test_files_of_other_programs_are_left_out_with_one_notice(repository: Path) 
 def test_what_a_package_is_built_for_decides_where_the_file_does_not(repository: Path) -> None:
     package = PACKAGE.format(name="two").replace("</license>", "</license><export><build_type>ament_cmake</build_type></export>")
     write(repository, {"two/package.xml": package, "two/launch/plain.launch.xml": "<launch/>\n"})
-    assert "two/launch/plain.launch.xml" in concise(repository)[2]
+    told = run(repository, "model", "--format", "jsonl", "two/launch/plain.launch.xml", "demo/launch")
+    assert ["distro" in json.loads(line) for line in told.output.splitlines()][-1:] == [True]

@@ -153,13 +153,16 @@ def test_test_files_and_machine_files_are_launch_files(repository: Path, launch:
     assert (launch / "robot.machine.xml").read_text() == '<launch>\n  <machine name="m" address="here"/>\n</launch>\n'
 
 
-def test_ros2_files_are_left_out_unless_named(repository: Path, launch: Path) -> None:
-    other = '<launch><node exec="talker" pkg="demo" name="a" namespace="b"/><let name="a" value="$(var b)"/></launch>'
+def test_files_of_ros2_are_formatted_and_their_args_stay(repository: Path, launch: Path) -> None:
+    node, rest = '<node exec="talker" pkg="demo" name="a" namespace="b"/>', '<let name="a" value="b"/><arg name="c" default="$(var a)"/>'
+    other = f"<launch>{node}{rest}</launch>"
     write(launch, {"ugly.launch": other})
+    write(repository, {".launchlint.yaml": "format: {sort-args: true}\n", "demo/launch/b.launch.py": ""})
     ran = run(repository, "format")
-    assert (ran.status, ran.output) == (0, "")
-    assert "left out the ROS 2 launch file demo/launch/ugly.launch" in ran.errors
-    assert run(repository, "format", "demo/launch/ugly.launch").output == "formatted demo/launch/ugly.launch\n"
+    assert (ran.status, ran.output) == (0, "formatted demo/launch/ugly.launch\n")
+    assert "left out the launch file demo/launch/b.launch.py" in ran.errors
+    tags = [line.split()[0] for line in (launch / "ugly.launch").read_text().splitlines()]
+    assert tags == ["<launch>", "<node", "<let", "<arg", "</launch>"]
 
 
 @pytest.mark.parametrize(

@@ -27,7 +27,7 @@ def test_the_text(repository: Path) -> None:
     ran = run(repository, "init")
     assert (ran.status, ran.errors) == (0, "launchlint: wrote .launchlint.yaml\n")
     assert ran.output.splitlines()[:5] == [
-        "1 package, 1 ROS 1 launch file.",
+        "1 package, 1 launch file.",
         "A check finds nothing wrong.",
         "",
         "To check every commit, write this to .pre-commit-config.yaml (--pre-commit does):",
@@ -39,12 +39,12 @@ def test_the_text(repository: Path) -> None:
 
 
 def test_what_is_found(repository: Path) -> None:
-    write(repository, {"launch/b.launch": DOUBLE, "launch/c.launch": ROS2, ".gitlab-ci.yml": "", ".pre-commit-config.yaml": "repos: []\n"})
+    write(repository, {"launch/b.launch": DOUBLE, "launch/c.launch.py": "", ".gitlab-ci.yml": "", ".pre-commit-config.yaml": "repos: []\n"})
     ran = run(repository.parent, "init", "robot")
     assert (ran.status, ran.errors) == (0, "launchlint: wrote robot/.launchlint.yaml\n")
     assert ran.output.splitlines()[:11] == [
-        "1 package, 2 ROS 1 launch files.",
-        "1 ROS 2 launch file: only ROS 1 is checked, these are left out.",
+        "1 package, 2 launch files.",
+        "1 launch file in Python: only those in XML and YAML are checked, these are left out.",
         "A check finds 1 error and 0 warnings: `launchlint check` shows them.",
         "To hear of new ones only, run",
         "",

@@ -95,13 +95,21 @@ def test_model_of_a_missing_file(repository: Path) -> None:
     )  # fmt: skip
 
 
-def test_model_leaves_ros2_out_with_one_notice(repository: Path) -> None:
-    write(repository, {"two.launch.xml": '<launch><let name="a" value="b"/></launch>'})
+def test_model_of_both_dialects(repository: Path) -> None:
+    write(repository, {"two.launch.xml": '<launch><let name="a" value="b"/><node pkg="demo" exec="$(var a)" name="n"/></launch>'})
     ran = run(repository, "model", "--format", "jsonl", ".")
-    assert len(ran.output.splitlines()) == 3
-    assert ran.errors == (
-        "launchlint: left out the ROS 2 launch file two.launch.xml: only ROS 1 is checked; name a file to check it all the same\n"
-    )
+    told = {each["file"]: each for each in map(json.loads, ran.output.splitlines())}
+    assert len(told) == 4
+    assert told["two.launch.xml"]["distro"] == "jazzy"
+    assert [each["executable"] for each in told["two.launch.xml"]["nodes"]] == ["b"]
+    assert run(repository, "model", "--distro", "humble", "--format", "jsonl", "two.launch.xml").output.count('"distro": "humble"') == 1
+
+
+def test_launch_files_in_python_are_left_out_with_one_notice(repository: Path) -> None:
+    write(repository, {"two.launch.py": "def generate_launch_description(): ...\n"})
+    notice = "launchlint: left out the launch file two.launch.py: of ROS 2, those in XML and YAML are read, and none in Python\n"
+    assert run(repository, "model", "--format", "jsonl", ".").errors == notice
+    assert run(repository, "model", "two.launch.py") == (0, "", notice)
 
 
 def test_rules_lists_all_of_them(repository: Path) -> None:

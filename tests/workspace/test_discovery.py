@@ -23,9 +23,14 @@ Grow = Callable[[Mapping[str, str | None]], Path]
             ["a.launch", "b.test", "c.launch.xml", "d.xml"],
         ),
         (
-            {"a.xml": "<robot/>", "b.test": "words", "c.txt": "<launch/>", "d.launch.py": "", "package.xml": "<launch/>", "e.launch~": ""},
+            {"a.xml": "<robot/>", "b.test": "words", "c.txt": "<launch/>", "d.py": "", "package.xml": "<launch/>", "e.launch~": ""},
             [],
         ),
+        (
+            {"a.launch.yaml": "launch:\n", "b_launch.yml": "# x\nlaunch: []\n", "c.launch.yaml": "a: b\n", "d.yaml": "launch:\n"},
+            ["a.launch.yaml", "b_launch.yml"],
+        ),
+        ({"a_launch.xml": "<launch/>", "b.launch.py": "", "c_launch.py": ""}, ["a_launch.xml", "b.launch.py", "c_launch.py"]),
         ({"broken.test": "<!-- x -- -->\n<launch>", "broken.xml": "words <launch>"}, ["broken.test"]),
         ({"a.launch": None, "a.launch/b.launch": ""}, ["a.launch/b.launch"]),
         ({".hidden/a.launch": "", ".a.launch": "", "b/.git/x.launch": ""}, [".a.launch"]),
