@@ -49,7 +49,7 @@ class Entity(ABC):
     @property
     @abstractmethod
     def place(self) -> Place:
-        """All of it."""
+        """Where it begins: the start tag, or the key."""
 
     @property
     @abstractmethod

@@ -41,8 +41,8 @@ class XmlEntity(Entity):
 
     @property
     def place(self) -> Place:
-        """The element."""
-        return self._document.place(self.element.span)
+        """The start tag."""
+        return self._document.place(self.element.start_span)
 
     @property
     def given(self) -> tuple[str, ...]:

@@ -46,8 +46,9 @@ class YamlEntity(Entity):
 
     @property
     def place(self) -> Place:
-        """The key and all behind it."""
-        return self._at(self._key._replace(end=max(self._key.end, self._item.span.end)))
+        """The key; what stands behind it as well, where that is in the same line."""
+        whole = self._at(self._key._replace(end=max(self._key.end, self._item.span.end)))
+        return self.name_place if "\n" in whole.text else whole
 
     @property
     def given(self) -> tuple[str, ...]:
