@@ -39,7 +39,7 @@ _ROS_2 = re.compile(r"(?<![A-Za-z])(?:ardent|bouncy|crystal|dashing|eloquent|fox
 
 
 # A line that brings other sources here: `git clone …/arm_tools.git`, `mv arm/arm_tools .`, `ln -s …`, `wget …/arm_tools.zip`.
-_FETCHES = re.compile(r"^(?![ \t]*#).*\b(?:git|clone|svn|hg|wstool|vcs|mv|ln|cp|wget|curl|unzip|tar)\b.*$", re.MULTILINE)
+_FETCHES = re.compile(r"\b(?:git|clone|svn|hg|wstool|vcs|mv|ln|cp|wget|curl|unzip|tar)\b")
 _FETCHED = re.compile(r"(?<![\w-])([A-Za-z]\w*_\w*)(?![\w-])")
 _SHORTEST = 6
 
@@ -83,10 +83,11 @@ def read_distributions(directories: Iterable[str], packages: Iterable[str] = ())
         found.update(name.lower() for name in _NAMED.findall(text))
         if _INSTALLS.search(text) or (_COLCON.search(text) and not _ROS_2.search(text)):
             installs.add(os.path.dirname(file))
-        for line in _FETCHES.findall(text):
-            for name in _FETCHED.findall(line):
-                if len(name) >= _SHORTEST:
-                    fetched.setdefault(name, file)
+        for line in text.split("\n") if _FETCHES.search(text) else ():
+            if "_" in line and not line.lstrip(" \t").startswith("#") and _FETCHES.search(line):
+                for name in _FETCHED.findall(line):
+                    if len(name) >= _SHORTEST:
+                        fetched.setdefault(name, file)
     return Distributions(frozenset(found), frozenset(looked), frozenset(installs), frozenset(templates), MappingProxyType(fetched))
 
 

@@ -182,6 +182,7 @@ class _Reads:
                 self._around.add(outer)
                 outer = outer.rpartition("/")[0]
         self._channels = {name for _, name in self._graph.channels}
+        self._whole: dict[tuple[str, str], bool] = {}
 
     def own(self, instance: Instance) -> _Own:
         """What the code of a node may read."""
@@ -203,14 +204,23 @@ class _Reads:
         """Whether somebody may read ``name``, which is private to ``owner``, something around it or something below it."""
         if name.rpartition("/")[2] in UNIVERSAL or name in self._around:
             return True
-        outer = name.rpartition("/")[0]
-        while outer:  # a mapping that is read as a whole; params of image_transport and actionlib lie below their topics
-            if outer in self._graph.readers or (outer != owner.name and outer in self._channels):
-                return True
-            outer = outer.rpartition("/")[0]
+        within = name.rpartition("/")[0], owner.name
+        if within not in self._whole:
+            self._whole[within] = self._is_read_whole(*within)
+        if self._whole[within]:
+            return True
         if self.own(owner).declared.may_be(name):
             return True
         return self._graph.unseen.has("params", name)
+
+    def _is_read_whole(self, namespace: str, owner: str) -> bool:
+        """Whether a mapping around may be read as a whole; params of image_transport and actionlib lie below their topics."""
+        outer = namespace
+        while outer:
+            if outer in self._graph.readers or (outer != owner and outer in self._channels):
+                return True
+            outer = outer.rpartition("/")[0]
+        return False
 
 
 def _finding(setting: ParameterSetting, owner: Instance, reads: _Reads, view: GraphView, *, several: bool) -> Finding:
