@@ -1,0 +1,50 @@
+"""Paths below ``$(find-pkg-share PKG)``, which is the source directory of a package here: what of it is there once it is installed."""
+
+from __future__ import annotations
+
+import os
+from typing import NamedTuple
+
+from launchlint.workspace.ament.installed import Installed
+from launchlint.workspace.ament.reading import InstalledIndex
+from launchlint.workspace.looking import exists
+from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
+from launchlint.workspace.prefixes import is_installed
+
+
+class Shared(NamedTuple):
+    """A path in the source directory of ``package``, taken for one below its share directory: ``path`` is what follows that."""
+
+    package: Package
+    path: str
+    installed: Installed
+
+
+def shared(packages: Packages, file: str) -> Shared | None:
+    """The package whose share directory ``file`` (absolute) would lie in; ``None`` where it is that of no package of the workspaces."""
+    colcon = packages.colcon
+    nearest = colcon.package_of(file)
+    if nearest is None or not nearest.name or is_installed(nearest.directory):
+        return None
+    package = colcon.get(nearest.name, file)
+    if package is None or package.directory != nearest.directory:
+        return None
+    path = os.path.relpath(os.path.abspath(file), package.directory)
+    return None if path == "." else Shared(package, path, colcon.once(InstalledIndex).of(package))
+
+
+def installed_source(packages: Packages, file: str) -> str | None:
+    """The file that is installed to where ``file`` (absolute) would lie if the source directory were the share directory.
+
+    ``$(find-pkg-share rover)/launch/a.launch.xml`` may come from ``rover/bringup/launch/a.launch.xml``. ``None`` where none is known.
+    """
+    found = shared(packages, file)
+    source = None if found is None else found.installed.source_of(found.path)
+    return source if source is not None and exists(source) else None
+
+
+def may_be_installed(packages: Packages, file: str) -> bool:
+    """Whether something may stand there once the package is installed: a file that the build makes, or one that is not known here."""
+    found = shared(packages, file)
+    return found is not None and not found.installed.lacks(found.path)
