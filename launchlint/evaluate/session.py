@@ -10,6 +10,7 @@ from collections.abc import Mapping
 
 from launchlint.source import Source, Span
 from launchlint.syntax.parse import parse
+from launchlint.workspace.looking import exists
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.ros2_distributions import distribution
 
@@ -141,6 +142,17 @@ class Session:
     def exists(self, file: str) -> bool:
         """Whether ``file`` is a regular file that can be read."""
         return self.read(file).data is not None
+
+    def placed(self, file: str) -> str:
+        """What stands at ``file``, which lies in the sources of a package, if these are taken for what is installed of it.
+
+        That is ``file`` where there is anything, else the file or directory of the package that is installed to this place, else ``file``.
+        """
+        if exists(file):
+            return file
+        from launchlint.workspace.ament.shares import installed_source
+
+        return installed_source(self.packages, file) or file
 
     @property
     def distro(self) -> str:

@@ -32,6 +32,9 @@ class Failure(Exception):
         self.problem = problem
 
 
+SHARE = "find-pkg-share"
+"""What stands for the directory that a package is installed to: here for that of its sources, which may be laid out otherwise."""
+
 Perform = Callable[["Performer", Substitution], Value]
 """What is put in place of one substitution. Raises Failure."""
 
@@ -104,7 +107,11 @@ class Performer:
             return value
         if not pieces:
             return ""
-        return joined([piece if isinstance(piece, str) else self.substitute(piece) for piece in pieces], text.place, self.spend)
+        whole = joined([piece if isinstance(piece, str) else self.substitute(piece) for piece in pieces], text.place, self.spend)
+        first = pieces[0]
+        if isinstance(whole, str) and isinstance(first, Substitution) and first.name == SHARE:
+            return self.session.placed(whole)
+        return whole
 
     def substitute(self, substitution: Substitution) -> Value:
         """What is put in place of one substitution. Raises Failure."""
