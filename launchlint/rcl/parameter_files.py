@@ -168,7 +168,7 @@ class _Reading:
             raise _Stop(f"{PARAMETERS} must stand below the name of a node, and it stands below none", event)
         fault = _fault_of(name)
         if fault:
-            raise _Stop(fault, event)
+            raise _Stop(fault, event._replace(start=self.node_span.start, end=self.node_span.end))
         self.key = self.table.key(name, self.source, self.node_span)
         self.node = _without_last(self.node, "/")
         self.in_parameters = True

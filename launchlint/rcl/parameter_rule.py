@@ -31,13 +31,13 @@ def add(text: str, table: Table) -> Refused | None:
     start = lexemes.at
     while True:
         if lexemes.kind not in (lexer.TOKEN, lexer.SLASH):
-            return _refused(lexemes, "a parameter's name is made of letters, digits, underscores, slashes and points between them")
+            return _refused(lexemes, _no_name(lexemes))
         while lexemes.accept(lexer.TOKEN, lexer.SLASH):
             pass
         if lexemes.kind == lexer.SEPARATOR:
             break
         if not lexemes.accept(lexer.DOT):
-            return _refused(lexemes, "a parameter's name, := and a value must stand here")
+            return _refused(lexemes, _no_name(lexemes))
     name = Span(start, lexemes.at)
     lexemes.take()
     value = text[lexemes.at :]
@@ -80,6 +80,17 @@ def _value(text: str, start: int, parameter: Parameter) -> Refused | None:
     except YamlBeyond as beyond:
         return Refused(beyond.message, Span(start, start + len(text)))
     return None
+
+
+def _no_name(lexemes: Lexemes) -> str:
+    if lexemes.kind == lexer.END:
+        return ":= and a value are missing"
+    if lexemes.kind == lexer.SEPARATOR:
+        return "a parameter's name is missing" if lexemes.at == 0 else "a parameter's name cannot end with a point"
+    character = lexemes.text[lexemes.at]
+    if character.isdigit():
+        return "no part of a parameter's name can begin with a digit here"
+    return f"a parameter's name cannot hold {'a blank' if character == ' ' else repr(character)} here"
 
 
 def _refused(lexemes: Lexemes, reason: str) -> Refused:

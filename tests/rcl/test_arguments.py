@@ -92,7 +92,11 @@ def test_rules_for_parameters(rule: str, type_: str, value: object) -> None:
     ("words", "word", "start", "reason"),
     [
         (("-p", "a:="), 2, 3, "the value is empty"),
-        (("-p", "a-b:=1"), 2, 1, "a parameter's name, := and a value must stand here"),
+        (("-p", "a-b:=1"), 2, 1, "a parameter's name cannot hold '-' here"),
+        (("-p", "a.:=1"), 2, 2, "a parameter's name cannot end with a point"),
+        (("-p", ":=1"), 2, 0, "a parameter's name is missing"),
+        (("-p", "a"), 2, 1, ":= and a value are missing"),
+        (("-p", "2d:=1"), 2, 0, "no part of a parameter's name can begin with a digit here"),
         (("-p", "a:={b: 1}"), 2, 3, "the value can be no mapping and no alias"),
         (("-p", "a:=[1, b]"), 2, 7, "all items of a list must be of one type: the first is a whole number, this is a text"),
         (("-p",), 1, 0, "-p is the last word, and what it is about must follow"),

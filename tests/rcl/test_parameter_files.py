@@ -109,8 +109,8 @@ def test_places() -> None:
         ("- a\n", 1, 1, "a list stands here where a name must be"),
         ("n: [a]\n", 1, 4, "a list stands outside of ros__parameters"),
         ("ros__parameters: {a: 1}\n", 1, 1, "ros__parameters must stand below the name of a node"),
-        ("n-1:\n  ros__parameters: {a: 1}\n", 2, 3, "n-1 is no name of a node"),
-        ("a//n:\n  ros__parameters: {a: 1}\n", 2, 3, "two slashes stand side by side"),
+        ("n-1:\n  ros__parameters: {a: 1}\n", 1, 1, "n-1 is no name of a node"),
+        ("a//n:\n  ros__parameters: {a: 1}\n", 1, 1, "two slashes stand side by side"),
         ("n:\n  ros__parameters: 5\n", 2, 20, "ros__parameters must hold names with values, and has itself a value"),
     ],
 )

@@ -151,7 +151,7 @@ def _command(file: FileEvaluation, element: Element, line: str, type_: str) -> C
 
 def _missing(file: FileEvaluation, element: Element, attribute: str, name: str, reason: str, reads: frozenset[str]) -> None:
     """Record a file that cannot be read."""
-    from launchlint.evaluate.ros1.missing_file import missing_file  # only a file that is not there pays for it
+    from launchlint.evaluate.missing_file import missing_file  # only a file that is not there pays for it
 
     written = element.attributes[attribute]
     file.record(missing_file(file.session, file.at(written.shown_span), attribute, name, reason, environment=file.from_environment(reads)))

@@ -11,12 +11,13 @@ import posixpath
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from launchlint.evaluate.ros2.parameter_problems import ComponentFileRefused, ParameterFileMissing
+from launchlint.evaluate.ros2.parameter_problems import ComponentFileRefused
 from launchlint.evaluate.ros2.parameters import (
     PARAMETERS,
     GlobalParameter,
     Passed,
-    missing_reason,
+    TextValue,
+    missing,
     parameter_file,
     source_of,
     values,
@@ -43,7 +44,12 @@ _SCALARS = (bool, int, float, str)
 
 
 def component_parameters(
-    own: Iterable[ParameterSource], in_force: Iterable[GlobalSource], name: str, namespace: str | None, asks: Performs
+    own: Iterable[ParameterSource],
+    in_force: Iterable[GlobalSource],
+    name: str,
+    namespace: str | None,
+    asks: Performs,
+    passed: list[Passed] | None = None,
 ) -> tuple[Mapping[str, Typed], bool]:
     """The params that a composable node is given, and whether all of them are known. Raises where launch stops.
 
@@ -53,7 +59,9 @@ def component_parameters(
         name: its name, empty if it has none here.
         namespace: its namespace, if it is given one.
         asks: who performs texts.
+        passed: is filled with the files and values that it is given.
     """
+    passed = [] if passed is None else passed
     sets: list[Mapping[str, Any] | Passed] = []
     for each in in_force:
         if isinstance(each, GlobalParameter):
@@ -62,16 +70,18 @@ def component_parameters(
             sets.append(Passed(each.origin, file=each.file.text, unknown=True))
         else:
             if asks.session.read(each.file).data is None:
-                reason = missing_reason(each.file, asks)
-                asks.fail(ParameterFileMissing(origin=each.origin, refused=True, file=each.file, reason=reason))
+                asks.fail(missing(each.file, each.origin, "filename", asks))
             sets.append(Passed(each.origin, file=posixpath.normpath(each.file)))
     for source in own:
         if isinstance(source, ParameterFile):
             given = parameter_file(source, asks, must_exist=True)
             assert given is not None  # a file that must exist and does not has stopped launch
             sets.append(given)
+            passed.append(given)
         else:
-            sets.append(values(source, asks))
+            texts: list[TextValue] = []
+            sets.append(values(source, asks, texts))
+            passed.append(Passed(asks.where(source.place), texts=tuple(texts)))
     full = posixpath.join(namespace.strip("/"), name.lstrip("/")) if namespace and namespace != "/" else name.lstrip("/")
     return _joined(sets, full, asks)
 

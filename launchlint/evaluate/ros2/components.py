@@ -6,12 +6,14 @@ from typing import NamedTuple
 
 from launchlint.evaluate.ros2 import component_parameters
 from launchlint.evaluate.ros2.context import Value
+from launchlint.evaluate.ros2.judged_keys import Receiver, judged_component
 from launchlint.evaluate.ros2.namespaces import namespace_of, namespace_with_slash
 from launchlint.evaluate.ros2.performing import Failure
 from launchlint.evaluate.ros2.processes import text_of
 from launchlint.evaluate.ros2.setting_actions import remapping
 from launchlint.evaluate.ros2.walk import STARTING, Walk
 from launchlint.model import Condition, Node, Unknown
+from launchlint.rcl.names import full_name
 from launchlint.syntax.ros2 import description as described
 
 TYPE_CHECKING = False
@@ -19,6 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from launchlint.evaluate.ros2.component_parameters import Typed
+    from launchlint.evaluate.ros2.parameters import Passed
     from launchlint.model import Role
     from launchlint.source import Place
 
@@ -131,8 +134,14 @@ def _parameters(walk: Walk, component: described.Component, name: Value | None, 
         return {}
     if isinstance(name, Unknown) or isinstance(namespace, Unknown):
         return None
+    passed: list[Passed] = []
     try:
-        own, _ = component_parameters.component_parameters(component.parameters, in_force, name or "", namespace, walk.performer)
+        own, _ = component_parameters.component_parameters(component.parameters, in_force, name or "", namespace, walk.performer, passed)
+        if name:
+            full = full_name(namespace or "/", name)
+            walk.receivers.append(Receiver(full, False, tuple(passed)))
+            for problem in judged_component(passed, full, walk.performer):
+                walk.record_once(problem)
         return own
     except Failure as failure:
         walk.record(failure.problem)

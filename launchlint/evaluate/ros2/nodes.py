@@ -8,6 +8,8 @@ from typing import NamedTuple
 from launchlint.evaluate.problems import InvalidNamespace, InvalidNodeName
 from launchlint.evaluate.ros2.components import load, met_components
 from launchlint.evaluate.ros2.context import Value
+from launchlint.evaluate.ros2.judged_keys import Receiver
+from launchlint.evaluate.ros2.judged_parameters import judged
 from launchlint.evaluate.ros2.names import name_fault, namespace_fault, prefixed
 from launchlint.evaluate.ros2.namespaces import namespace_of, namespace_with_slash
 from launchlint.evaluate.ros2.parameters import Passed, node_parameters
@@ -15,7 +17,7 @@ from launchlint.evaluate.ros2.performing import Failure
 from launchlint.evaluate.ros2.problems import NodePackageMissing
 from launchlint.evaluate.ros2.processes import exits, prepare, process_of, text_of
 from launchlint.evaluate.ros2.setting_actions import remapping
-from launchlint.evaluate.ros2.started import started
+from launchlint.evaluate.ros2.started import Started, started
 from launchlint.evaluate.ros2.substitutions import is_package_name, prefix
 from launchlint.evaluate.ros2.walk import STARTING, Told, Walk, tag_of
 from launchlint.model import EnvironmentSetting, Node, ParameterSource, Remap, Unknown
@@ -63,6 +65,10 @@ def node(walk: Walk, action: described.Node) -> None:
     prepared = prepare(walk, action.process, (program, *arguments), tag, action.place)
     known = [remap for remap in remaps if remap.patterns is None]
     fate = _started(walk, named, sources, known, arguments, ros_arguments if action.ros_arguments else None)
+    if fate is not None:
+        for problem in judged(sources, known, fate, fate.full_name or text_of(executable), walk.performer):
+            walk.record_once(problem)
+        walk.receivers.append(Receiver(fate.full_name, action.kind == "container", tuple(sources)))
     unknown, patterns = _unknown({"name": named.name, "namespace": named.namespace, "package": package, "executable": executable})
     if any(isinstance(word, Unknown) for word in arguments):
         unknown.add("arguments")
@@ -101,8 +107,8 @@ def node(walk: Walk, action: described.Node) -> None:
             has_namespace=named.namespace is not None,
             process=process,
             sources=tuple(ParameterSource(each.origin, each.file, each.content, each.rule, each.of) for each in sources),
-            own=fate[0],
-            fatal=fate[1],
+            own=_own(fate),
+            fatal="" if fate is None or fate.refused is None else fate.refused.reason,
         )
     )  # fmt: skip
     if components:
@@ -159,18 +165,21 @@ def _words(walk: Walk, words: tuple[Text, ...]) -> list[Value]:
 
 def _started(
     walk: Walk, named: Named, sources: list[Passed], remaps: list[Remap], arguments: list[Value], ros_arguments: list[Value] | None
-) -> tuple[dict[str, tuple[str, Any]] | None, str]:
-    """What rcl makes of it: the params that it ends up with, and why it dies instead, if it does."""
+) -> Started | None:
+    """What rcl makes of it; None where it is not known under which name."""
     if isinstance(named.name, Unknown) or isinstance(named.namespace, Unknown):
-        return None, ""
+        return None
     words = [text_of(word) for word in arguments]
     ros_words = None if ros_arguments is None else [text_of(word) for word in ros_arguments]
     pairs = [(remap.source, remap.target) for remap in remaps]
-    fate = started(words, ros_words, named.name, named.namespace, sources, pairs, walk.performer)
-    own: dict[str, tuple[str, Any]] | None = None
-    if fate.parameters is not None:
-        own = {name: (value.type, value.data) for name, value in fate.parameters.items()}
-    return own, "" if fate.refused is None else fate.refused.reason
+    return started(words, ros_words, named.name, named.namespace, sources, pairs, walk.performer)
+
+
+def _own(fate: Started | None) -> dict[str, tuple[str, Any]] | None:
+    """The params that it ends up with."""
+    if fate is None or fate.parameters is None:
+        return None
+    return {name: (value.type, value.data) for name, value in fate.parameters.items()}
 
 
 def _unknown(values: dict[Role, Value | None]) -> tuple[set[Role], dict[Role, str]]:

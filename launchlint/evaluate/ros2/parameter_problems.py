@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from launchlint.problem import Problem
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Literal
+
 
 class ParameterValueType(Problem):
     """A ``value`` that launch does not take for the param ``name``, for this ``reason``; ``type`` is what the file says it is."""
@@ -11,20 +15,6 @@ class ParameterValueType(Problem):
     name: str
     value: str
     type: str | None
-    reason: str
-
-
-class ParameterFileMissing(Problem):
-    """A ``file`` of params that is not there: launch warns and goes on without it, or stops (``refused``)."""
-
-    file: str
-    reason: str
-
-
-class GlobalFileMissing(Problem):
-    """A ``file`` of ``<set_parameters_from_file>`` that is not there: launch stops at the first node behind it."""
-
-    file: str
     reason: str
 
 
@@ -40,3 +30,95 @@ class ComponentFileRefused(Problem):
 
     file: str
     reason: str
+
+
+# ---- what launch does not see, and rcl does
+
+
+class ParametersFileDies(Problem):
+    """A ``file`` of params that rcl refuses for this ``reason``, so that ``node`` dies when it starts."""
+
+    file: str
+    reason: str
+    node: str
+
+
+class RemapDies(Problem):
+    """A remap that rcl refuses for this ``reason``, so that ``node`` dies when it starts; ``side`` is the part in which that shows."""
+
+    source: str
+    target: str
+    side: Literal["from", "to"]
+    reason: str
+    node: str
+
+
+class SetParameterDies(Problem):
+    """A ``<set_parameter>`` that makes every node behind it die when it starts; ``empty``: since its value is empty."""
+
+    name: str
+    value: str
+    empty: bool
+    reason: str
+
+
+class ListBecomesText(Problem):
+    """A list that ``<set_parameter>`` passes on as the text ``text``."""
+
+    name: str
+    text: str
+
+
+class TextRetyped(Problem):
+    """A ``value`` that is meant as a text and that a node gets as one of the ``type``; ``command_line``: through ``<set_parameter>``."""
+
+    name: str
+    value: str
+    type: str
+    command_line: bool
+
+
+class NumberStaysText(Problem):
+    """A ``value`` that every other node would get as a number, and that a composable node gets as a text."""
+
+    name: str
+    value: str
+    in_file: bool
+
+
+class LaterValueLost(Problem):
+    """A param that the node ``node`` does not start with, although it is set later than, or for it more exactly than the one that counts.
+
+    ``lost`` and ``kept`` are the values, ``lost_key`` and ``kept_key`` the keys of files under which they stand.
+    """
+
+    name: str
+    node: str
+    lost: str
+    kept: str
+    lost_key: str
+    kept_key: str
+    later: bool
+
+
+class ParametersForNobody(Problem):
+    """A ``file`` that is given to ``node`` and in which the key ``key`` does not reach it.
+
+    ``reached``: something else in the file does. ``near``: the key is that of another namespace (``namespace``) or nearly the name
+    (``spelling``); empty: it has nothing to do with the node. ``keys`` are those of the file.
+    """
+
+    file: str
+    node: str
+    key: str
+    near: Literal["namespace", "spelling", ""]
+    reached: bool
+    keys: tuple[str, ...]
+
+
+class ComponentKeyIgnored(Problem):
+    """A ``key`` with wildcards in a ``file`` for the composable node ``node``: launch reads the file, and knows ``/**`` alone."""
+
+    file: str
+    key: str
+    node: str

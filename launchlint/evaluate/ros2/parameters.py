@@ -10,12 +10,12 @@ import posixpath
 from collections.abc import Iterable
 from typing import Any, NamedTuple, Protocol
 
-from launchlint.evaluate.ros2.parameter_problems import ContentNoYaml, GlobalFileMissing, ParameterFileMissing, ParameterValueType
+from launchlint.evaluate.ros2.parameter_problems import ContentNoYaml, ParameterValueType
 from launchlint.evaluate.ros2.typed import TypeFault, by_yaml_rules, convert, is_uniform, load_file
 from launchlint.model import Unknown
 from launchlint.rcl.table import ANY
 from launchlint.source import Source
-from launchlint.syntax.ros2.description import Parameter, ParameterFile, Text
+from launchlint.syntax.ros2.description import Parameter, ParameterFile, Substitution, Text
 from launchlint.yaml.refusals import YamlError
 from launchlint.yaml.tree import YamlBeyond
 
@@ -29,6 +29,9 @@ if TYPE_CHECKING:
     from launchlint.syntax.ros2.description import ParameterSource, SetParameter, TypedValue
 
 PARAMETERS = "ros__parameters"
+_QUOTES = ("'", '"', "&quot;", "&apos;")
+LETTERS = ("y", "Y", "n", "N")
+"""Texts to everybody but rcl: letters."""
 
 
 class Performs(Protocol):
@@ -63,12 +66,16 @@ class Performs(Protocol):
 
 
 class GlobalParameter(NamedTuple):
-    """What ``<set_parameter>`` leaves: ``text`` is the value as it stands on command lines; a list is a tuple."""
+    """What ``<set_parameter>`` leaves: ``text`` is the value as it stands on command lines; a list is a tuple.
+
+    ``meant``: somebody has put the value in quotes, so that it is a text.
+    """
 
     name: str | Unknown
     text: str
     value: Any
     origin: Origin
+    meant: bool = False
 
 
 class GlobalFile(NamedTuple):
@@ -81,12 +88,22 @@ class GlobalFile(NamedTuple):
 GlobalSource: TypeAlias = "GlobalParameter | GlobalFile"
 
 
+class TextValue(NamedTuple):
+    """A value of a param that is a text; ``meant``: because somebody says so, by ``type`` or by quotes, or since it is a letter."""
+
+    name: str
+    value: str
+    place: Place
+    meant: bool
+
+
 class Passed(NamedTuple):
     """One of the things that a node gets on its command line.
 
     One of the first three is not None: a ``file``; the ``content`` of one that launch writes, as YAML reads it; a ``rule``
     (``name:=value``). ``text`` is what rcl finds in the file, where that is not what PyYAML makes of ``content``; ``of`` the file it is
     made from. ``unknown`` says that not all of it is known: values that are not are :class:`Unknown`, and a file is one altogether.
+    ``given`` is the ``<set_parameter>`` that a rule stands for; ``texts`` are the values of ``content`` that are texts to launch.
     """
 
     origin: Origin
@@ -96,6 +113,8 @@ class Passed(NamedTuple):
     text: str | None = None
     of: str | None = None
     unknown: bool = False
+    given: GlobalParameter | None = None
+    texts: tuple[TextValue, ...] = ()
 
 
 def set_parameter(action: SetParameter, asks: Performs) -> GlobalParameter:
@@ -104,7 +123,7 @@ def set_parameter(action: SetParameter, asks: Performs) -> GlobalParameter:
     name = asks.perform(action.name)
     value = _by_yaml_rules(name, action.value, asks)
     text = value.text if isinstance(value, Unknown) else value if isinstance(value, str) else str(value)
-    return GlobalParameter(name, text, value, origin)
+    return GlobalParameter(name, text, value, origin, isinstance(value, str) and _is_quoted(action.value))
 
 
 def node_parameters(
@@ -123,12 +142,12 @@ def node_parameters(
         if isinstance(each, GlobalParameter):
             unknown = isinstance(each.name, Unknown) or isinstance(each.value, Unknown)
             name = each.name.text if isinstance(each.name, Unknown) else each.name
-            passed.append(Passed(each.origin, rule=f"{name}:={each.text}", unknown=unknown))
+            passed.append(Passed(each.origin, rule=f"{name}:={each.text}", unknown=unknown, given=each))
         elif isinstance(each.file, Unknown):
             passed.append(Passed(each.origin, file=each.file.text, unknown=True))
         else:
             if not posixpath.isabs(each.file) or not asks.session.exists(each.file):
-                asks.fail(GlobalFileMissing(origin=each.origin, refused=True, file=each.file, reason=missing_reason(each.file, asks)))
+                asks.fail(missing(each.file, each.origin, "filename", asks))
             passed.append(Passed(each.origin, file=posixpath.normpath(each.file)))
     for source in own:
         given = parameter_file(source, asks) if isinstance(source, ParameterFile) else _content(source, full_name, asks)
@@ -152,8 +171,10 @@ def parameter_file(source: ParameterFile, asks: Performs, must_exist: bool = Fal
     read = _read(file, asks)
     if read is None or read.data is None:
         must_exist = must_exist or substitute
-        asks_or_tells = asks.fail if must_exist else asks.notice
-        asks_or_tells(ParameterFileMissing(origin=origin, refused=must_exist, file=file, reason=missing_reason(file, asks)))
+        problem = missing(file, asks.where(source.file.place), "from", asks, must_exist, _from_environment(source.file))
+        if must_exist:
+            asks.fail(problem)
+        asks.notice(problem)
         return None
     file = posixpath.normpath(file)
     if not substitute:
@@ -170,10 +191,13 @@ def parameter_file(source: ParameterFile, asks: Performs, must_exist: bool = Fal
     return Passed(origin, content=content, text=text, of=file)
 
 
-def values(source: Parameter, asks: Performs) -> dict[str, Any]:
-    """What one ``<param>`` sets, those in it joined by points; what is not known is Unknown. Raises where launch stops."""
+def values(source: Parameter, asks: Performs, texts: list[TextValue] | None = None) -> dict[str, Any]:
+    """What one ``<param>`` sets, those in it joined by points; what is not known is Unknown. Raises where launch stops.
+
+    ``texts`` is filled with the values that are texts.
+    """
     found: dict[str, Any] = {}
-    _collect(source, "", found, asks)
+    _collect(source, "", found, [] if texts is None else texts, asks)
     return found
 
 
@@ -186,11 +210,16 @@ def source_of(file: str, data: bytes, asks: Performs) -> Source:
     return known
 
 
-def missing_reason(file: str, asks: Performs) -> str:
-    """Why a file cannot be read."""
-    if not posixpath.isabs(file):
-        return "its path is relative: it counts from wherever ros2 launch is called"
-    return asks.session.read(file).reason
+def missing(file: str, origin: Origin, attribute: str, asks: Performs, refused: bool = True, environment: bool = False) -> Problem:
+    """The problem of a file that cannot be read; a relative one counts from wherever ros2 launch is called."""
+    from launchlint.evaluate.missing_file import NO_SUCH_FILE, missing_file  # only a file that is not there pays for it
+
+    reason = asks.session.read(file).reason if posixpath.isabs(file) else ""
+    return missing_file(asks.session, origin, attribute, file, reason or NO_SUCH_FILE, environment=environment, refused=refused)
+
+
+def _from_environment(text: Text) -> bool:
+    return any(isinstance(piece, Substitution) and piece.name == "env" for piece in text.pieces)
 
 
 def _read(file: str, asks: Performs) -> Read | None:
@@ -198,20 +227,26 @@ def _read(file: str, asks: Performs) -> Read | None:
 
 
 def _content(source: Parameter, full_name: str | Unknown | None, asks: Performs) -> Passed:
-    found = values(source, asks)
+    texts: list[TextValue] = []
+    found = values(source, asks, texts)
     unknown = isinstance(full_name, Unknown) or any(isinstance(each, Unknown) for each in found.values())
     key = ANY if full_name is None else full_name.text if isinstance(full_name, Unknown) else full_name
-    return Passed(asks.where(source.place), content={key: {PARAMETERS: found}}, unknown=unknown)
+    return Passed(asks.where(source.place), content={key: {PARAMETERS: found}}, unknown=unknown, texts=tuple(texts))
 
 
-def _collect(source: Parameter, before: str, found: dict[str, Any], asks: Performs) -> None:
+def _collect(source: Parameter, before: str, found: dict[str, Any], texts: list[TextValue], asks: Performs) -> None:
     name = asks.perform(source.name)
     full = f"{before}{name.text if isinstance(name, Unknown) else name}"
     if source.value is None:
         for inner in source.nested:
-            _collect(inner, f"{full}.", found, asks)
+            _collect(inner, f"{full}.", found, texts, asks)
         return
     value = _value(full, source.value, asks)
+    written = source.value.value if isinstance(source.value.value, Text) else source.value.value[0] if source.value.value else source.name
+    for each in value if isinstance(value, list) else [value]:
+        if isinstance(each, str):
+            meant = source.value.type in ("str", "list_of_str") or each in LETTERS or _is_quoted(source.value)
+            texts.append(TextValue(full, each, written.place, meant))
     found[full] = Unknown(full, name.reason) if isinstance(name, Unknown) else value
 
 
@@ -264,6 +299,19 @@ def by_rules(name: str, text: Text, asks: Performs) -> Any:
         _refuse(name, text.place, performed, None, fault, asks)
     except YamlBeyond as beyond:
         return Unknown(performed[:100], beyond.message)
+
+
+def _is_quoted(value: TypedValue) -> bool:
+    """Whether quotes stand around a value, or its first item, as it is written: those of YAML, not those of an attribute."""
+    texts = (value.value,) if isinstance(value.value, Text) else value.value[:1]
+    for text in texts:
+        source, (start, _) = text.place
+        if text.place.text.strip().strip("[").lstrip().startswith(_QUOTES):
+            return True
+        before = source.text[max(0, start - 40) : start]
+        if before.endswith(_QUOTES) and not before[:-1].rstrip().endswith("="):
+            return True
+    return False
 
 
 def _boolean(said: str, text: Text, asks: Performs) -> bool:

@@ -8,14 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from launchlint.evaluate.ros2.parameters import PARAMETERS, source_of
+from launchlint.evaluate.ros2.parameters import PARAMETERS
+from launchlint.evaluate.ros2.rcl_files import add_file
 from launchlint.model import Unknown
 from launchlint.rcl import arguments, parameter_files
 from launchlint.rcl.names import Names
 from launchlint.rcl.refused import Refused
 from launchlint.rcl.table import Table, winning
-from launchlint.source import Source, Span
-from launchlint.yaml import events
+from launchlint.source import Source
 from launchlint.yaml.tree import YamlBeyond
 
 TYPE_CHECKING = False
@@ -102,7 +102,7 @@ def started(
         table.tags = asks.tags_count
         try:
             written = contents.get(file)
-            return _add_file(file, table, asks) if written is None else parameter_files.add(written[0], table)
+            return add_file(file, table, asks) if written is None else parameter_files.add(written[0], table)
         except YamlBeyond as too_much:
             beyond.append(too_much)
             return None
@@ -130,17 +130,6 @@ def _found(table: Table, full_name: str, contents: Iterable[tuple[Source, Passed
         value = parameter.value
         found[name] = Value(value.type, unknown.get((id(parameter.written.source), name), value.data))
     return found
-
-
-def _add_file(file: str, table: Table, asks: Performs) -> Refused | None:
-    read = asks.session.read(file)
-    if read.data is None:
-        return Refused(f"the file {file} cannot be read: {read.reason}", Span(0, 0))
-    source = source_of(file, read.data, asks)
-    kept = asks.session.loaded.get(f"events {file}")
-    if kept is None:
-        kept = asks.session.loaded[f"events {file}"] = events.Recorded(source.text, "rcl")
-    return parameter_files.add_events(kept, source, table)
 
 
 def _written(passed: Passed) -> Source:

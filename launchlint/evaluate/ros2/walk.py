@@ -23,6 +23,7 @@ from launchlint.syntax.ros2.description import Action, Text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.evaluate.ros2.judged_keys import Receiver
     from launchlint.evaluate.session import Session
     from launchlint.syntax.ros2.reading import Reading
 
@@ -140,6 +141,8 @@ class Walk:
         self.readings: dict[str, Reading] = {}
         self.executed: dict[tuple[int, ...], described.Description] = {}
         self.complete = True
+        self.receivers: list[Receiver] = []
+        self._recorded: set[tuple[object, ...]] = set()
         self.waiting: list[Body] = []
 
     # -- files -------------------------------------------------------------------------------------------------
@@ -172,6 +175,14 @@ class Walk:
             self.late.append(problem)
         elif self.refused is None:
             self.refused = problem
+
+    def record_once(self, problem: Problem) -> None:
+        """Record ``problem``, unless it has been for another node: what stands at one place kills them all for the same reason."""
+        texts = (value for name, value in vars(problem).items() if isinstance(value, str) and name != "node")
+        key = (type(problem), problem.place.key, *texts)
+        if key not in self._recorded:
+            self._recorded.add(key)
+            self.record(problem)
 
     def spend(self, actions: int, place: Place) -> None:
         """Count work at ``place`` that is worth that many actions. Raises Exhausted, at the bound of the whole evaluation."""

@@ -1,11 +1,13 @@
 """A file that a parameter is read from is not there.
 
-That is the `file` of a `<rosparam>`, and the `textfile` or `binfile` of a `<param>`. The path is checked as it is
-after substitution, and the file has to be readable UTF-8 text (but for `binfile`).
+That is the `file` of a `<rosparam>`, and the `textfile` or `binfile` of a `<param>`; in ROS 2 the `from` of a `<param>`, and the `filename`
+of `<set_parameters_from_file>`. The path is checked as it is after substitution, and the file has to be readable UTF-8 text (but for
+`binfile`).
 
 ## Why it matters
 
-roslaunch refuses the launch file, and with it every launch file that includes it. It is a warning where the file may well be there on the
+roslaunch refuses the launch file, and with it every launch file that includes it. `ros2 launch` only warns where a node has the file, and
+starts it without its params: a warning here, too. It is also a warning where the file may well be there on the
 robot: a path outside of all packages, a relative one, and one that `CMakeLists.txt` may install. It is an info where a system keeps its
 own files (`/etc`, `/opt`, `/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; where an arg gives a
 relative path; where the path is made from an environment variable, whose value here says little; and where the file is made: by a command
@@ -46,6 +48,7 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import ParamFileMissing
 from launchlint.finding import Finding, Severity
+from launchlint.model import ROS1
 from launchlint.rules.judging.default_to_correct import has_arg, unchosen
 from launchlint.rules.judging.elsewhere import elsewhere
 from launchlint.rules.judging.installed import installed_from
@@ -68,9 +71,12 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     path, missing = problem.shown, problem.missing
     if path in SENTINELS:
         return
-    notes = [f"roslaunch stops, since it finds no file {path}" if missing else "roslaunch refuses the launch file"]
+    launcher = view.dialect.launcher
+    notes = [f"{launcher} stops, since it finds no file {path}" if missing else f"{launcher} refuses the launch file"]
+    if not problem.refused:
+        notes = [f"{launcher} warns, and starts the node without these params"]
     if problem.relative:
-        notes.append("a relative path is looked up where roslaunch is started, not beside this file")
+        notes.append(f"a relative path is looked up where {launcher} is started, not beside this file")
     elif problem.environment:
         notes.append("the path is made from an environment variable, which may be another one on the robot")
     elif problem.elsewhere:
@@ -80,6 +86,8 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     installed = installed_from(problem.file, view.packages) if missing and not problem.relative else None
     look = missing and not problem.relative and not problem.environment and installed is None
     maker = made(problem.file, view, root_of(problem.place.source)) if look else None
+    if not problem.refused:
+        severity = Severity.WARNING
     if path and problem.environment:
         severity = Severity.INFO
     elif installed is not None:
@@ -123,7 +131,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         if robots
         else choice[1]
         if choice is not None
-        else _advice(problem, _near(problem, view) if installed is None else shown(installed, root_of(problem.place.source))),
+        else _advice(problem, _near(problem, view) if installed is None else shown(installed, root_of(problem.place.source)), view),
         shared_cause=left_over_in(problem.file, view) or (cause_of(problem.file, maker) if look and path and not placeholder else ""),
     )
 
@@ -141,13 +149,13 @@ def _near(problem: ParamFileMissing, view: LaunchView) -> str | None:
     return None if package is None else elsewhere(posixpath.normpath(problem.file), package, view)
 
 
-def _advice(problem: ParamFileMissing, near: str | None) -> str:
+def _advice(problem: ParamFileMissing, near: str | None, view: LaunchView) -> str:
     if problem.environment:
         return "give the variable the value it has on the robot, under env: in .launchlint.yaml, or correct the path"
     if near is not None:
         return f"did you mean {near}?"
     if problem.relative:
-        return "start the path with $(find PACKAGE) or $(dirname)"
+        return f"start the path with $({'find' if view.dialect.name == ROS1 else 'find-pkg-share'} PACKAGE) or $(dirname)"
     if not problem.missing:
         return "give the path of a text file in UTF-8"
     if problem.no_directory:

@@ -42,6 +42,7 @@ import re
 from collections.abc import Iterator
 
 from launchlint.evaluate.problems import ParamValueType
+from launchlint.evaluate.ros2.parameter_problems import ParameterValueType
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.judging.template import is_to_fill_in
@@ -60,8 +61,11 @@ ALSO_KNOWN_AS = {
 }  # fmt: skip
 
 
-def tell(problem: ParamValueType, view: object) -> Iterator[Finding]:
+def tell(problem: ParamValueType | ParameterValueType, view: object) -> Iterator[Finding]:
     """Say which type it would fit."""
+    if isinstance(problem, ParameterValueType):
+        yield _ros2(problem)
+        return
     value, type_, reason = problem.value, problem.type, problem.reason
     if not problem.known:
         instead = ALSO_KNOWN_AS.get(type_) or closest(type_, TYPES)
@@ -89,6 +93,18 @@ def tell(problem: ParamValueType, view: object) -> Iterator[Finding]:
         if placeholder
         else _instead(value.strip(), type_),
         fix=_fix_boolean(problem, view, value) if type_ in ("bool", "boolean") else None,
+    )
+
+
+def _ros2(problem: ParameterValueType) -> Finding:
+    name, type_ = problem.name, problem.type
+    return RULE.at(
+        problem.origin,
+        f"the value of {name} cannot be used: {problem.reason}",
+        label=f"no {type_}" if type_ else "no value of a parameter",
+        related=problem.related,
+        notes=(f"the value is {problem.value!r} here, and ros2 launch stops",),
+        help="" if type_ else 'type="str" takes any text as it is',
     )
 
 

@@ -3,6 +3,9 @@
 It is read as PyYAML reads it for rosparam: one document, and a dictionary unless the attribute `param` says which
 parameter the value is for. Where the YAML stands in a file of its own, the finding stands there.
 
+In ROS 2 launch itself reads the parameter files of composable nodes, and those whose substitutions it performs; what rcl makes of the files
+of other nodes is told by LL904.
+
 ## Why it matters
 
 roslaunch refuses the launch file, and with it every launch file that includes it.
@@ -33,6 +36,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.evaluate.problems import ParamYamlInvalid
+from launchlint.evaluate.ros2.parameter_problems import ComponentFileRefused, ContentNoYaml
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
 from launchlint.source import Place
@@ -41,8 +45,11 @@ from launchlint.syntax.ros1.substitutions import parse
 RULE = Rule("LL503", "param-yaml-invalid", Severity.ERROR, roslaunch="refuses")
 
 
-def tell(problem: ParamYamlInvalid, view: object) -> Iterator[Finding]:
+def tell(problem: ParamYamlInvalid | ComponentFileRefused | ContentNoYaml, view: object) -> Iterator[Finding]:
     """Say what is wrong and what was meant."""
+    if not isinstance(problem, ParamYamlInvalid):
+        yield _ros2(problem)
+        return
     reason, hint, place = problem.reason, problem.hint, problem.place
     name = problem.file.rpartition("/")[2] if problem.in_file else ""
     what = f"the YAML file {name}" if name else "this <rosparam>"
@@ -59,6 +66,14 @@ def tell(problem: ParamYamlInvalid, view: object) -> Iterator[Finding]:
     else:
         message, label, help_ = f"{what} cannot be loaded: {reason}", "here", _advice(place, name)
     yield RULE.at(problem.origin, message, label=label, related=problem.related, notes=(note,), help=help_)
+
+
+def _ros2(problem: ComponentFileRefused | ContentNoYaml) -> Finding:
+    name = problem.file.rpartition("/")[2]
+    composable = isinstance(problem, ComponentFileRefused)
+    what = f"the parameter file {name} cannot be loaded" if composable else f"{name} is no YAML once its substitutions are performed"
+    why = "ros2 launch reads the params of composable nodes itself, and stops" if composable else "ros2 launch stops"
+    return RULE.at(problem.origin, f"{what}: {problem.reason}", related=problem.related, notes=(why,))
 
 
 def _advice(place: Place, name: str) -> str:

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
+from launchlint.evaluate.problems import ParamFileMissing
 from launchlint.evaluate.ros2.component_parameters import component_parameters, extra_arguments
-from launchlint.evaluate.ros2.parameter_problems import ParameterFileMissing
 from launchlint.evaluate.ros2.parameters import GlobalFile, GlobalParameter, Passed, node_parameters, set_parameter
 from launchlint.evaluate.ros2.started import started
 from launchlint.model import Unknown
@@ -111,8 +111,8 @@ def test_files_in_order_and_a_missing_one_is_left_out() -> None:
     passed = node_parameters((file("/w/exact.yaml"), file("/w/none.yaml"), file("any.yaml"), file("/w//any.yaml")), (), None, asks)
     assert [each.file for each in passed] == ["/w/exact.yaml", "/w/any.yaml"]
     assert [(type(each), getattr(each, "file", "")) for each in asks.noticed] == [
-        (ParameterFileMissing, "/w/none.yaml"),
-        (ParameterFileMissing, "any.yaml"),
+        (ParamFileMissing, "/w/none.yaml"),
+        (ParamFileMissing, "any.yaml"),
     ]
     assert starts(passed, asks) == {"a": 2, "b": 1, "c": 2}
 

@@ -12,17 +12,19 @@ from launchlint.workspace.nearby import nearby_file
 NO_SUCH_FILE = "there is no such file"
 
 
-def missing_file(session: Session, origin: Origin, attribute: str, name: str, reason: str, *, environment: bool) -> ParamFileMissing:
+def missing_file(
+    session: Session, origin: Origin, attribute: str, name: str, reason: str, *, environment: bool, refused: bool = True
+) -> ParamFileMissing:
     """The problem that ``attribute`` names a file, ``name``, that cannot be read because of ``reason``.
 
-    ``environment`` says that the name is made from an environment variable.
+    ``environment`` says that the name is made from an environment variable, ``refused`` that the launcher stops there.
     """
     shown = session.shown(name) if name else ""
     relative = not os.path.isabs(name)
     directory = os.path.dirname(name)
     return ParamFileMissing(
         origin=origin,
-        refused=True,
+        refused=refused,
         attribute=attribute,
         file=name,
         reason=reason,

@@ -1,0 +1,46 @@
+"""Parameter files as rcl reads them, each once in a session."""
+
+from __future__ import annotations
+
+from launchlint.evaluate.ros2.parameters import source_of
+from launchlint.rcl import parameter_files
+from launchlint.rcl.refused import Refused
+from launchlint.rcl.table import Table
+from launchlint.source import Span
+from launchlint.yaml import events
+from launchlint.yaml.tree import YamlBeyond
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.ros2.parameters import Performs
+
+
+def add_file(file: str, table: Table, asks: Performs) -> Refused | None:
+    """Read a file into ``table``; its refusal, if rcl refuses it. Raises YamlBeyond."""
+    read = asks.session.read(file)
+    if read.data is None:
+        return Refused(f"the file {file} cannot be read: {read.reason}")
+    source = source_of(file, read.data, asks)
+    recorded = asks.session.loaded.get(f"events {file}")
+    if recorded is None:
+        try:
+            read.data.decode("utf-8")
+            recorded = events.Recorded(source.text, "rcl")
+        except UnicodeDecodeError as error:
+            at = len(read.data[: error.start].decode("utf-8", "replace").removeprefix("\ufeff"))
+            recorded = Refused(f"it is not UTF-8 text (byte {error.start})", Span(at, at), source)
+        asks.session.loaded[f"events {file}"] = recorded
+    return recorded if isinstance(recorded, Refused) else parameter_files.add_events(recorded, source, table)
+
+
+def table_of(file: str, asks: Performs) -> Table | Refused | None:
+    """What one file holds by itself; None for one that is beyond all bounds."""
+    name = f"table {file}"
+    if name not in asks.session.loaded:
+        table = Table()
+        try:
+            asks.session.loaded[name] = add_file(file, table, asks) or table
+        except YamlBeyond:
+            asks.session.loaded[name] = None
+    known: Table | Refused | None = asks.session.loaded[name]
+    return known
