@@ -44,8 +44,11 @@ def put_right_later(finding: Finding, before: Problem | None) -> Finding:
 
 
 def said_of(finding: Finding, switched: str) -> Finding:
-    """``finding`` about what a launch starts with args that are not the default (``switched``), which are named where it does not."""
-    if not switched or any(switched in text for text in (finding.message, finding.help, *finding.notes)):
+    """``finding`` about what a launch starts with args that are not the default (``switched``): no error, and they are named in it."""
+    if not switched:
+        return finding
+    finding = finding._replace(severity=min(finding.severity, Severity.WARNING))
+    if any(switched in text for text in (finding.message, finding.help, *finding.notes)):
         return finding
     return finding._replace(notes=(*finding.notes, f"so with {switched}, not by default"))
 
