@@ -1,8 +1,8 @@
 """An include with `pass_all_args` gives an arg that nothing below it knows.
 
 What it does: with `pass_all_args="true"` roslaunch no longer checks the args of an include. It speaks where an explicit `<arg>`
-is neither declared nor mentioned in the included file and all that it includes. What several files give the same included file for nothing
-is told once.
+is neither declared nor mentioned in the included file and all that it includes. What is given one included file for nothing
+is told once, but for each arg that is nearly one that it takes.
 
 ## Why it matters
 
@@ -54,18 +54,20 @@ A mistyped arg is taken without a word, and the included file goes on with its d
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import PassAllHidesTypo
 from launchlint.finding import Finding, Severity
 from launchlint.model import Include
 from launchlint.rules.edits import passed_under
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
-from launchlint.spelling import closest, did_you_mean
+from launchlint.spelling import closest
 
 RULE = Rule("LL405", "pass-all-args-hides-typo", Severity.WARNING, fixable="unsafe")
+_MOST_NAMED = 6
 
 
 def tell(problem: PassAllHidesTypo, view: LaunchView) -> Iterator[Finding]:
@@ -80,14 +82,29 @@ def tell(problem: PassAllHidesTypo, view: LaunchView) -> Iterator[Finding]:
     word = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
     if any(word.search(each.source.text) for each in (include, *below) if each.source is not None):
         return
+    near = closest(name, known)
     yield RULE.at(
         problem.origin,
         f"nothing in {file} knows the arg {name}",
         label="passed for nothing",
         notes=("pass_all_args turns off roslaunch's check of the args that are passed",),
-        help=did_you_mean(name, known) or "remove it, or declare it there",
-        fix=passed_under(view, problem.place, name, closest(name, known)),
-        cause=f"{file} {name}",
+        help=f"did you mean {near}?" if near is not None else "remove it, or declare it there",
+        fix=passed_under(view, problem.place, name, near),
+        cause=file if near is None else f"{file} {name}",
+    )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """All that is passed to one file for nothing, by the names of the args."""
+    told = joined(findings)
+    names = list(dict.fromkeys(each.message.rpartition(" ")[2] for each in findings))
+    if len(names) < 2:
+        return told
+    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    before = findings[0].message.rpartition(" the arg ")[0]
+    return told._replace(
+        message=f"{before} the args {', '.join(names[:_MOST_NAMED])}{more}",
+        help="remove them, or declare them there",
     )
 
 
