@@ -120,7 +120,15 @@ RULES: tuple[Entry, ...] = (
     Entry("LL211", "arg-out-of-scope", "args.arg_out_of_scope", ERROR, on=(evaluate.ArgOutOfScope,)),
     Entry("LL212", "arg-override-refused", "args.arg_override_refused", ERROR, on=(evaluate.ArgOverrideRefused,)),
     Entry("LL213", "unreachable-branch", "args.unreachable_branch", WARNING, view="launch"),
-    Entry("LL214", "condition-not-boolean", "args.condition_not_boolean", ERROR, on=(evaluate.ConditionNotBoolean, syntax.InvalidValue)),
+    Entry(
+        "LL214",
+        "condition-not-boolean",
+        "args.condition_not_boolean",
+        ERROR,
+        on=(evaluate.ConditionNotBoolean, syntax.InvalidValue),
+        dialects=BOTH,
+        ros2=("NotABoolean",),
+    ),
     Entry("LL215", "unexpanded-substitution", "args.unexpanded_substitution", WARNING, on=(evaluate.UnexpandedSubstitution,)),
     Entry("LL216", "evaluation-bound", "args.evaluation_bound", WARNING, on=(evaluate.EvaluationBound,)),
     Entry("LL301", "duplicate-node-name", "nodes.duplicate_node_name", ERROR, on=(evaluate.DuplicateNode,)),
@@ -208,6 +216,9 @@ RULES: tuple[Entry, ...] = (
     Entry("LL801", "not-formatted", "style.not_formatted", INFO, view="file", default=False),
     Entry("LL802", "unused-suppression", "style.unused_suppression", WARNING, view="suppression"),
     Entry("LL803", "suppression-without-reason", "style.suppression_without_reason", INFO, view="suppression", default=False),
+    Entry("LL933", "yaml-wants-text", "ros2.yaml_wants_text", ERROR, dialects=(ROS2,), ros2=("WantsText", "WantsFraction")),
+    Entry("LL934", "not-in-this-distro", "ros2.not_in_this_distro", ERROR, dialects=(ROS2,), ros2=("NotInDistribution",)),
+    Entry("LL935", "broken-in-frontend", "ros2.broken_in_frontend", ERROR, dialects=(ROS2,), ros2=("BrokenInFrontend", "NeverWorks")),
 )
 
 REDIRECTS: Mapping[str, str] = {}

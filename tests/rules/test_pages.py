@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from launchlint.evaluate.ros2 import parameter_problems
+from launchlint.evaluate.ros2 import problems as ros2_results
 from launchlint.finding import Severity
 from launchlint.rules.page import page
 from launchlint.rules.registry import RULES, Entry, speaking_of
@@ -59,8 +60,11 @@ def test_registry_and_rule_agree(entry: Entry) -> None:
 
 def test_kinds_of_ros2_are_told_by_name() -> None:
     """The registry names them, so that a check of ROS 1 does not import them."""
-    modules = (ros2_problems, parameter_problems)
-    kinds = [kind for each in modules for kind in vars(each).values() if isinstance(kind, type) and kind.__module__ == each.__name__]
+    rooms = (ros2_problems, ros2_results, parameter_problems)
+    kinds = [kind for room in rooms for kind in vars(room).values() if isinstance(kind, type) and kind.__module__ == room.__name__]
+    assert [
+        kind.__name__ for kind in vars(ros2_problems).values() if isinstance(kind, type) and kind in kinds and not speaking_of(kind)
+    ] == []
     assert len(kinds) > 10
     assert [entry.id for entry in speaking_of(ros2_problems.OfRos1)] == ["LL112"]
     named = {name for entry in RULES for name in entry.ros2}

@@ -19,11 +19,29 @@ roslaunch refuses the file when it gets to the value.
 </launch>
 ```
 
+```xml ros2.launch.xml
+<launch>
+  <arg name="rate" default="10"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker">
+    <param name="rate" value="$(eval $(var rate) * 2)"/>
+  </node>
+</launch>
+```
+
 ## Use instead
 
 ```xml
 <launch>
   <node pkg="map_server" type="map_server" name="map_server" args="$(dirname)/office.yaml"/>
+</launch>
+```
+
+```xml ros2.launch.xml
+<launch>
+  <arg name="rate" default="10"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker">
+    <param name="rate" value="$(eval '$(var rate) * 2')"/>
+  </node>
 </launch>
 ```
 

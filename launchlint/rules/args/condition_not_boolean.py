@@ -4,6 +4,8 @@ It must be `true`, `false`, `1` or `0` (in any letter case) once all substitutio
 text and a comparison without `$(eval …)` are refused. All configurations are tried; the command that shows the
 mistake is printed.
 
+In ROS 2 the same four words are taken. What `$(not …)`, `$(and …)`, `$(or …)` and `$(if …)` look at may also be `yes`, `no`, `on` or `off`.
+
 ## Why it matters
 
 roslaunch refuses the file with `Value error`, and does not say which line.
@@ -17,12 +19,26 @@ roslaunch refuses the file with `Value error`, and does not say which line.
 </launch>
 ```
 
+```xml ros2.launch.xml
+<launch>
+  <arg name="mode" default="fast"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker" if="$(var mode) == 'fast'"/>
+</launch>
+```
+
 ## Use instead
 
 ```xml
 <launch>
   <arg name="sim" default="true"/>
   <node pkg="gazebo_ros" type="gzserver" name="gazebo" if="$(arg sim)"/>
+</launch>
+```
+
+```xml ros2.launch.xml
+<launch>
+  <arg name="mode" default="fast"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker" if="$(eval &quot;'$(var mode)' == 'fast'&quot;)"/>
 </launch>
 ```
 
@@ -37,9 +53,12 @@ import re
 from collections.abc import Iterator
 
 from launchlint.evaluate.problems import ConditionNotBoolean
+from launchlint.evaluate.ros2.problems import NotABoolean
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
+from launchlint.model import ROS2
+from launchlint.rules.edits import LOADS, LOADS2, fix, is_literal, set_value, spot, write_over
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
 from launchlint.spelling import closest, surely
 from launchlint.syntax.problems import InvalidValue
 from launchlint.syntax.ros1.substitutions import parse
@@ -49,8 +68,14 @@ WORDS = {"yes": "true", "on": "true", "enabled": "true", "y": "true", "no": "fal
 COMPUTED = re.compile(r"[=!<>]=|[<>]|\b(?:and|or|not|in)\b")
 
 
-def tell(problem: ConditionNotBoolean | InvalidValue, view: object) -> Iterator[Finding]:
+def tell(problem: ConditionNotBoolean | InvalidValue | NotABoolean, view: object) -> Iterator[Finding]:
     """Show the value. What is told of the file alone comes as :class:`InvalidValue`."""
+    if isinstance(problem, NotABoolean):
+        yield _in_substitution(problem)
+        return
+    if isinstance(problem, ConditionNotBoolean) and isinstance(view, LaunchView) and view.dialect.name == ROS2:
+        yield _ros2(problem)
+        return
     name, value = problem.attribute, problem.value
     if isinstance(problem, InvalidValue) and (name not in ("if", "unless") or "$" in value):
         return
@@ -96,3 +121,37 @@ def _advice(name: str, value: str, text: str) -> str:
     if word is not None:
         return f"make the arg {word}"
     return "to compare with a text, write $(eval arg('mode') == 'fast')" if any(parts.substitutions("arg")) else "write true or false"
+
+
+def _ros2(problem: ConditionNotBoolean) -> Finding:
+    name, value, text = problem.attribute, problem.value, problem.text
+    word = value.strip().lower()
+    meant = WORDS.get(word) or surely(word, ("true", "false"))
+    made = f" (from {text[:60]})" if text != value else ""
+    shown = "is empty" if not word else f"comes to {value[:60]!r}{made}" if made else f"is {value[:60]!r}"
+    if COMPUTED.search(value):
+        advice = "comparisons need $(eval …), as in $(eval \"'$(var mode)' == 'fast'\")"
+    elif made:
+        advice = f"make what it comes from {meant}" if meant else "compare it, as in $(eval \"'$(var mode)' == 'fast'\")"
+    else:
+        advice = f'write {name}="{meant}"' if meant else "write true or false"
+    return RULE.at(
+        problem.origin,
+        f"{name} {shown}, which is no boolean",
+        severity=Severity.ERROR if problem.refused else Severity.WARNING,
+        label="must be true, false, 1 or 0",
+        notes=("ros2 launch stops with: invalid condition expression error",),
+        help=advice,
+        fix=None if meant is None or made else fix(f"write {meant}", write_over(problem.place, value, meant), safe=True, changes=LOADS2),
+    )
+
+
+def _in_substitution(problem: NotABoolean) -> Finding:
+    return RULE.at(
+        problem.origin,
+        f"$({problem.substitution} …) looks at {problem.value[:60]!r}, which is no boolean",
+        severity=Severity.ERROR if problem.refused else Severity.WARNING,
+        label="must be true or false",
+        notes=("ros2 launch stops when it gets here",),
+        help="write true or false, or a comparison: $(eval …)",
+    )

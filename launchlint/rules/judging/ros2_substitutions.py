@@ -26,7 +26,7 @@ def tell(problem: UnreadableSubstitution | UnknownSubstitution | SubstitutionAri
         yield rule.at(
             problem.origin,
             f"{shown} cannot be read: {problem.reason}",
-            related=problem.related,
+            related=tuple((at, "here") for at, _ in problem.related),
             notes=_NOTES,
             help=problem.related[0][1] if problem.related else "",
             fix=_blanks(place),
@@ -34,7 +34,10 @@ def tell(problem: UnreadableSubstitution | UnknownSubstitution | SubstitutionAri
         return
     if isinstance(problem, SubstitutionArity):
         wanted = _words(problem.fewest, problem.most)
-        advice = "put what holds blanks in quotes" if problem.count > problem.most else f"give it {wanted}"
+        too_many = "put what holds blanks in quotes" if problem.most else "remove what stands behind the name"
+        if problem.name == "eval":
+            too_many = "put the expression in quotes: $(eval '…'), and texts in it in quotes of the other sort"
+        advice = too_many if problem.count > problem.most else f"give it {wanted}"
         message = f"$({problem.name} …) takes {wanted}, and has {problem.count}"
         yield rule.at(problem.origin, message, notes=_NOTES, help=advice, cause=f"{place.source.path} {place.text}")
         return

@@ -18,11 +18,27 @@ roslaunch refuses the file.
 </launch>
 ```
 
+```xml ros2.launch.xml
+<launch>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker">
+    <param name="rate" value="10"><param name="low" value="1"/></param>
+  </node>
+</launch>
+```
+
 ## Use instead
 
 ```xml
 <launch>
   <node pkg="amcl" type="amcl" name="amcl" respawn="true"/>
+</launch>
+```
+
+```xml ros2.launch.xml
+<launch>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker">
+    <param name="rate"><param name="low" value="1"/></param>
+  </node>
 </launch>
 ```
 

@@ -21,11 +21,27 @@ everything down.
 </launch>
 ```
 
+```xml ros2.launch.xml
+<launch>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker">
+    <param name="rate" value="10" type="double"/>
+  </node>
+</launch>
+```
+
 ## Use instead
 
 ```xml
 <launch>
   <node pkg="amcl" type="amcl" name="amcl" output="screen"/>
+</launch>
+```
+
+```xml ros2.launch.xml
+<launch>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker">
+    <param name="rate" value="10" type="float"/>
+  </node>
 </launch>
 ```
 

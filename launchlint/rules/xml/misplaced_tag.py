@@ -26,6 +26,13 @@ In ROS 2, launch refuses the file: that is an error.
 </launch>
 ```
 
+```xml ros2.launch.xml
+<launch>
+  <remap from="chatter" to="talk"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker"/>
+</launch>
+```
+
 ## Use instead
 
 ```xml
@@ -42,6 +49,14 @@ In ROS 2, launch refuses the file: that is an error.
   <node pkg="usb_cam" type="usb_cam_node" name="camera"/>
 </launch>
 ```
+
+```xml ros2.launch.xml
+<launch>
+  <set_remap from="chatter" to="talk"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker"/>
+</launch>
+```
+
 """
 
 from __future__ import annotations

@@ -21,6 +21,12 @@ roslaunch refuses the file, for some tags with a Python traceback that does not 
 </launch>
 ```
 
+```xml ros2.launch.xml
+<launch>
+  <node_container pkg="rclcpp_components" exec="component_container" name="container"/>
+</launch>
+```
+
 ## Use instead
 
 ```xml
@@ -28,6 +34,13 @@ roslaunch refuses the file, for some tags with a Python traceback that does not 
   <node pkg="amcl" type="amcl" name="amcl"/>
 </launch>
 ```
+
+```xml ros2.launch.xml
+<launch>
+  <node_container pkg="rclcpp_components" exec="component_container" name="container" namespace=""/>
+</launch>
+```
+
 """
 
 from __future__ import annotations

@@ -22,11 +22,23 @@ In ROS 2, launch refuses the file: that is an error, in YAML as in XML (there, t
 </launch>
 ```
 
+```xml ros2.launch.xml
+<launch>
+  <node pkg="demo_nodes_cpp" executable="talker" name="talker"/>
+</launch>
+```
+
 ## Use instead
 
 ```xml
 <launch>
   <node pkg="amcl" type="amcl" name="amcl" respawn="true"/>
+</launch>
+```
+
+```xml ros2.launch.xml
+<launch>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker"/>
 </launch>
 ```
 

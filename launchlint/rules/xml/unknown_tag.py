@@ -24,11 +24,27 @@ other may be one that an installed package brings (`<gz_server>`): where it stan
 </launch>
 ```
 
+```xml ros2.launch.xml
+<launch>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker">
+    <parm name="rate" value="10"/>
+  </node>
+</launch>
+```
+
 ## Use instead
 
 ```xml
 <launch>
   <node pkg="map_server" type="map_server" name="map_server"/>
+</launch>
+```
+
+```xml ros2.launch.xml
+<launch>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker">
+    <param name="rate" value="10"/>
+  </node>
 </launch>
 ```
 

@@ -20,12 +20,30 @@ node with `exec` in place of `type`: these are errors.
 </launch>
 ```
 
+```xml ros2.launch.xml
+<launch>
+  <arg name="rate" default="10"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker" ns="robot">
+    <param name="rate" value="$(arg rate)"/>
+  </node>
+</launch>
+```
+
 ## Use instead
 
 ```xml
 <launch>
   <arg name="map" default="office"/>
   <node pkg="map_server" type="map_server" name="map_server" args="$(arg map).yaml"/>
+</launch>
+```
+
+```xml ros2.launch.xml
+<launch>
+  <arg name="rate" default="10"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker" namespace="robot">
+    <param name="rate" value="$(var rate)"/>
+  </node>
 </launch>
 ```
 
@@ -104,7 +122,7 @@ def _ros2(problem: OfRos1) -> Finding:
         label="ROS 1",
         notes=("ros2 launch refuses the file",),
         help="in ROS 2: $(env NAME '')"
-        if construct == "optenv"
+        if construct == "optenv" and " " not in problem.words
         else f"in ROS 2: {instead}"
         if instead
         else "ROS 2 has nothing like it: remove it",

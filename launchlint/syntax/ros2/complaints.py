@@ -121,5 +121,14 @@ def _owners(name: str, but: str) -> tuple[str, ...]:
 
 def _absent(parser: Parser, origin: Origin, what: Where, name: str, tag: str, since: str) -> None:
     parser.problems.append(
-        NotInDistribution(origin=origin, refused=True, what=what, name=name, tag=tag, distro=parser.distribution.name, since=since)
+        NotInDistribution(
+            origin=origin,
+            refused=True,
+            what=what,
+            name=name,
+            tag=tag,
+            distro=parser.distribution.name,
+            since=since,
+            sure=parser.distribution.lacks_for_sure(name, since),
+        )
     )

@@ -193,8 +193,12 @@ class SubstitutionArity(Problem):
 
 
 class NotInDistribution(Problem):
-    """What this ``distro`` does not have, and another has ``since`` it (``later``: one newer than the tables)."""
+    """What this ``distro`` does not have, and another has ``since`` it (``later``: one newer than the tables).
 
+    ``sure``: no update of the distribution can have brought it.
+    """
+
+    sure: bool
     what: Where
     name: str
     tag: str

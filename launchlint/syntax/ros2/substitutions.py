@@ -131,6 +131,7 @@ def _absent(substitution: Substitution, what: Where, since: str, distribution: D
             tag="",
             distro=distribution.name,
             since=since,
+            sure=distribution.lacks_for_sure(substitution.name, since),
         )
     )
 

@@ -17,6 +17,12 @@ if TYPE_CHECKING:
 DISTRIBUTIONS = ("humble", "jazzy", "kilted", "rolling")
 """Those that the tables tell apart, oldest first."""
 
+OPEN = ("kilted", "rolling")
+"""Those that had not their last features yet when the tables were read."""
+
+BACKPORTED = ("on_exit",)
+"""What later updates brought to older distributions."""
+
 DEFAULT = "jazzy"
 """The newest distribution with long-term support."""
 
@@ -249,6 +255,10 @@ class Distribution:
     def has(self, since: str) -> bool:
         """Whether this one has what came with ``since``."""
         return not since or (since != LATER and DISTRIBUTIONS.index(since) <= DISTRIBUTIONS.index(self.name))
+
+    def lacks_for_sure(self, name: str, since: str) -> bool:
+        """Whether no update of it can have brought ``name``, which came with ``since``."""
+        return name not in BACKPORTED and not (since == LATER and self.name in OPEN)
 
     def most(self, arity: Arity) -> int:
         """The most words that a substitution takes."""

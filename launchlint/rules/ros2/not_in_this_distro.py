@@ -1,0 +1,79 @@
+"""A tag, attribute or substitution is not there in the distribution of ROS 2 that the file is launched with.
+
+`$(if …)`, `$(equals …)`, `$(file-content …)`, `on_exit`, `emulate_tty` and others came with Jazzy; `<lifecycle_node>` and `$(path-join …)`
+are newer than that. What an update of the distribution may have brought (`on_exit` in Humble, what is new in Rolling) is a warning.
+The distribution is that of `--distro` or the configuration, else the one whose environment is set up, else Jazzy.
+
+## Why it matters
+
+ros2 launch refuses the file, also where the action stands under a condition that is false.
+
+## Example
+
+```xml robot.launch.xml
+<launch>
+  <arg name="sim" default="false"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="$(string-join _ robot talker)"/>
+</launch>
+```
+
+## Use instead
+
+```xml robot.launch.xml
+<launch>
+  <arg name="sim" default="false"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="robot_talker"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.rule import Rule
+from launchlint.syntax.ros2.problems import NotInDistribution
+
+RULE = Rule("LL934", "not-in-this-distro", Severity.ERROR, roslaunch="refuses")
+_LATER = "later"
+
+_INSTEAD = {
+    "if": "$(eval \"'a' if … else 'b'\")",
+    "equals": "$(eval \"'$(var mode)' == 'fast'\")",
+    "not-equals": "$(eval \"'$(var mode)' != 'fast'\")",
+    "launch_log_dir": "$(log_dir)",
+    "path-join": "the parts with / between them",
+    "string-join": "the parts with the text between them",
+    "file-content": "$(command 'cat …')",
+    "any": "$(or … …)",
+    "all": "$(and … …)",
+    "lifecycle_node": "<node>",
+    "log_info": "<log>",
+}
+"""What does the same in all distributions."""
+
+
+def tell(problem: NotInDistribution, view: object) -> Iterator[Finding]:
+    """Name the distribution that has it."""
+    name, distro = problem.name, problem.distro.capitalize()
+    subject = {
+        "tag": f"the tag {name}",
+        "attribute": f"the attribute {name} of {problem.tag}",
+        "substitution": f"$({name} …)",
+        "words": f"a second word of $({name} …)",
+    }[problem.what]
+    since = (
+        "it came after all distributions that launchlint knows" if problem.since == _LATER else f"it came with {problem.since.capitalize()}"
+    )
+    instead = _INSTEAD.get(name) if problem.what in ("tag", "substitution") else None
+    advice = "remove it" if problem.what == "attribute" else "do without it"
+    yield RULE.at(
+        problem.origin,
+        f"{subject} is not there in {distro}",
+        severity=Severity.ERROR if problem.sure else Severity.WARNING,
+        label=f"not in {distro}",
+        notes=(f"{since}; ros2 launch refuses the file" + ("" if problem.sure else f", unless an update of {distro} has brought it"),),
+        help=f"write {instead}, or set distro: if another one is meant" if instead else f"{advice}, or set distro: if another one is meant",
+        cause=f"{problem.place.source.path} {problem.what} {problem.tag if problem.what == 'attribute' else ''} {name}",
+    )
