@@ -216,9 +216,17 @@ RULES: tuple[Entry, ...] = (
     Entry("LL801", "not-formatted", "style.not_formatted", INFO, view="file", default=False),
     Entry("LL802", "unused-suppression", "style.unused_suppression", WARNING, view="suppression"),
     Entry("LL803", "suppression-without-reason", "style.suppression_without_reason", INFO, view="suppression", default=False),
+    Entry("LL901", "params-for-nobody", "ros2.params_for_nobody", WARNING, dialects=(ROS2,), ros2=("ParametersForNobody",)),
+    Entry("LL902", "composable-key-ignored", "ros2.composable_key_ignored", WARNING, dialects=(ROS2,), ros2=("ComponentKeyIgnored",)),
+    Entry("LL903", "wildcard-wins", "ros2.wildcard_wins", WARNING, dialects=(ROS2,), ros2=("LaterValueLost",)),
+    Entry("LL904", "params-file-refused", "ros2.params_file_refused", ERROR, dialects=(ROS2,), ros2=("ParametersFileDies",)),
+    Entry("LL905", "value-changes-type", "ros2.value_changes_type", WARNING, dialects=(ROS2,), ros2=("TextRetyped", "NumberStaysText")),
+    Entry("LL908", "set-parameter-list", "ros2.set_parameter_list", ERROR, dialects=(ROS2,), ros2=("ListBecomesText",)),
+    Entry("LL909", "set-parameter-empty", "ros2.set_parameter_empty", ERROR, dialects=(ROS2,), ros2=("SetParameterDies",)),
     Entry("LL933", "yaml-wants-text", "ros2.yaml_wants_text", ERROR, dialects=(ROS2,), ros2=("WantsText", "WantsFraction")),
     Entry("LL934", "not-in-this-distro", "ros2.not_in_this_distro", ERROR, dialects=(ROS2,), ros2=("NotInDistribution",)),
     Entry("LL935", "broken-in-frontend", "ros2.broken_in_frontend", ERROR, dialects=(ROS2,), ros2=("BrokenInFrontend", "NeverWorks")),
+    Entry("LL947", "remap-kills-node", "ros2.remap_kills_node", ERROR, dialects=(ROS2,), ros2=("RemapDies",)),
 )
 
 REDIRECTS: Mapping[str, str] = {}

@@ -1,0 +1,77 @@
+"""A parameter file is given to a ROS 2 node, and a key in it that is meant for the node does not reach it.
+
+A key is the full name of a node, or has wildcards: `/**` is all of them, `/**/n` every `n`. Without a slash, `n` is `/n` and nothing else:
+a node in a namespace has another full name.
+
+## Why it matters
+
+The node starts without these params, with the defaults of its program, and nobody says so.
+
+## Example
+
+```xml talk.launch.xml
+<launch>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker" namespace="front">
+    <param from="$(dirname)/talker.yaml"/>
+  </node>
+</launch>
+```
+
+```yaml talker.yaml
+talker:
+  ros__parameters:
+    rate: 5
+```
+
+## Use instead
+
+```xml talk.launch.xml
+<launch>
+  <node pkg="demo_nodes_cpp" exec="talker" name="talker" namespace="front">
+    <param from="$(dirname)/talker.yaml"/>
+  </node>
+</launch>
+```
+
+```yaml talker.yaml
+/front/talker:
+  ros__parameters:
+    rate: 5
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.evaluate.ros2.parameter_problems import ParametersForNobody
+from launchlint.finding import Finding, Severity
+from launchlint.rules.rule import Rule
+
+RULE = Rule("LL901", "params-for-nobody", Severity.WARNING)
+
+
+def tell(problem: ParametersForNobody, view: object) -> Iterator[Finding]:
+    """Say which key was meant for the node, and what it would have to be."""
+    file, node, key = problem.file.rpartition("/")[2], problem.node, problem.key
+    if not problem.near:
+        yield RULE.at(
+            problem.origin,
+            f"nothing in {file} is for {node}",
+            label=f"the node is {node}",
+            related=problem.related,
+            notes=(f"its keys: {', '.join(problem.keys)}",),
+            help=f"add the key {node} or /**, or do not give the file to this node",
+        )
+        return
+    last = node.rpartition("/")[2]
+    means = f"{key} is /{key} and nothing else" if not key.startswith("/") else f"{key} is another name"
+    yield RULE.at(
+        problem.origin,
+        f"the params under {key} do not reach {node}",
+        label="no node that is given this file has that name",
+        related=problem.related,
+        notes=(f"{means}, and the node is {node}",),
+        help=f"did you mean {node}?" if problem.near == "spelling" else f"write {node}, or /**/{last} for every {last}",
+        cause=f"{problem.file} {key}",
+    )
