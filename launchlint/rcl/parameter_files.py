@@ -231,5 +231,6 @@ def _fault_of(key: str) -> str:
         if "//" in key:
             return f"{key[:100]} is no name of a node: two slashes stand side by side"
     if name not in ("*", "**") and not is_node_name(name):
-        return f"{key[:100]} is no name of a node: {name[:60]!r} is none (letters, digits and underscores, no digit at the beginning)"
+        what = f"{key[:100]} is no name of a node{f', since {name[:60]!r} is none' if slash else ''}"
+        return f"{what} (letters, digits and underscores, no digit at the beginning)"
     return ""

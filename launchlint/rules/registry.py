@@ -219,7 +219,9 @@ RULES: tuple[Entry, ...] = (
     Entry("LL901", "params-for-nobody", "ros2.params_for_nobody", WARNING, dialects=(ROS2,), ros2=("ParametersForNobody",)),
     Entry("LL902", "composable-key-ignored", "ros2.composable_key_ignored", WARNING, dialects=(ROS2,), ros2=("ComponentKeyIgnored",)),
     Entry("LL903", "wildcard-wins", "ros2.wildcard_wins", WARNING, dialects=(ROS2,), ros2=("LaterValueLost",)),
-    Entry("LL904", "params-file-refused", "ros2.params_file_refused", ERROR, dialects=(ROS2,), ros2=("ParametersFileDies",)),
+    Entry(
+        "LL904", "params-file-refused", "ros2.params_file_refused", ERROR, dialects=(ROS2,), ros2=("ParametersFileDies", "ParameterDies")
+    ),
     Entry("LL905", "value-changes-type", "ros2.value_changes_type", WARNING, dialects=(ROS2,), ros2=("TextRetyped", "NumberStaysText")),
     Entry("LL908", "set-parameter-list", "ros2.set_parameter_list", ERROR, dialects=(ROS2,), ros2=("ListBecomesText",)),
     Entry("LL909", "set-parameter-empty", "ros2.set_parameter_empty", ERROR, dialects=(ROS2,), ros2=("SetParameterDies",)),

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from launchlint.evaluate.ros2.parameter_problems import (
     LaterValueLost,
     ListBecomesText,
+    ParameterDies,
     ParametersFileDies,
     RemapDies,
     SetParameterDies,
@@ -14,6 +15,7 @@ from launchlint.evaluate.ros2.parameter_problems import (
 )
 from launchlint.evaluate.ros2.parameters import LETTERS, source_of
 from launchlint.evaluate.ros2.rcl_files import table_of
+from launchlint.evaluate.ros2.started import written
 from launchlint.model import Unknown
 from launchlint.rcl import parameter_files, parameter_rule, remap
 from launchlint.rcl.parameter_value import scalar
@@ -43,6 +45,11 @@ def judged(passed: Sequence[Passed], remaps: Iterable[Remap], begun: Started, no
             yield from _file(given, node, asks)
         elif given.text is not None and given.of is not None and not given.unknown:
             yield from _content(given, given.of, given.text, node, asks)
+        elif given.content is not None and begun.refused is not None:
+            refused = _refused(given)
+            if refused is not None:
+                yield ParameterDies(origin=given.origin, reason=refused.reason, node=node)
+                continue
         for text in given.texts:
             found = scalar(text.value).type
             if text.meant and found != "str" and yaml_1_1()(text.value) == STR:
@@ -102,20 +109,29 @@ def _content(given: Passed, file: str, text: str, node: str, asks: Performs) -> 
         return
     if not isinstance(refused, Refused):
         return
-    written = source_of(file, asks.session.read(file).data or b"", asks)
+    source = source_of(file, asks.session.read(file).data or b"", asks)
     place = given.origin.place
-    if text.count("\n") == written.text.count("\n"):
+    if text.count("\n") == source.text.count("\n"):
         line = text.count("\n", 0, refused.span.start)
-        start = written.line_starts[line]
-        shown = written.line(line + 1)
-        place = Place(written, Span(start + len(shown) - len(shown.lstrip()), start + len(shown)))
+        start = source.line_starts[line]
+        shown = source.line(line + 1)
+        place = Place(source, Span(start + len(shown) - len(shown.lstrip()), start + len(shown)))
     yield ParametersFileDies(
         origin=Origin(place, given.origin.step),
         related=((given.origin.place, "the file is given to the node here"),),
-        file=written.path,
+        file=source.path,
         reason=refused.reason,
         node=node,
     )
+
+
+def _refused(given: Passed) -> Refused | None:
+    """Why rcl refuses what launch writes for one ``<param>``, if it does."""
+    try:
+        read = parameter_files.read(written(given))
+    except YamlBeyond:
+        return None
+    return read if isinstance(read, Refused) else None
 
 
 def _lost(table: Table, full_name: str, begun: Started, passed: Sequence[Passed]) -> Iterator[Problem]:

@@ -43,6 +43,13 @@ class ParametersFileDies(Problem):
     node: str
 
 
+class ParameterDies(Problem):
+    """A ``<param>`` that rcl refuses for this ``reason`` when ``node`` starts, so that it dies."""
+
+    reason: str
+    node: str
+
+
 class RemapDies(Problem):
     """A remap that rcl refuses for this ``reason``, so that ``node`` dies when it starts; ``side`` is the part in which that shows."""
 

@@ -84,7 +84,7 @@ def started(
             known = known and not each.unknown
         elif isinstance(each.content, Mapping) and not isinstance(each.content, Unknown):
             file = f"{_CONTENT}{place}"
-            contents[file] = (_written(each), each)
+            contents[file] = (written(each), each)
             words += [arguments.PARAMETERS_FILE, file]
         elif each.unknown:
             known = False
@@ -92,7 +92,7 @@ def started(
             words += [arguments.PARAMETERS_FILE, each.file]
         elif each.text is not None:
             file = f"{_CONTENT}{place}"
-            contents[file] = (_written(each), each)
+            contents[file] = (written(each), each)
             words += [arguments.PARAMETERS_FILE, file]
     for source, target in remaps:
         words += ["-r", f"{source}:={target}"]
@@ -101,15 +101,15 @@ def started(
     def read(file: str, table: Table) -> Refused | None:
         table.tags = asks.tags_count
         try:
-            written = contents.get(file)
-            return add_file(file, table, asks) if written is None else parameter_files.add(written[0], table)
+            content = contents.get(file)
+            return add_file(file, table, asks) if content is None else parameter_files.add(content[0], table)
         except YamlBeyond as too_much:
             beyond.append(too_much)
             return None
 
     line = arguments.parse(words, read)
     if isinstance(line, Refused):
-        return Started(None, line)
+        return Started(None, line, None if name is None else Names(name, namespace or "/").full_name)
     full_name = None if name is None else Names(name, namespace or "/", line.rules).full_name
     found = None if full_name is None or beyond or not known else _found(line.parameters, full_name, contents.values())
     return Started(found, None, full_name, line, tuple(contents.values()))
@@ -132,7 +132,7 @@ def _found(table: Table, full_name: str, contents: Iterable[tuple[Source, Passed
     return found
 
 
-def _written(passed: Passed) -> Source:
+def written(passed: Passed) -> Source:
     """What stands in the file that launch writes."""
     text = passed.text if passed.text is not None else dumped(passed.content)
     return Source(passed.of or "", text)

@@ -14,6 +14,7 @@ from launchlint.evaluate.ros2.parameter_problems import (
     LaterValueLost,
     ListBecomesText,
     NumberStaysText,
+    ParameterDies,
     ParametersFileDies,
     ParametersForNobody,
     RemapDies,
@@ -62,6 +63,11 @@ def test_what_rcl_reads_as_something_else_is_told_where_a_text_is_meant() -> Non
         (TextRetyped, "axis", "y", "bool", False),
         (TextRetyped, "number", "1e3", "double", False),
     ]
+
+
+def test_a_list_of_texts_one_of_which_is_none_to_rcl_kills_the_node() -> None:
+    (found,) = facts(told(Asked(), param("axes", "[x, y]")))
+    assert (found[0], found[2]) == (ParameterDies, "/n")
 
 
 def test_what_set_parameter_does_to_values() -> None:
