@@ -213,7 +213,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL702", "launch-not-installed", "packages.launch_not_installed", WARNING, view="file"),
     Entry("LL703", "duplicate-package", "packages.duplicate_package", WARNING, view="run"),
     Entry("LL704", "broken-manifest", "packages.broken_manifest", WARNING, view="run"),
-    Entry("LL801", "not-formatted", "style.not_formatted", INFO, view="file", default=False),
+    Entry("LL801", "not-formatted", "style.not_formatted", INFO, view="file", default=False, dialects=BOTH),
     Entry("LL802", "unused-suppression", "style.unused_suppression", WARNING, view="suppression"),
     Entry("LL803", "suppression-without-reason", "style.suppression_without_reason", INFO, view="suppression", default=False),
     Entry("LL901", "params-for-nobody", "ros2.params_for_nobody", WARNING, dialects=(ROS2,), ros2=("ParametersForNobody",)),

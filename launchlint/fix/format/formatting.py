@@ -29,7 +29,7 @@ def formatted(data: bytes, path: str, style: Style) -> Formatted:
     Encoding, byte order mark and the prevailing kind of line end stay. ``path`` is the name that people see. A file that roslaunch could
     not read, and one that the result would not say the same as, is left alone.
     """
-    if path.endswith((".yaml", ".yml")):
+    if is_yaml(path):
         return _yaml(data, path, style)
     document = parse(data, path)
     if document.problems:
@@ -53,19 +53,27 @@ def formatted(data: bytes, path: str, style: Style) -> Formatted:
     return Formatted(result)
 
 
-def normal_form(text: str, style: Style) -> str:
-    """A well-formed document in normal form, with the kind of line end that prevails in it.
+def normal_form(text: str, style: Style, *, yaml: bool = False) -> str:
+    """A well-formed document in normal form, with the kind of line end that prevails in it; ``yaml``: it is YAML, and no XML.
 
     Raises:
         TooLarge: it would be far larger than the text.
         ValueError: the text is not well-formed.
     """
-    return printed(with_line_feeds(text), style).replace("\n", prevailing_line_end(text))
+    if not yaml:
+        return printed(with_line_feeds(text), style).replace("\n", prevailing_line_end(text))
+    from launchlint.fix.format.yaml_file import yaml_normal_form
+
+    return yaml_normal_form(with_line_feeds(text), style).replace("\n", prevailing_line_end(text))
+
+
+def is_yaml(path: str) -> bool:
+    """Whether a launch file of this name is written in YAML."""
+    return path.endswith((".yaml", ".yml"))
 
 
 def _yaml(data: bytes, path: str, style: Style) -> Formatted:
     """The same for a launch file of ROS 2 in YAML."""
-    from launchlint.fix.format.yaml_file import yaml_normal_form
     from launchlint.syntax.ros2.reading import read
 
     reading = read(data, path)
@@ -74,5 +82,4 @@ def _yaml(data: bytes, path: str, style: Style) -> Formatted:
         return Formatted(data, problem=unread)
     text = reading.source.text
     mark = data[: len(data) - len(text.encode())]
-    result = yaml_normal_form(with_line_feeds(text), style)
-    return Formatted(mark + result.replace("\n", prevailing_line_end(text)).encode())
+    return Formatted(mark + normal_form(text, style, yaml=True).encode())

@@ -38,19 +38,23 @@ from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule, shortened
 from launchlint.rules.view import FileView
 from launchlint.source import Source, Span
+from launchlint.yaml.refusals import YamlError
+from launchlint.yaml.tree import YamlBeyond
 
 RULE = Rule("LL801", "not-formatted", Severity.INFO, default=False)
 
 
 def check(view: FileView) -> Iterator[Finding]:
     """Find the first line that is not in normal form."""
-    from launchlint.fix.format.formatting import normal_form
+    from launchlint.fix.format.formatting import is_yaml, normal_form
     from launchlint.fix.format.printer import TooLarge
 
     written = view.document.source
     try:
-        wanted = Source(written.path, normal_form(written.text, view.style))
+        wanted = Source(written.path, normal_form(written.text, view.style, yaml=is_yaml(written.path)))
     except TooLarge:  # nobody wrote this for people
+        return
+    except (YamlError, YamlBeyond, ValueError):  # LL101 says so
         return
     if wanted.text == written.text:
         return
