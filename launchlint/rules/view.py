@@ -13,7 +13,7 @@ from launchlint.dialects.record import Dialect
 from launchlint.dialects.ros1 import DIALECT as ROS1_DIALECT
 from launchlint.finding import Finding, Location
 from launchlint.fix.format.style import Style
-from launchlint.model import Launch
+from launchlint.model import ROS2, Launch
 from launchlint.problem import Problem
 from launchlint.source import Place, Source
 from launchlint.syntax.tree import Document
@@ -40,6 +40,11 @@ def tried(launch: Launch) -> str:
     steered: frozenset[str] = frozenset().union(*(branch.steered_by for branch in launch.branches))
     free = {each.name for each in launch.declared if each.origin.step is None and not each.passed and each.default is not None}
     return " ".join(f"{name}:={value}" for name, value in launch.given if name in steered and name in free)
+
+
+def of_ros2(view: object) -> bool:
+    """Whether a view is one of launch files of ROS 2."""
+    return isinstance(view, (FileView, LaunchView)) and view.dialect.name == ROS2
 
 
 class FileView(NamedTuple):

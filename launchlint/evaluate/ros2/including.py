@@ -69,7 +69,9 @@ def include(walk: Walk, action: described.Include) -> None:
     scope = Scope("include", origin, below, outer.scope)
     way = (*outer.way, id(action))
     walk.executed[way] = known.description
-    walk.here = Here(file, step, (*outer.files, file), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way)
+    walk.here = Here(
+        file, step, (*outer.files, context.file), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way
+    )
     _run(walk, known, file)
     walk.here = outer
 
@@ -84,7 +86,7 @@ def enter(walk: Walk, file: str, known: Reading, given: Mapping[str, str]) -> No
     for name, value in given.items():
         steer = frozenset() if name in walk.pinned else frozenset((name,))
         context.configurations[name] = Setting(value, None, "given", steer)
-    walk.here = Here(file, None, (file,), told=told)
+    walk.here = Here(file, None, (context.file,), told=told)
     _run(walk, known, file)
 
 
@@ -166,7 +168,7 @@ def _tell_missing(
 
 def _too_deep(walk: Walk, action: described.Include, file: str) -> None:
     """Files that include each other without end: told at the include that leads back for the first time. Raises Exhausted."""
-    files = (*walk.here.files, file)
+    files = (*walk.here.files, os.path.abspath(file))
     again = next((index for index, each in enumerate(files) if each in files[:index]), 0)
     start = files.index(files[again])
     cycle = files[start : again + 1] if again else files[-2:]

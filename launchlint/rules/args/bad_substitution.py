@@ -66,6 +66,10 @@ from launchlint.syntax.ros1.dialect import ROS2_SUBSTITUTIONS
 from launchlint.syntax.ros1.substitutions import COMMANDS, parse_again
 from launchlint.syntax.ros2.problems import SubstitutionArity, UnknownSubstitution, UnreadableSubstitution
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.ros2.problems import CommandOption, ContentMissing, NoDirectory, ParameterNotSet
+
 RULE = Rule("LL207", "bad-substitution", Severity.ERROR, roslaunch="refuses", fixable="safe")
 MOST_WORDS = 3
 _ASKING = frozenset(("find", "package", "pkg"))
@@ -74,12 +78,21 @@ _NAME = late(r"[A-Za-z][\w-]*")
 EVAL_ALONE = "$(eval …) must be the whole value: write the text around it as strings in the expression"
 
 
-def tell(problem: BadSubstitution | UnreadableSubstitution | UnknownSubstitution | SubstitutionArity, view: object) -> Iterator[Finding]:
+def tell(
+    problem: BadSubstitution | UnreadableSubstitution | UnknownSubstitution | SubstitutionArity | CommandOption | ContentMissing
+    | NoDirectory | ParameterNotSet,
+    view: object,
+) -> Iterator[Finding]:  # fmt: skip
     """Say what is wrong with it. What the other dialect has is LL112's."""
     if not isinstance(problem, BadSubstitution):
-        from launchlint.rules.judging.ros2_substitutions import tell as tell_ros2
+        if isinstance(problem, (UnreadableSubstitution, UnknownSubstitution, SubstitutionArity)):
+            from launchlint.rules.judging.ros2_substitutions import tell as tell_ros2
 
-        yield from tell_ros2(problem, RULE)
+            yield from tell_ros2(problem, RULE)
+            return
+        from launchlint.rules.judging.ros2_names import substitution
+
+        yield from substitution(problem, RULE)
         return
     reason, text = problem.reason, problem.text
     words = [word.text for word in _words(text)]

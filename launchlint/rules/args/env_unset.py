@@ -41,7 +41,7 @@ from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.secret_names import is_secret
 from launchlint.rules.rule import Fine, Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.spelling import one_slip
 from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Document
@@ -74,6 +74,11 @@ def tell(problem: EnvUnset, view: LaunchView) -> Iterator[Finding]:
         return
     slip = slip_of(name)
     reason = "" if slip is not None else _reason(name, problem, view)
+    if of_ros2(view):
+        from launchlint.rules.judging import ros2_args as ros2_words
+
+        yield from ros2_words.environment(problem, RULE, view, reason, slip)
+        return
     given = f"write $(optenv {name} DEFAULT), or give it a value under env: in .launchlint.yaml if it is always set"
     if reason == SECRET:
         given = "set it before roslaunch is called; give it any value under env: in .launchlint.yaml for the check"
@@ -95,6 +100,8 @@ def together(findings: Sequence[Finding]) -> Finding:
     if len(names) < 2:
         return whole
     more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+    if whole.launcher != "roslaunch":
+        return whole
     return whole._replace(
         message=f"{len(names)} environment variables are not set here: {', '.join(names[:MOST_NAMED])}{more}",
         notes=("where one of them is not set roslaunch stops", *(note for note in whole.notes if note.startswith(_SET_BY))),

@@ -37,7 +37,7 @@ from collections.abc import Iterator
 from launchlint.evaluate.problems import EvalError, EvalNeverEqual, EvalNotCovered
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.spelling import closest
 
 RULE = Rule("LL208", "eval-error", Severity.ERROR, roslaunch="refuses")
@@ -45,6 +45,11 @@ RULE = Rule("LL208", "eval-error", Severity.ERROR, roslaunch="refuses")
 
 def tell(problem: EvalError | EvalNotCovered | EvalNeverEqual, view: LaunchView) -> Iterator[Finding]:
     """Say why."""
+    if of_ros2(view) and not isinstance(problem, EvalNeverEqual):
+        from launchlint.rules.judging import ros2_args as ros2_words
+
+        yield from ros2_words.expression(problem, RULE)
+        return
     if isinstance(problem, EvalNeverEqual):
         yield _never_equal(problem)
         return

@@ -61,7 +61,11 @@ from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.first_of_file import all_but_first
 from launchlint.rules.judging.missing_package import cause, judge
 from launchlint.rules.rule import Fine, Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.ros2.problems import InvalidPackageName
 
 RULE = Rule("LL210", "package-not-found", Severity.ERROR, roslaunch="refuses")
 
@@ -71,8 +75,14 @@ def check(view: LaunchView) -> Iterator[Fine]:
     return all_but_first(RULE, ((each, each.package) for each in view.launch.noticed(PackageNotFound)))
 
 
-def tell(problem: PackageNotFound, view: LaunchView) -> Iterator[Finding]:
+def tell(problem: PackageNotFound | InvalidPackageName, view: LaunchView) -> Iterator[Finding]:
     """Judge the name."""
+    if of_ros2(view):
+        from launchlint.rules.judging import ros2_names as ros2_words
+
+        yield from ros2_words.package(problem, RULE, view)
+        return
+    assert isinstance(problem, PackageNotFound)
     name = problem.package
     judgement = judge(name, view.packages, problem.place.source.file, problem.place.source.text)
     if judgement is None:

@@ -37,13 +37,18 @@ from collections.abc import Iterator
 from launchlint.evaluate.problems import RequiredArgUnset
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
 
 RULE = Rule("LL202", "required-arg-unset", Severity.INFO, roslaunch="refuses")
 
 
 def tell(problem: RequiredArgUnset, view: LaunchView) -> Iterator[Finding]:
     """Point at the declaration. An error where the configuration file names this entry and gives no value."""
+    if of_ros2(view):
+        from launchlint.rules.judging import ros2_args as ros2_words
+
+        yield from ros2_words.required(problem, RULE, view)
+        return
     name, empty = problem.name, problem.empty
     path = view.launch.entry.path
     if view.declared_entry:

@@ -50,7 +50,7 @@ from launchlint.late import late
 from launchlint.rules.edits import LOADS, fix, replace, spot
 from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Place
 from launchlint.spelling import closest, surely
 
@@ -63,6 +63,11 @@ _PLAIN = late(r"[\w./+ -]*")
 
 def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
     """Name the arg that was meant, or say who has to give it."""
+    if of_ros2(view):
+        from launchlint.rules.judging import ros2_args as ros2_words
+
+        yield from ros2_words.undeclared(problem, RULE, view)
+        return
     name, known = problem.name, problem.known
     declare = _for_the_other_case(problem, view) or f'declare it above: <arg name="{name}" default="…"/>'
     meant = surely(name, known)

@@ -43,13 +43,18 @@ from collections.abc import Iterator
 from launchlint.evaluate.problems import IncludeCycle
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
 
 RULE = Rule("LL402", "include-cycle", Severity.ERROR, roslaunch="refuses")
 
 
 def tell(problem: IncludeCycle, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``include-cycle``: the same file entered again in the same way, or includes too deep for roslaunch."""
+    if of_ros2(view):
+        from launchlint.rules.judging import ros2_args as ros2_words
+
+        yield from ros2_words.cycle(problem, RULE)
+        return
     cycle: tuple[str, ...] = problem.cycle
     stops = "roslaunch stops with: maximum recursion depth exceeded"
     way = " → ".join(cycle)

@@ -59,7 +59,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, append_child, fix, spot
 from launchlint.rules.judging.broken_call import broken_call
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Origin
 from launchlint.spelling import closest
 
@@ -68,6 +68,11 @@ RULE = Rule("LL404", "include-missing-arg", Severity.ERROR, roslaunch="refuses",
 
 def tell(problem: IncludeMissingArg, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``include-missing-arg`` (roslaunch.xmlloader._include_tag)."""
+    if of_ros2(view):
+        from launchlint.rules.judging import ros2_args as ros2_words
+
+        yield from ros2_words.missing(problem, RULE, view)
+        return
     file, passed = problem.file, problem.passed
     together = view.beside(problem)
     names = list(dict.fromkeys(each.name for each in together)) or [problem.name]

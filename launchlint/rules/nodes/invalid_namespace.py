@@ -43,13 +43,18 @@ from launchlint.evaluate.problems import InvalidNamespace
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
 
 RULE = Rule("LL314", "invalid-namespace", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 
 def tell(problem: InvalidNamespace, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``invalid-namespace`` (rosgraph.names.make_global_ns, roscpp's names::validate)."""
+    if of_ros2(view):
+        from launchlint.rules.judging import ros2_names as ros2_words
+
+        yield from ros2_words.namespace(problem, RULE)
+        return
     namespace = problem.namespace
     if problem.private:
         base = namespace.lstrip("~/")

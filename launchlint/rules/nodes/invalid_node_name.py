@@ -41,7 +41,7 @@ from launchlint.evaluate.problems import InvalidNodeName
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, add_attribute, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.syntax.parts import Substitution
 from launchlint.syntax.ros1.substitutions import parts_of
 
@@ -50,6 +50,11 @@ RULE = Rule("LL302", "invalid-node-name", Severity.ERROR, roslaunch="refuses", f
 
 def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``invalid-node-name`` (roslaunch.core.Node, roslaunch.xmlloader._node_tag, roscpp's this_node)."""
+    if of_ros2(view):
+        from launchlint.rules.judging import ros2_names as ros2_words
+
+        yield from ros2_words.node_name(problem, RULE)
+        return
     name, reason = problem.name, problem.reason
     if reason == "slash":
         namespace, _, base = name.strip("/").rpartition("/")

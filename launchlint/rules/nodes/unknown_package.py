@@ -57,13 +57,15 @@ from collections.abc import Iterator
 
 from launchlint.evaluate.problems import PackageNotFound
 from launchlint.finding import Finding, Severity
+from launchlint.rules.judging.first_of_file import all_but_first
 from launchlint.rules.judging.missing_package import cause, judge
 from launchlint.rules.rule import Fine, Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Origin, Place
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.evaluate.ros2.problems import NodePackageMissing
     from launchlint.model import Node
 
 RULE = Rule("LL303", "unknown-package", Severity.ERROR, roslaunch="reports")
@@ -74,6 +76,11 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
 
     The places behind it are in order for this rule: in another configuration one of them may be the first.
     """
+    if of_ros2(view):
+        from launchlint.evaluate.ros2.problems import NodePackageMissing
+
+        yield from all_but_first(RULE, ((each, each.package) for each in view.launch.noticed(NodePackageMissing)))
+        return
     launch = view.launch
     told = {
         (problem.place.source.path, problem.package) for problem in launch.noticed(PackageNotFound)
@@ -110,6 +117,13 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
             help=judgement.help,
             shared_cause=cause(name, severity),
         )
+
+
+def tell(problem: NodePackageMissing, view: LaunchView) -> Iterator[Finding]:
+    """What launch itself stops at, in ROS 2."""
+    from launchlint.rules.judging import ros2_names as ros2_words
+
+    return ros2_words.package(problem, RULE, view)
 
 
 def _place(node: Node) -> Place:

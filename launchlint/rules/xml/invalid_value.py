@@ -59,10 +59,15 @@ from launchlint.evaluate.problems import UnbalancedQuotes
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, fix, is_literal, set_value, spot
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import of_ros2
 from launchlint.spelling import closest, surely
 from launchlint.syntax.problems import InvalidValue
 from launchlint.syntax.ros1.dialect import TAGS
 from launchlint.syntax.ros2.problems import NegativeValue, OpenQuote, WrongValue, YamlForm
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.ros2.problems import ChoiceRefused, UnsplittablePrefix
 
 RULE = Rule("LL109", "invalid-value", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
@@ -70,12 +75,25 @@ MEANT = {"1": "true", "yes": "true", "on": "true", "0": "false", "no": "false", 
 """Words of other formats, and what is meant where the attribute takes that."""
 
 
-def tell(problem: InvalidValue | UnbalancedQuotes | WrongValue | NegativeValue | OpenQuote | YamlForm, view: object) -> Iterator[Finding]:
+def tell(
+    problem: InvalidValue | UnbalancedQuotes | WrongValue | NegativeValue | OpenQuote | YamlForm | ChoiceRefused | UnsplittablePrefix,
+    view: object,
+) -> Iterator[Finding]:
     """Name what the attribute takes. Conditions belong to LL214 and LL114."""
     if not isinstance(problem, (InvalidValue, UnbalancedQuotes)):
-        from launchlint.rules.judging.ros2_values import tell as tell_ros2
+        if isinstance(problem, (WrongValue, NegativeValue, OpenQuote, YamlForm)):
+            from launchlint.rules.judging.ros2_values import tell as tell_ros2
 
-        yield from tell_ros2(problem, RULE)
+            yield from tell_ros2(problem, RULE)
+            return
+        from launchlint.rules.judging.ros2_names import value as tell_value
+
+        yield from tell_value(problem, RULE)
+        return
+    if of_ros2(view) and isinstance(problem, InvalidValue):
+        from launchlint.rules.judging.ros2_names import value as tell_value
+
+        yield from tell_value(problem, RULE)
         return
     severity = Severity.ERROR if problem.refused else Severity.WARNING
     name = problem.attribute

@@ -1,0 +1,169 @@
+"""What is said of args, includes and expressions of ROS 2 launch files: the mistakes are those of ROS 1, what launch does is its own."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from launchlint.evaluate.problems import (
+    EnvUnset,
+    EvalError,
+    EvalNotCovered,
+    IncludeCycle,
+    IncludeMissingArg,
+    IncludeNotFound,
+    IncludeNotLoadable,
+    RequiredArgUnset,
+    UndeclaredArg,
+)
+from launchlint.finding import Finding, Severity
+from launchlint.rules.judging.broken_call import broken_call
+from launchlint.rules.judging.other_file import root_of, shown
+from launchlint.rules.judging.template import has_placeholder
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
+from launchlint.spelling import closest, surely
+
+_OWN = ("ros_namespace", "launch-prefix")
+"""Launch configurations that are launch's own."""
+
+
+def undeclared(problem: UndeclaredArg, rule: Rule, view: LaunchView) -> Iterator[Finding]:
+    """``$(var …)`` of something that nothing has set."""
+    name = problem.name
+    known = tuple(each for each in problem.known if not each.startswith("anon") and each not in _OWN)
+    meant = surely(name, known)
+    near = meant or closest(name, known)
+    certain = meant is not None or view.declared_entry
+    yield rule.at(
+        problem.origin,
+        f"{name} is not set" if certain else f"{name} is not set: only the command line can give it, with {name}:=…",
+        severity=(Severity.ERROR if problem.refused else Severity.WARNING) if certain else Severity.INFO,
+        notes=(f"{'' if certain else 'without it '}ros2 launch stops here with: launch configuration '{name}' does not exist",),
+        help=f"did you mean {near}?" if near is not None else f"declare it above, or write $(var {name} DEFAULT)",
+        topic=name,
+        cause=f"{problem.place.source.path} {name}",
+    )
+
+
+def required(problem: RequiredArgUnset, rule: Rule, view: LaunchView) -> Iterator[Finding]:
+    """An arg of the entry file without a default."""
+    name, path = problem.name, view.launch.entry.path
+    if view.declared_entry:
+        severity, message = Severity.ERROR, f"the configuration starts {path} without the arg {name}, which it requires"
+        advice = f"give it a default, or add {name} to the args of this entry in .launchlint.yaml"
+    else:
+        severity, message = Severity.INFO, f"{path} can only be started with {name}:=…"
+        advice = f"give it a default if there is a usual value; check it with --arg {name}:=VALUE"
+    stops = f"without it ros2 launch stops with: Included launch description missing required argument '{name}'"
+    yield rule.at(problem.origin, message, severity=severity, label="no default", related=problem.related, notes=(stops,), help=advice,
+                  topic=name)  # fmt: skip
+
+
+def missing(problem: IncludeMissingArg, rule: Rule, view: LaunchView) -> Iterator[Finding]:
+    """An arg that an include does not pass; all of one include are told together."""
+    together = view.beside(problem)
+    names = list(dict.fromkeys(each.name for each in together)) or [problem.name]
+    if problem.name != names[0]:
+        return  # told with the first
+    listed, several = ", ".join(names), len(names) > 1
+    slips = [f"{near} meant to be {name}" for name in names if (near := closest(name, problem.passed)) is not None]
+    it, default = ("them", "them defaults") if several else ("it", "it a default")
+    advice = f"pass {it} in the include, or give {default} in {problem.file}"
+    yield rule.at(
+        problem.origin,
+        f"{problem.file} needs the {'args' if several else 'arg'} {listed}, which {'are' if several else 'is'} not passed",
+        label=f"included without {it}",
+        related=tuple(dict.fromkeys(each for one in together for each in one.related)) or problem.related,
+        notes=(f"ros2 launch stops with: Included launch description missing required argument '{names[0]}'",),
+        help=f"is {', and '.join(slips)}? Else {advice}" if slips else advice,
+        topic=listed,
+        shared_cause=broken_call(problem.file, listed),
+    )
+
+
+def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: LaunchView) -> Iterator[Finding]:
+    """An included file that is not there."""
+    file, source = problem.file, problem.place.source
+    if has_placeholder(file) or isinstance(problem, IncludeNotLoadable):
+        return
+    relative = not posixpath.isabs(file)
+    named = file if relative else shown(file, root_of(source))
+    notes = [f"ros2 launch stops with: No such file or directory: '{named}'"]
+    if problem.reason != "there is no such file":
+        notes = [f"{named}: {problem.reason}"]
+    if relative and file:
+        notes.append("a relative name counts from the directory ros2 launch is called in, not from this file")
+    if problem.environment:
+        notes.append("the name hangs on an environment variable, which may be another one on the robot")
+    base = posixpath.basename(file)
+    others = list(view.packages.colcon.launch_files(base)) if base and not relative else []
+    advice = "correct the name, or create the file"
+    if relative and file:
+        advice = f"write $(dirname)/{file}, or find it by its package: $(find-pkg-share PACKAGE)/…"
+    elif len(others) == 1:
+        advice = f"did you mean {shown(others[0], root_of(source))}?"
+    yield rule.at(
+        problem.origin,
+        f"the included file {named} does not exist" if file else "the name of the included file is empty",
+        severity=Severity.INFO if problem.environment else None,
+        label="not found",
+        notes=tuple(notes),
+        help=advice,
+        cause=f"{source.path} {file}",
+    )
+
+
+def cycle(problem: IncludeCycle, rule: Rule) -> Iterator[Finding]:
+    """Files that include each other."""
+    files = problem.cycle
+    message = f"{files[-1]} includes itself" if len(files) < 3 else f"{files[-1]} includes itself through {files[-2]}"
+    yield rule.at(
+        problem.origin,
+        message if problem.endless else f"includes are nested {problem.depth} deep here",
+        label="this closes the circle" if problem.endless else "too deep",
+        notes=(f"the includes go {' → '.join(files)}", "ros2 launch stops with: maximum recursion depth exceeded"),
+        help="take one of these includes out, or give it a condition that ends",
+    )
+
+
+def environment(problem: EnvUnset, rule: Rule, view: LaunchView, reason: str, slip: str | None) -> Iterator[Finding]:
+    """``$(env …)`` of a variable that is not set; ``reason`` is why that may be meant, ``slip`` the variable that was meant."""
+    name = problem.variable
+    advice = f"write $(env {name} DEFAULT), or give it a value under env: in .launchlint.yaml if it is always set"
+    yield rule.at(
+        problem.origin,
+        f"the environment variable {name} is not set here",
+        severity=Severity.INFO if reason else None,
+        notes=(f"where it is not set ros2 launch stops with: environment variable '{name}' does not exist", *([reason] if reason else [])),
+        help=advice if slip is None else f"did you mean {slip}?",
+        topic=name,
+        cause=name,
+    )
+
+
+def expression(problem: EvalError | EvalNotCovered, rule: Rule) -> Iterator[Finding]:
+    """``$(eval …)`` that fails, or that is not computed."""
+    if isinstance(problem, EvalNotCovered):
+        yield rule.at(
+            problem.origin,
+            f"launchlint does not compute this $(eval …): {problem.reason}",
+            severity=Severity.INFO,
+            notes=("what depends on it is not checked any further",),
+        )
+        return
+    text = problem.expression
+    advice = ""
+    if "'true'" in problem.reason or "'false'" in problem.reason:
+        advice = "Python writes True and False; to compare a launch configuration with a text, put quotes around both: '$(var x)' == 'true'"
+    elif "not defined" in problem.reason:
+        advice = "an expression knows no launch configurations: put quotes around $(var …) if it is a text"
+    elif "SyntaxError" in problem.reason:
+        advice = "write it as one expression of Python"
+    yield rule.at(
+        problem.origin,
+        f"$(eval …) fails: {problem.reason}",
+        severity=Severity.ERROR if problem.refused else Severity.WARNING,
+        notes=(f"what Python gets is {text[:80]}", "ros2 launch stops with the same error of Python's"),
+        help=advice,
+    )
