@@ -14,7 +14,7 @@ switched off by somebody: that is an info, without a fix. A tag that is like no 
 places or more is a custom of the house, for a program that reads it (rtmlaunch reads `<rtconnect>`): one info for all of them.
 
 In ROS 2, launch refuses the file, even where the tag stands under a condition that is false: that is an error. A tag that is like no
-other may be one that an installed package brings (`<gz_server>`): where it stands among actions, that is a warning.
+other may be one that an installed package brings (`<gz_server>`): where it stands among actions, that is an info.
 
 ## Example
 
@@ -154,7 +154,7 @@ def _ros2(problem: UnknownAction, view: object) -> Finding:
     return RULE.at(
         problem.origin,
         f"there is no action {tag}" if not problem.child else f"{parent} has nothing inside that is called {tag}",
-        severity=Severity.WARNING if foreign else Severity.ERROR,
+        severity=Severity.INFO if foreign else Severity.ERROR,
         label="unknown to launch",
         notes=("ros2 launch refuses the file, unless an installed package adds this tag" if foreign else "ros2 launch refuses the file",),
         help=advice,
