@@ -75,7 +75,7 @@ RULES: tuple[Entry, ...] = (
         "LL105", "missing-attribute", "xml.missing_attribute", ERROR, on=(syntax.MissingAttribute,), dialects=BOTH, ros2=("LacksAttribute",)
     ),
     Entry("LL106", "misplaced-tag", "xml.misplaced_tag", WARNING, on=(syntax.MisplacedTag,), dialects=BOTH, ros2=("MisplacedEntity",)),
-    Entry("LL107", "stray-text", "xml.stray_text", WARNING, on=(syntax.StrayText,)),
+    Entry("LL107", "stray-text", "xml.stray_text", WARNING, on=(syntax.StrayText,), dialects=BOTH, ros2=("UnreadText",)),
     Entry("LL108", "if-and-unless", "xml.if_and_unless", ERROR, on=(syntax.IfAndUnless,), dialects=BOTH, ros2=("BothConditions",)),
     Entry(
         "LL109",

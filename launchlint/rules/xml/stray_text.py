@@ -3,7 +3,7 @@
 Only `<rosparam>` has a text that means anything, and only where it loads YAML that is written there: not beside
 `file=` and not with `command="delete"` or `"dump"`. Everywhere else text between tags is skipped. Text that begins with `#` or
 `//`, as comments do elsewhere, is an info. The same text in several places is told once. Text that
-reads like attributes (`output="screen">`) shows a `>` too early in the tag before it.
+reads like attributes (`output="screen">`) shows a `>` too early in the tag before it. In ROS 2, no tag has a text that is read.
 
 ## Why it matters
 
@@ -42,6 +42,7 @@ from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
 from launchlint.source import Place
 from launchlint.syntax.problems import StrayText
+from launchlint.syntax.ros2.problems import UnreadText
 
 RULE = Rule("LL107", "stray-text", Severity.WARNING, fixable="safe")
 
@@ -49,15 +50,17 @@ _ATTRIBUTES = re.compile(r"""(?:[A-Za-z][\w-]*\s?=\s?(?:"[^"<>]*"|'[^'<>]*')\s?)
 _QUOTES = ('"', "'")
 
 
-def tell(problem: StrayText, view: object) -> Iterator[Finding]:
+def tell(problem: StrayText | UnreadText, view: object) -> Iterator[Finding]:
     """Show the text, unless it is the placeholder of a template."""
-    text, parent, because = problem.text, problem.parent, problem.because
+    ros2 = isinstance(problem, UnreadText)
+    text, parent, because = problem.text, problem.parent, "tag" if isinstance(problem, UnreadText) else problem.because
     words = " ".join(text.split())
     if has_placeholder(words):
         return
     shown = words if len(words) <= 40 else f"{words[:37]}..."
     if because == "tag":
         reason = "roslaunch reads text in <rosparam> only, and says nothing about this"
+        reason = "launch reads no text between tags, and says nothing about this" if ros2 else reason
         advice = "remove it, or make it a comment: <!-- … -->"
         if parent in ("param", "env", "arg"):
             advice = 'a value goes into the attribute value="…"'
@@ -74,7 +77,8 @@ def tell(problem: StrayText, view: object) -> Iterator[Finding]:
     message = f"this text has no effect: {shown}"
     attributes = because == "tag" and _ATTRIBUTES.fullmatch(words) is not None
     if attributes:
-        reason = f"the > before it has ended the start tag of <{parent}>, so that these attributes are text, which roslaunch ignores"
+        who = "launch" if ros2 else "roslaunch"
+        reason = f"the > before it has ended the start tag of <{parent}>, so that these attributes are text, which {who} ignores"
         advice = "remove that > if they belong to the tag; else remove them"
     if words in _QUOTES and problem.behind_tag:
         message, advice = f"a stray quote stands behind the tag: {words}", "remove it"

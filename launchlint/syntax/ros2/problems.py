@@ -1,6 +1,6 @@
 """What launch's front ends refuse in a launch file as it is written: one class for each kind of :class:`~launchlint.problem.Problem`.
 
-``refused`` is set on all of them: each alone is enough for launch to refuse the file.
+``refused`` is set on all of them but :class:`UnreadText`: each alone is enough for launch to refuse the file.
 """
 
 from __future__ import annotations
@@ -214,6 +214,14 @@ class BrokenInFrontend(Problem):
 
     what: Broken
     name: str
+
+
+class UnreadText(Problem):
+    """Text between the tags of XML, in ``parent``: launch reads none. ``behind_tag``: nothing stands between it and the end of a tag."""
+
+    text: str
+    parent: str
+    behind_tag: bool
 
 
 class TooDeep(Problem):

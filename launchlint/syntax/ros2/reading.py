@@ -9,6 +9,7 @@ its end before anything of it is executed, so that a mistake under ``if="false"`
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from launchlint.problem import Problem
@@ -16,7 +17,7 @@ from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.problems import MalformedXml, UnreadableFile
 from launchlint.syntax.ros2.description import Description
 from launchlint.syntax.ros2.parsing import Parser
-from launchlint.syntax.ros2.problems import MalformedXml2, MalformedYaml, WrongRoot, YamlForm
+from launchlint.syntax.ros2.problems import MalformedXml2, MalformedYaml, UnreadText, WrongRoot, YamlForm
 from launchlint.syntax.ros2.tables import DEFAULT, distribution
 
 TYPE_CHECKING = False
@@ -108,7 +109,25 @@ def _xml(data: bytes, path: str, file: str | None, parser: Parser) -> Reading:
     entity = XmlEntity(root, document, parser.distribution.digits_are_flags)
     if entity.tag != _LAUNCH:
         parser.problems.append(WrongRoot(origin=Origin(entity.name_place), refused=True, tag=root.tag))
-    return Reading(_description(entity, parser), tuple(parser.problems), source, document)
+    description = _description(entity, parser)
+    return Reading(description, (*parser.problems, *_unread_text(document)), source, document)
+
+
+def _unread_text(document: Document) -> Iterator[Problem]:
+    """What stands between tags and is no blank."""
+    for element in document.elements:
+        for text in element.texts:
+            if text.value.isspace():
+                continue
+            words = text.value.strip()
+            start = text.span.start + max(text.raw.find(words), 0)
+            at = Span(start, min(start + len(words), text.span.end))
+            yield UnreadText(
+                origin=Origin(document.place(at)),
+                text=text.value,
+                parent=element.tag,
+                behind_tag=document.source.text.endswith("/>", 0, text.span.start),
+            )
 
 
 def _as_utf8(data: bytes) -> bytes:
