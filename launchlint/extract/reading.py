@@ -11,9 +11,9 @@ from launchlint.errors import UsageError
 from launchlint.extract.fact import ELSEWHERE, Doubt, Fact
 from launchlint.extract.literals import SOURCE_ENDS, literals
 from launchlint.extract.plan import Task
-from launchlint.extract.python.modules import ModuleFinder
+from launchlint.extract.python.modules import PackageModules
 from launchlint.extract.python.program import Extracted, python_program
-from launchlint.extract.python.source import SourceError
+from launchlint.python.source import SourceError
 from launchlint.workspace.looking import read_bytes, watched
 
 TYPE_CHECKING = False
@@ -61,7 +61,7 @@ class ProgramReader:
     """Reads programs, and keeps the files that they share: the modules of ``packages`` (directory → name), and headers."""
 
     def __init__(self, packages: Mapping[str, str]) -> None:
-        self._finder = ModuleFinder(packages)
+        self._finder = PackageModules(packages)
         self._trees: Trees | None = None
 
     def read(self, task: Task) -> Reading:

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from launchlint.extract.fact import Fact
-from launchlint.extract.python.modules import ModuleFinder
+from launchlint.extract.python.modules import PackageModules
 from launchlint.extract.python.program import Extracted, python_program
 
 CASES = Path(__file__).parent / "rospy_cases"
@@ -42,7 +42,7 @@ def told(fact: Fact) -> str:
 def follow(directory: Path, source: str) -> Extracted:
     """What ``source`` does, alone in a package."""
     (directory / "node.py").write_text(source, encoding="utf-8")
-    return python_program(str(directory / "node.py"), str(directory), str(directory), ModuleFinder({str(directory): "p"}))
+    return python_program(str(directory / "node.py"), str(directory), str(directory), PackageModules({str(directory): "p"}))
 
 
 @pytest.mark.parametrize("case", sorted(CASES.glob("*.txt")), ids=lambda case: case.stem)

@@ -1,51 +1,31 @@
-"""One call of a recognised function: its arguments by place or name, and noting what it makes."""
+"""One call of a recognised function: noting what it makes."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from launchlint.extract.python.text import ros_name
-from launchlint.extract.python.values import (
-    MISSING,
-    MORE,
-    UNKNOWN,
-    Map,
-    Scope,
-    Seq,
-    Value,
-    alternatives,
-    conjunction,
-)
+from launchlint.extract.python.canonical import message_class
+from launchlint.extract.python.names import ros_name
+from launchlint.python import call
+from launchlint.python.values import MISSING, UNKNOWN, Map, Scope, Seq, Value, alternatives, conjunction
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import ast
 
-    from launchlint.extract.python.calls import Calls
+    from launchlint.extract.python.following import Following
 
 LONGEST_DEFAULT = 2_000
 
 
-class Call:
-    """A call at a place in the source."""
+class Call(call.Call):
+    """A call at a place in the source of a program of ROS."""
 
-    __slots__ = ("keywords", "line", "name", "node", "path", "positional", "run", "scope")
+    __slots__ = ()
+    run: Following
 
-    def __init__(self, run: Calls, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> None:
-        self.run = run
-        self.name = name
-        self.positional = positional
-        self.keywords = {key: value for key, value in keywords.items() if key != MORE} if MORE in keywords else keywords
-        self.node = node
-        self.scope = scope
-        self.path = scope.module.path
-        self.line: int = getattr(node, "lineno", 1)
-
-    def get(self, position: int, name: str, default: Value = MISSING) -> Value:
-        """An argument."""
-        if position < len(self.positional):
-            return self.positional[position]
-        return self.keywords.get(name, default)
+    def __init__(self, run: Following, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> None:
+        super().__init__(run, name, positional, keywords, node, scope)
 
     def fact(self, category: str, name: Value, **more: Any) -> None:
         """Note a name, once for each thing that it, or its type, can be."""
@@ -55,13 +35,8 @@ class Call:
                 spelled = ros_name(each)
                 fact = {"category": category, "name": spelled, "path": self.path, "line": self.line, **more}
                 if category != "params":
-                    fact["type"] = self._type(type_)
+                    fact["type"] = type_ if isinstance(type_, str) else message_class(type_)
                 self.run.note(fact, conjunction((condition, other)))
-
-    def _type(self, value: Value) -> str:
-        from launchlint.extract.python.recognised import message_class
-
-        return value if isinstance(value, str) else message_class(value)
 
     def doubt(self, reason: str, categories: tuple[str, ...] | None = None) -> None:
         """Note why there may be more."""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from launchlint.extract.python.arguments import Call, number_or_none
-from launchlint.extract.python.text import ANY, template, text
-from launchlint.extract.python.values import MISSING, UNKNOWN, Argv, Handle, Seq, Value, alternatives
+from launchlint.python.text import ANY, template, text
+from launchlint.python.values import MISSING, UNKNOWN, Argv, Handle, Seq, Value, alternatives
 
 _FLAGS = ("store_true", "store_false", "store_const", "append_const", "count", "help", "version")
 MOST_ARGUMENTS = 200

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from launchlint.extract.python.arguments import Call
-from launchlint.extract.python.text import distribute, joined, template, text
-from launchlint.extract.python.values import MISSING, UNKNOWN, External, Handle, Instance, Value, alternatives
+from launchlint.python.text import distribute, joined, template, text
+from launchlint.python.values import MISSING, UNKNOWN, External, Handle, Instance, Value, alternatives
 
 _CONFIGURATION = re.compile(r"(\w+)\.cfg\.(\w+?)(?:Config)?")
 

@@ -13,8 +13,9 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from launchlint.extract.python.arguments import Call
-from launchlint.extract.python.text import joined, ros_joined
-from launchlint.extract.python.values import UNKNOWN, Value
+from launchlint.extract.python.names import ros_joined
+from launchlint.python.text import joined
+from launchlint.python.values import UNKNOWN, Value
 
 _TABLE = """
 moveit_commander.MoveGroupCommander name robot_description=robot_description ns=

@@ -9,28 +9,21 @@ import re
 from typing import Any, NamedTuple
 
 from launchlint.extract.fact import Doubt, Fact
-from launchlint.extract.python import messages, recognised
 from launchlint.extract.python.arguments import Call, plain
-from launchlint.extract.python.calls import Callback
-from launchlint.extract.python.foreign import is_silent
-from launchlint.extract.python.memory import Ended, Exhausted
-from launchlint.extract.python.modules import ModuleFinder
+from launchlint.extract.python.following import Following
+from launchlint.extract.python.modules import PackageModules
+from launchlint.extract.python.names import ros_name
+from launchlint.extract.python.recognised import MAKING
+from launchlint.extract.python.recogniser import TYPES, RosRecogniser
 from launchlint.extract.python.silence import says_nothing
-from launchlint.extract.python.source import Routine, SourceError, parse
-from launchlint.extract.python.statements import Statements
-from launchlint.extract.python.text import joined, ros_name
-from launchlint.extract.python.values import MISSING, UNKNOWN, Bound, Class, External, Function, Instance, Module, Scope, Value
+from launchlint.python.calls import Callback
+from launchlint.python.memory import Ended, Exhausted
+from launchlint.python.source import Routine, SourceError, parse
+from launchlint.python.text import joined
+from launchlint.python.values import MISSING, UNKNOWN, Bound, Class, External, Function, Instance, Module, Scope, Value
 from launchlint.workspace.looking import read_bytes
 
-MOST_MODULES = 200
-
-_NEVER_FOLLOWED = frozenset(
-    """rospy roslib rosgraph actionlib tf tf2_ros tf2_py message_filters dynamic_reconfigure smach smach_ros diagnostic_updater rosunit
-    rostest
-    genpy genmsg rospkg catkin interactive_markers cv_bridge rosparam rosbag""".split()
-)
 _PLUGIN = re.compile(r"<class\s[^>]*?\btype\s*=\s*[\"']([\w.]+)[\"'][^>]*?rqt_gui_py")
-_TYPES = {f"{name}{ending}": name for name in ("bool", "int", "double", "str") for ending in ("", "_t")}
 
 
 class Extracted(NamedTuple):
@@ -45,7 +38,7 @@ class Extracted(NamedTuple):
     uses_rospy: bool
 
 
-def python_program(path: str, root: str, package: str, finder: ModuleFinder) -> Extracted:
+def python_program(path: str, root: str, package: str, finder: PackageModules) -> Extracted:
     """Follow the program at ``path``. Nothing is run or imported.
 
     Args:
@@ -79,7 +72,7 @@ def _as_node(fact: Fact, starts: list[str]) -> Fact:
 
 def configuration_params(path: str, root: str) -> tuple[list[Fact], bool]:
     """The params that a dynamic_reconfigure ``.cfg`` file describes, as private ones, and whether that is all of them."""
-    run = _Run(root, "", ModuleFinder({}), os.path.dirname(path))
+    run = _Run(root, "", PackageModules({}), os.path.dirname(path))
     try:
         run.follow(path)
     except SourceError:
@@ -107,27 +100,25 @@ def _hashable(fact: Fact) -> _Hashed:
     return _Hashed(fact)
 
 
-class _Run(Statements):
-    def __init__(self, root: str, package: str, finder: ModuleFinder, beside: str) -> None:
-        super().__init__()
-        self._root = root
-        self._package = package
-        self._finder = finder
-        self._beside = beside
-        self._modules: dict[str, Module] = {}
+class _Run(Following):
+    def __init__(self, root: str, package: str, finder: PackageModules, beside: str) -> None:
+        super().__init__(RosRecogniser(self), root, package, finder, beside)
+        self._modules_of_packages = finder
+        self.facts = []
+        self.doubts = {}
+        self.starts = []
+        self.when = "start"
+        self.options = {}
         self.uses_rospy = False
-        self._configured: list[tuple[str, str, Any, int]] = []
 
     # -- the run ------------------------------------------------------------------------------------------------------
 
     def follow(self, path: str) -> None:
         """Follow the file at ``path`` from beginning to end."""
         source = parse(path)
-        if says_nothing(source, self._beside, self._package, self._finder):
+        if says_nothing(source, self.beside, self.package, self.finder):
             return
-        main = Module("__main__", self._shown(path), source)
-        main.scope.variables.update({"__name__": "__main__", "__file__": UNKNOWN, "__doc__": UNKNOWN})
-        self._modules[os.path.realpath(path)] = main
+        main = self.main(path, source)
         try:
             self.execute(source.tree.body, main.scope)
             self._call_back()
@@ -197,7 +188,7 @@ class _Run(Statements):
         methods = {id(each.node) for class_ in given.values() for each in class_.attributes.values() if isinstance(each, Function)}
         if not (self.unknown_methods or methods):
             return
-        unseen = [(module, each) for module in self._modules.values() for each in module.routines if id(each.node) not in self.executed]
+        unseen = [(module, each) for module in self.modules.values() for each in module.routines if id(each.node) not in self.executed]
         talking = [each for each in unseen if self._talks(*each)]
         words = {each.name for _, each in talking}
         while True:
@@ -212,92 +203,16 @@ class _Run(Statements):
 
     def _talks(self, module: Module, routine: Routine) -> bool:
         """Whether a function makes names by itself, or calls what may."""
-        if not recognised.MAKING.isdisjoint(routine.calls):
+        if not MAKING.isdisjoint(routine.calls):
             return True
         outside = [module.scope.variables.get(each) for each in routine.roots]
-        return any(isinstance(each, External) and not self.is_silent(each.name) for each in outside)
+        return any(isinstance(each, External) and not self.recogniser.is_silent(each.name) for each in outside)
 
-    def is_silent(self, name: str) -> bool:
-        """Whether a module, or what is in it, is known to make no names that are not recognised."""
-        return is_silent(name, self._finder.libraries(self._package, self._root))
+    # -- what recognised calls ask for -----------------------------------------------------------------------------------
 
-    # -- modules --------------------------------------------------------------------------------------------------------
-
-    def import_module(self, name: str, level: int, node: ast.stmt, scope: Scope) -> Value:
-        """A module by its name as an import statement says it."""
-        top = name.partition(".")[0]
-        if level == 0 and top in ("rospy", "actionlib", "tf2_ros", "message_filters"):
-            self.uses_rospy = True
-        if level == 0 and top in _NEVER_FOLLOWED:
-            return External(name)
-        if level == 0 and name == "__builtin__":
-            return External("builtins")  # as Python 2 calls it
-        if level:
-            base = scope.module.name.split(".")
-            base = base[: len(base) - level + (1 if scope.module.path.endswith("__init__.py") else 0)]
-            if not base or base == ["__main__"]:
-                return self._load(name, node, scope) if name else UNKNOWN
-            name = ".".join([*base, *([name] if name else [])])
-        found = self._load(name, node, scope)
-        if isinstance(found, External) and level == 0 and "." in scope.module.name:
-            inner = self._load(f"{scope.module.name.rpartition('.')[0]}.{name}", node, scope)  # as Python 2 has it: beside the module first
-            if isinstance(inner, Module):
-                return inner
-        return found
-
-    def submodule(self, module: Module, name: str) -> Value:
-        """A module of a package, by its name in it."""
-        if name in ("msg", "srv", "cfg"):
-            return External(f"{module.name}.{name}")
-        found = self._load(f"{module.name}.{name}", ast.Pass(lineno=1, col_offset=0), module.scope)
-        return found if isinstance(found, Module) else self.from_stars(name, module)
-
-    def _load(self, name: str, node: ast.stmt, scope: Scope) -> Value:
-        parts = name.split(".")
-        module: Value = External(name)
-        for end in range(1, len(parts) + 1):
-            full = ".".join(parts[:end])
-            path = self._finder.find(full, self._beside, self._package)
-            if path is None:
-                return External(name)
-            module = self._module(full, path, node, scope)
-            if not isinstance(module, Module):
-                return External(name)
-        return module
-
-    def _module(self, name: str, path: str, node: ast.stmt, scope: Scope) -> Value:
-        key = self._finder.real(path)
-        if key in self._modules:
-            return self._modules[key]
-        if path.endswith(os.sep):
-            self._modules[key] = Module(name, self._shown(path), None)
-            return self._modules[key]
-        if len(self._modules) >= MOST_MODULES:
-            raise Exhausted
-        try:
-            source = self._finder.parse(path)
-        except SourceError as error:
-            self.doubt(f"the module {name} {error}", scope.module.path, getattr(node, "lineno", 1))
-            return External(name)
-        module = Module(name, self._shown(path), source)
-        module.scope.variables.update({"__name__": name, "__file__": UNKNOWN, "__doc__": UNKNOWN})
-        self._modules[key] = module
-        self.execute(source.tree.body, module.scope)
-        return module
-
-    def _shown(self, path: str) -> str:
-        return os.path.relpath(path, self._root).replace(os.sep, "/")
-
-    def from_stars(self, name: str, module: Module) -> Value:
-        """A name that some ``from x import *`` may have brought."""
-        for star in module.stars:
-            full = recognised.canonical(f"{star}.{name}")
-            if full in recognised.HANDLERS:
-                return External(full)
-        if name in _TYPES and any("parameter_generator" in star for star in module.stars):
-            return External(f"dynamic_reconfigure.parameter_generator.{name}")
-        found = messages.origin(name, module.stars) or next((star for star in module.stars if not self.is_silent(star)), "")
-        return External(f"{found}.{name}") if found else UNKNOWN
+    def libraries(self) -> frozenset[str]:
+        """The libraries of Python that its package says it needs."""
+        return self._modules_of_packages.libraries(self.package, self.root)
 
     def plugin(self, name: Value, made: Call) -> None:
         """Make the rqt plugin that a program is the window of: by its class, or by the name of its package."""
@@ -316,7 +231,7 @@ class _Run(Statements):
 
     def _plugin_class(self, package: str) -> str:
         try:
-            text = read_bytes(os.path.join(self._package, "plugin.xml")).decode("utf-8", "replace")
+            text = read_bytes(os.path.join(self.package, "plugin.xml")).decode("utf-8", "replace")
         except OSError:
             return ""
         classes = [match[1] for match in _PLUGIN.finditer(text)]
@@ -324,19 +239,19 @@ class _Run(Statements):
 
     def test_classes(self) -> list[Value]:
         """The test cases of the program."""
-        main = next((module for module in self._modules.values() if module.name == "__main__"), None)
+        main = next((module for module in self.modules.values() if module.name == "__main__"), None)
         return [] if main is None else [each for each in main.scope.variables.values() if isinstance(each, Class)]
 
     # -- dynamic_reconfigure ------------------------------------------------------------------------------------------------
 
     def configuration(self, package: str, name: str, namespace: Value, made: Call) -> None:
         """The params of ``package.cfg.<name>Config`` below a namespace."""
-        path = self._finder.configuration(package, name) if name else None
+        path = self._modules_of_packages.configuration(package, name) if name else None
         if path is None:
             what = f"the params of {package}.cfg.{name}Config" if name else "the params that it reconfigures"
             made.doubt(f"{what} are not known", ("params",))
             return
-        params, complete = configuration_params(path, self._root)
+        params, complete = configuration_params(path, self.root)
         for each in params:
             spelled = ros_name(joined([namespace, each.name.removeprefix("~")]))
             self.note({**each._asdict(), "name": spelled, "when": self.when, "condition": ""}, "")
@@ -351,4 +266,4 @@ class _Run(Statements):
         """A param that a ``.cfg`` file describes."""
         kind = type_.name.rpartition(".")[2] if isinstance(type_, External) else type_ if isinstance(type_, str) else ""
         known = plain(default) if default is not MISSING else MISSING
-        made.fact("params", joined(["~", name]), default=None if known is MISSING else known, value_type=_TYPES.get(kind, ""))
+        made.fact("params", joined(["~", name]), default=None if known is MISSING else known, value_type=TYPES.get(kind, ""))

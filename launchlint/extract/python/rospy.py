@@ -6,16 +6,15 @@ Names are resolved as rospy.names does: ``~x`` is private, ``/x`` global, the re
 from __future__ import annotations
 
 from launchlint.extract.python.arguments import Call, plain, queue
-from launchlint.extract.python.text import ANY, distribute, joined, ros_joined, ros_name, text
-from launchlint.extract.python.values import (
+from launchlint.extract.python.names import ros_joined, ros_name
+from launchlint.extract.python.outside import NAMESPACE, NODE, Param
+from launchlint.python.text import ANY, distribute, joined, text
+from launchlint.python.values import (
     MISSING,
-    NAMESPACE,
-    NODE,
     UNKNOWN,
     Argv,
     Choice,
     Handle,
-    Param,
     Seq,
     Text,
     Value,

@@ -7,8 +7,8 @@ import os
 from collections.abc import Iterator
 
 from launchlint.extract.python.foreign import has_no_ros
-from launchlint.extract.python.modules import ModuleFinder
-from launchlint.extract.python.source import Source, SourceError
+from launchlint.python.modules import ModuleFinder
+from launchlint.python.source import Source, SourceError
 
 MOST_MODULES = 60
 

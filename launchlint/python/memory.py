@@ -1,4 +1,4 @@
-"""What a followed program has written down so far, and how two ways through it come together again."""
+"""What a followed program has written to its variables so far, and how two ways through it come together again."""
 
 from __future__ import annotations
 
@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from launchlint.extract.fact import Doubt, Fact
-from launchlint.extract.python.values import (
+from launchlint.python.values import (
     COMPLETE,
     ENTRIES,
     ITEMS,
@@ -17,20 +16,11 @@ from launchlint.extract.python.values import (
     Choice,
     Value,
     choice,
-    conjunction,
     same,
 )
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
 MOST_STEPS = 150_000
 """Statements and expressions that are looked at for one program."""
-MOST_FACTS = 5_000
-LONGEST_CONDITION = 300
-
-CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 
 Log = dict[tuple[int, Any], tuple[dict[Any, Any], Any, Any]]
 """What was there before something was written: (which mapping, key) → (mapping, key, value)."""
@@ -55,14 +45,11 @@ class Branch:
 
 
 class Memory:
-    """Facts, doubts, conditions and the log of writes."""
+    """Conditions, the count of steps and the log of writes."""
 
     def __init__(self) -> None:
-        self.facts: list[Fact] = []
-        self.doubts: dict[Doubt, None] = {}
         self.conditions: list[str] = []
-        self.starts: list[str] = []  # the conditions under which the program becomes a node
-        self.when = "start"
+        self.outcome = 0  # how much has come of the program, in whatever the recogniser counts
         self.steps = 0
         self._logs: list[Log] = []
 
@@ -121,20 +108,9 @@ class Memory:
         """Values that can be one of too many to be told apart any more."""
         raise NotImplementedError
 
-    def doubt(self, reason: str, path: str, line: int, categories: tuple[str, ...] = CATEGORIES) -> None:
-        """Note why there may be more of some categories."""
-        if len(self.doubts) < 200:
-            for category in categories:
-                self.doubts.setdefault(Doubt(category, reason, path, line))
-
-    def note(self, fact: Mapping[str, Any], condition: str) -> None:
-        """Note a fact under the conditions that hold here and ``condition``."""
-        if len(self.facts) >= MOST_FACTS:
-            raise Exhausted
-        everything = conjunction([*self.conditions, condition])
-        if len(everything) > LONGEST_CONDITION:
-            everything = everything[: LONGEST_CONDITION - 1] + "…"
-        self.facts.append(Fact(**{"when": self.when, **fact}, condition=everything))
+    def doubt(self, reason: str, path: str, line: int) -> None:
+        """Note why not everything is known."""
+        raise NotImplementedError
 
 
 GOES_ON, BROKEN, CONTINUED, RETURNED, ENDED = range(5)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from launchlint.extract.python.values import Bound, Class, Function, Value
+from launchlint.python.values import Bound, Class, Function, Value
 
 _PLAIN = ("staticmethod", "classmethod")
 

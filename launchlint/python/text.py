@@ -1,20 +1,18 @@
-"""Strings that are partly known, and the names they make."""
+"""Strings that are partly known."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
 
-from launchlint.extract.python.values import (
+from launchlint.python.values import (
     LONGEST_TEXT,
     MISSING,
     MOST_ALTERNATIVES,
-    NAMESPACE,
-    NODE,
+    SIGNS,
     UNKNOWN,
     Choice,
-    Handle,
-    Param,
+    Outside,
     Text,
     Value,
     alternatives,
@@ -23,10 +21,7 @@ from launchlint.extract.python.values import (
 )
 
 ANY = "{any}"
-_ANYS = re.compile(r"(?:\{any\}){2,}")
-_PLAIN = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*|~|/", re.ASCII)
-_LITERAL = re.compile(r"[\w/~]*", re.ASCII)
-_PARAM = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*", re.ASCII)
+ANYS = re.compile(r"(?:\{any\}){2,}")
 _FORMAT = re.compile(r"%(?:\((?P<key>[^()]*)\))?[#0\- +]*(?P<width>\d+|\*)?(?:\.\d+)?[hlL]?(?P<kind>[diouxXeEfFgGcrsa%])")
 
 
@@ -45,8 +40,8 @@ def template(value: Value) -> str:
         return str(value)
     if isinstance(value, (int, float)):
         return _number(value)
-    if isinstance(value, Param):
-        return _param(value)
+    if isinstance(value, Outside):
+        return value.template()
     return ANY
 
 
@@ -57,25 +52,14 @@ def _number(value: float) -> str:
         return ANY
 
 
-def _param(value: Param) -> str:
-    if not _PARAM.fullmatch(value.name):
-        return ANY
-    if value.default is MISSING or value.default is None:
-        return f"{{param:{value.name}}}"
-    inner = ANY if isinstance(value.default, Choice) else template(value.default)
-    if NODE in inner or NAMESPACE in inner or "}}" in inner.replace("{any}", "") or len(inner) > 200:
-        inner = ANY
-    return f"{{param:{value.name}|{inner}}}"
-
-
 def text(template_: str) -> Value:
     """A value for a template: a plain string where nothing in it is open."""
     if len(template_) > LONGEST_TEXT:
         return UNKNOWN
-    template_ = _ANYS.sub(ANY, template_)
+    template_ = ANYS.sub(ANY, template_)
     if template_ == ANY:
         return UNKNOWN
-    if NODE in template_ or NAMESPACE in template_ or "{" in template_.replace("{{", ""):
+    if SIGNS[0] in template_ or SIGNS[1] in template_ or "{" in template_.replace("{{", ""):
         return Text(template_)
     return template_.replace("{{", "{").replace("}}", "}")
 
@@ -120,13 +104,13 @@ def percent(pattern: str, values: Sequence[Value], mapping: dict[str, Value] | N
 def _formatted(value: Value, how: str, *, percent: bool) -> Value:
     """One value in a format of its own."""
     if how in ("%s", ""):
-        return value if isinstance(value, (Choice, Param, Text, str)) else text(template(value))
+        return value if isinstance(value, (Choice, Outside, Text, str)) else text(template(value))
     if isinstance(value, (int, float, str)) and len(how) <= 8 and not re.search(r"\d{4}", how):
         try:
             return how % value if percent else format(value, how)
         except (TypeError, ValueError, OverflowError):
             return UNKNOWN
-    return value if how in ("%d", "%i", "d", "s") and isinstance(value, (Param, Text)) else UNKNOWN
+    return value if how in ("%d", "%i", "d", "s") and isinstance(value, (Outside, Text)) else UNKNOWN
 
 
 def braces(pattern: str, positional: Sequence[Value], keywords: dict[str, Value]) -> Value:
@@ -166,61 +150,10 @@ def path_joined(parts: Sequence[Value]) -> Value:
         result = ""
         for piece in pieces:
             each = template(piece)
-            result = each if each.startswith(("/", NODE, NAMESPACE)) or not result else result.removesuffix("/") + "/" + each
+            result = each if each.startswith(("/", *SIGNS)) or not result else result.removesuffix("/") + "/" + each
         return text(result)
 
     return distribute(join, *parts)
-
-
-def ros_joined(namespace: Value, name: Value) -> Value:
-    """``rosgraph.names.ns_join(ns, name)``."""
-
-    def join(outer: Value, inner: Value) -> Value:
-        start, end = template(outer), template(inner)
-        if end.startswith(("/", "~", NODE, NAMESPACE)) or not start:
-            return text(end)
-        return text(start + end if start == "~" or start.endswith(("/", NAMESPACE)) else f"{start}/{end}")
-
-    return distribute(join, namespace, name)
-
-
-def ros_name(value: Value) -> str:
-    """The name that a value makes when a program gives it to rospy, spelled as in the library format (``{any}`` where nothing is known).
-
-    rospy.names.canonicalize_name: slashes in a row count as one, and none is left at the end.
-    """
-    if isinstance(value, Handle):
-        return ANY
-    spelled = template(value)
-    if len(spelled) > LONGEST_TEXT:
-        return ANY
-    if spelled.startswith("/" + NODE):
-        spelled = spelled[1:]
-    if spelled.startswith("/" + NAMESPACE):
-        spelled = spelled[1:]
-    if spelled.startswith("/{remap:"):
-        spelled = spelled[1:]
-    if spelled.startswith(NODE):
-        rest = spelled[len(NODE) :]
-        spelled = "~" + rest.lstrip("/") if not rest or rest[0] == "/" else "{node}" + rest
-    elif spelled.startswith(NAMESPACE):
-        spelled = spelled[len(NAMESPACE) :].lstrip("/") or ANY
-    spelled = spelled.replace(NODE, ANY).replace(NAMESPACE, ANY)
-    if spelled.startswith("{param:") and spelled.endswith("|}"):
-        spelled = spelled[:-2] + "}"  # an empty name is none
-    spelled = re.sub(r"/{2,}", "/", _ANYS.sub(ANY, spelled))
-    if spelled.startswith("~/"):
-        spelled = "~" + spelled[2:]
-    if len(spelled) > 1:
-        spelled = spelled.removesuffix("/")
-    if "{" not in spelled and "}" not in spelled:
-        return spelled if _PLAIN.fullmatch(spelled) else ANY
-    rest = spelled
-    for _ in range(20):
-        rest, count = re.subn(r"\{[^{}]*\}", "", rest)
-        if not count:
-            break
-    return spelled if _LITERAL.fullmatch(rest) and "~" not in rest[1:] else ANY
 
 
 def may_be(name: str, value: Value) -> bool:
@@ -238,8 +171,8 @@ def or_default(first: Value, second: Value) -> Value:
     spelled = template(first)
     if isinstance(second, Choice) or not isinstance(second, (str, int, float)):
         return MISSING
-    if isinstance(first, Param) and first.default in (None, "", MISSING):
-        return Param(first.name, second)
+    if isinstance(first, Outside):
+        return first.otherwise(second)
     if spelled.startswith("{arg:") and spelled.endswith("}") and "|" not in spelled and spelled.count("{") == 1:
         return text(f"{spelled[:-1]}|{template(second)}}}")
     return MISSING

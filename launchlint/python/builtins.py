@@ -5,15 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from launchlint.extract.python.text import ANY, braces, distribute, joined, path_joined, template, text
-from launchlint.extract.python.values import (
+from launchlint.python.text import ANY, braces, distribute, joined, path_joined, template, text
+from launchlint.python.values import (
     COMPLETE,
     ENTRIES,
     ITEMS,
     MISSING,
     MOST_ITEMS,
-    NAMESPACE,
-    NODE,
+    SIGNS,
     UNKNOWN,
     Argv,
     Choice,
@@ -21,7 +20,7 @@ from launchlint.extract.python.values import (
     External,
     Instance,
     Map,
-    Param,
+    Outside,
     Seq,
     Text,
     Value,
@@ -30,7 +29,7 @@ from launchlint.extract.python.values import (
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.extract.python.expressions import Expressions
+    from launchlint.python.expressions import Expressions
 
 NAMES = frozenset(
     """abs all any bool callable chr dict dir divmod enumerate filter float format frozenset getattr hasattr hash hex id input int
@@ -58,7 +57,7 @@ def function(run: Expressions, name: str, positional: Sequence[Value], keywords:
     if name in ("str", "unicode", "repr", "format", "ascii"):
         if name == "repr" or isinstance(first, (Seq, Map)):
             return UNKNOWN
-        return "" if first is MISSING else distribute(lambda each: each if isinstance(each, (Param, Text)) else text(template(each)), first)
+        return "" if first is MISSING else distribute(_as_text, first)
     if name in ("int", "float", "bool", "long", "abs", "round"):
         return _number(name, first)
     if name in ("list", "tuple", "set", "sorted", "reversed", "frozenset", "iter"):
@@ -85,13 +84,17 @@ def function(run: Expressions, name: str, positional: Sequence[Value], keywords:
     return UNKNOWN
 
 
+def _as_text(value: Value) -> Value:
+    return value if isinstance(value, (Outside, Text)) else text(template(value))
+
+
 _NUMBERS: dict[str, Callable[[Value], Value]] = {"int": int, "long": int, "float": float, "bool": bool, "abs": abs, "round": round}
 
 
 def _number(name: str, value: Value) -> Value:
     if value is MISSING:
         return UNKNOWN
-    if isinstance(value, (Param, Choice, Text)) and name in ("int", "float", "long"):
+    if isinstance(value, (Outside, Choice, Text)) and name in ("int", "float", "long"):
         return value
     try:
         if isinstance(value, (int, float, str)) and not (isinstance(value, str) and len(value) > 50):
@@ -167,13 +170,11 @@ def _text_method(run: Expressions, receiver: Value, name: str, positional: Seque
     if name in ("encode", "decode"):
         return receiver
     if isinstance(receiver, str):
-        return _string_method(receiver, name, positional)
+        return string_method(receiver, name, positional)
     if isinstance(receiver, Text):
-        return _open_text_method(receiver.template, name, positional)
-    if isinstance(receiver, Param) and name in ("strip", "lower", "upper", "lstrip", "rstrip") and not positional:
-        default = _string_method(receiver.default, name, ()) if isinstance(receiver.default, str) else receiver.default
-        return Param(receiver.name, default) if name in ("strip", "lstrip", "rstrip") else UNKNOWN
-    return UNKNOWN
+        known = run.recogniser.text_method(receiver.template, name, positional)
+        return _open_text_method(receiver.template, name, positional) if known is MISSING else known
+    return receiver.method(name, positional) if isinstance(receiver, Outside) else UNKNOWN
 
 
 _PURE = frozenset(
@@ -182,7 +183,8 @@ _PURE = frozenset(
 )
 
 
-def _string_method(receiver: str, name: str, positional: Sequence[Value]) -> Value:
+def string_method(receiver: str, name: str, positional: Sequence[Value]) -> Value:
+    """The value of a call of a method of a string that is known."""
     if name not in _PURE or not all(isinstance(each, (str, int, type(None))) for each in positional) or len(receiver) > 1000:
         return UNKNOWN
     if any((isinstance(each, int) and abs(each) > 1000) or (isinstance(each, str) and len(each) > 100) for each in positional):
@@ -199,21 +201,15 @@ def _open_text_method(spelled: str, name: str, positional: Sequence[Value]) -> V
     if name in ("strip", "lstrip", "rstrip") and not positional:
         return Text(spelled)
     what = positional[0] if positional else None
-    if name in ("rstrip", "strip") and what == "/" and spelled.endswith(NAMESPACE) and name == "rstrip":
-        return text(spelled[: -len(NAMESPACE)] + NAMESPACE)
     if name == "rstrip" and isinstance(what, str):
         end = spelled.rstrip(what)
         return text(end) if end[-1:] != "}" else text(end + ANY)
-    if name == "lstrip" and isinstance(what, str) and spelled[:1] not in ("{", NODE, NAMESPACE):
-        return text(spelled.lstrip(what) if spelled.lstrip(what)[:1] not in ("{", NODE, NAMESPACE, "") else ANY)
+    if name == "lstrip" and isinstance(what, str) and spelled[:1] not in ("{", *SIGNS):
+        return text(spelled.lstrip(what) if spelled.lstrip(what)[:1] not in ("{", *SIGNS, "") else ANY)
     if name in ("startswith", "endswith") and isinstance(what, str):
         literal = re.match(r"[^{}\ue000\ue001]*", spelled)
         if name == "startswith" and literal is not None and len(literal[0]) >= len(what):
             return literal[0].startswith(what)
-        return UNKNOWN
-    if name in ("split", "rsplit") and what == "/" and spelled == NODE:
-        return Seq([UNKNOWN, Text("{node}")])
-    if name == "replace" and len(positional) == 2 and all(isinstance(each, str) for each in positional):
         return UNKNOWN
     return UNKNOWN
 
@@ -289,6 +285,4 @@ def path_function(name: str, positional: Sequence[Value]) -> Value:
 
         result: str = getattr(posixpath, name)(first)
         return result
-    if isinstance(first, Text) and first.template == NODE and name == "basename":
-        return Text("{node}")
     return UNKNOWN

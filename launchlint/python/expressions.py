@@ -6,15 +6,15 @@ import ast
 import operator
 from collections.abc import Callable, Sequence
 
-from launchlint.extract.python.arity import takes_fewer
-from launchlint.extract.python.conditions import negated, written
-from launchlint.extract.python.memory import Ended, Memory
-from launchlint.extract.python.text import interpolated, joined, may_be, or_default, percent
-from launchlint.extract.python.values import (
+from launchlint.python.arity import takes_fewer
+from launchlint.python.conditions import negated, written
+from launchlint.python.memory import Ended, Memory
+from launchlint.python.recogniser import Recogniser
+from launchlint.python.text import interpolated, joined, may_be, or_default, percent
+from launchlint.python.values import (
     MISSING,
     MORE,
     MOST_ALTERNATIVES,
-    NODE,
     UNKNOWN,
     Argv,
     Bound,
@@ -25,13 +25,13 @@ from launchlint.extract.python.values import (
     Handle,
     Instance,
     Map,
-    MessageClass,
     Module,
-    Param,
+    Outside,
     Partial,
     Scope,
     Seq,
     Text,
+    Thing,
     Value,
     alternatives,
     choice,
@@ -57,14 +57,15 @@ _ARITHMETIC: dict[type[ast.operator], Callable[[Value, Value], Value]] = {
     ast.Mod: operator.mod,
 }
 _CONSTANT = (str, int, float, bool, type(None))
-_THING = (Class, Function, Bound, Handle, Instance, Module, MessageClass, Partial)
+_THING = (Class, Function, Bound, Handle, Instance, Module, Thing, Partial)
 
 
 class Expressions(Memory):
     """Evaluation. What calls and statements need of each other is declared here and given by the classes below."""
 
-    def __init__(self) -> None:
+    def __init__(self, recogniser: Recogniser) -> None:
         super().__init__()
+        self.recogniser = recogniser
         self.depth = 0
 
     def call(self, function: Value, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
@@ -205,7 +206,7 @@ class Expressions(Memory):
                     break
         finally:
             del self.conditions[mark:]
-        if len(options) > 1 and is_or and isinstance(options[0][1], (Param, Text)) and len(options) == 2:
+        if len(options) > 1 and is_or and isinstance(options[0][1], (Outside, Text)) and len(options) == 2:
             merged = or_default(options[0][1], options[1][1])
             if merged is not MISSING:
                 return merged
@@ -230,7 +231,7 @@ class Expressions(Memory):
             positive = isinstance(operation, (ast.Is, ast.Eq))
             if other is None:
                 return positive
-            return not positive if isinstance(other, (*_THING, Seq, Map, str, int, float, MessageClass, External)) else UNKNOWN
+            return not positive if isinstance(other, (*_THING, Seq, Map, str, int, float, Thing, External)) else UNKNOWN
         if isinstance(operation, (ast.In, ast.NotIn)):
             return self._contained(left, right, isinstance(operation, ast.In))
         if isinstance(left, _CONSTANT) and isinstance(right, _CONSTANT) and type(operation) in _COMPARE:
@@ -338,11 +339,7 @@ class Expressions(Memory):
             return Seq(found) if isinstance(found, list) else found
         if isinstance(value, Seq) and value.complete and value.items and len(value.items) <= 8:
             return choice([(f"item {at} is asked for", each) for at, each in enumerate(value.items)])
-        if isinstance(value, Param) and isinstance(index, str) and index.isidentifier():
-            return Param(f"{value.name}/{index}", MISSING)
-        if isinstance(value, Text) and isinstance(index, slice) and value.template.startswith(NODE) and index == slice(1, None, None):
-            return UNKNOWN
-        return UNKNOWN
+        return value.item(index) if isinstance(value, Outside) else UNKNOWN
 
     def _one_of(self, value: Map, index: Value) -> Value:
         """An item of a dict by a key that is not known: any whose key looks so. Of many functions each is called."""

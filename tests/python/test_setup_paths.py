@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from launchlint.extract.python.modules import ModuleFinder
-from launchlint.extract.python.setup_paths import setup_paths
+from launchlint.python.modules import ModuleFinder
+from launchlint.python.setup_paths import setup_paths
 
 SAID = {
     "of all": ("generate_distutils_setup(packages=['a'], package_dir={'': 'src'})", {"": "src"}),

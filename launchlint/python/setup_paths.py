@@ -6,7 +6,7 @@ import ast
 import os
 import posixpath
 
-from launchlint.extract.python.source import SourceError, parse
+from launchlint.python.source import SourceError, parse
 
 _MOST = 500
 _DEEPEST = 20

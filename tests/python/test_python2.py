@@ -6,8 +6,8 @@ import ast
 
 import pytest
 
-from launchlint.extract.python.python2 import rewritten
-from launchlint.extract.python.source import SourceError, parse_text
+from launchlint.python.python2 import rewritten
+from launchlint.python.source import SourceError, parse_text
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import codecs
 import re
 import warnings
 
-from launchlint.extract.python.python2 import rewritten
+from launchlint.python.python2 import rewritten
 from launchlint.workspace.looking import read_bytes
 
 LARGEST_FILE = 1 << 20

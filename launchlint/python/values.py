@@ -10,17 +10,15 @@ from typing import Any, NamedTuple
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import ast
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
-    from launchlint.extract.python.source import Routine, Source
+    from launchlint.python.source import Routine, Source
 
 Value = Any
 """A value as described above; the classes here are told apart with ``isinstance``."""
 
-NODE = "\ue000"
-"""In a :class:`Text`: the node's own resolved name, ``/namespace/name``."""
-NAMESPACE = "\ue001"
-"""In a :class:`Text`: the node's namespace as rospy.get_namespace gives it, with a slash at its end."""
+SIGNS = ("\ue000", "\ue001")
+"""In a :class:`Text`: parts that stand for something absolute (they begin with a slash); what they are, only the recogniser knows."""
 
 ITEMS, ENTRIES, COMPLETE = "\0items", "\0entries", "\0complete"
 """Keys of the content of lists and dicts; no attribute can be called so."""
@@ -35,7 +33,7 @@ LONGEST_TEXT = 1_000
 
 
 class Text(NamedTuple):
-    """A string of which parts come from outside: ``template`` is spelled as in the library format, with :data:`NODE` and the like."""
+    """A string of which parts come from outside: ``template`` is spelled as in the library format; :data:`SIGNS` may be in it."""
 
     template: str
 
@@ -52,11 +50,32 @@ class Unknown:
 UNKNOWN = Unknown()
 
 
-class Param(NamedTuple):
-    """The value of a param. ``default`` is :data:`MISSING` where reading it without one fails."""
+class Outside:
+    """A value that comes from outside of the program, and of which a recogniser knows where from. As text it is a template."""
 
-    name: str
-    default: Value
+    __slots__ = ()
+
+    def template(self) -> str:
+        """What ``str()`` makes of it."""
+        raise NotImplementedError
+
+    def item(self, index: Value) -> Value:
+        """``self[index]``."""
+        return UNKNOWN
+
+    def method(self, name: str, positional: Sequence[Value]) -> Value:
+        """The value of a call of a method, as of a string."""
+        return UNKNOWN
+
+    def otherwise(self, default: Value) -> Value:
+        """``self or default``, where that is one value of its kind; MISSING where it is one of the two."""
+        return MISSING
+
+
+class Thing:
+    """What a recogniser knows as one thing: it counts as true and is never None. Two of them may be equal."""
+
+    __slots__ = ()
 
 
 class Missing:
@@ -215,25 +234,19 @@ class Super(NamedTuple):
 
 
 class External(NamedTuple):
-    """Something of a module that is not followed, by its full name: ``rospy.Publisher``."""
+    """Something of a module that is not followed, by its full name: ``os.getcwd``."""
 
     name: str
 
 
 class Handle:
-    """What a recognised call made: a publisher, a parser of arguments. ``state`` holds what its methods need."""
+    """An object that a recognised call made, a parser of arguments for one. ``state`` holds what its methods need."""
 
     __slots__ = ("kind", "state")
 
     def __init__(self, kind: str, state: dict[Any, Any]) -> None:
         self.kind = kind
         self.state = state
-
-
-class MessageClass(NamedTuple):
-    """A message, service or action class by its type name, ``package/Type``."""
-
-    type: str
 
 
 class Partial(NamedTuple):
@@ -280,7 +293,7 @@ def same(one: Value, other: Value) -> bool:
     """Whether two values are the same thing."""
     if one is other:
         return True
-    simple = (str, int, float, bool, bytes, type(None), Text, External, MessageClass, Argv)
+    simple = (str, int, float, bool, bytes, type(None), Text, External, Thing, Argv)
     return type(one) is type(other) and isinstance(one, simple) and bool(one == other)
 
 

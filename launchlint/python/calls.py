@@ -5,12 +5,13 @@ from __future__ import annotations
 import ast
 from collections.abc import Sequence
 
-from launchlint.extract.python import builtins, recognised
-from launchlint.extract.python.arguments import Call
-from launchlint.extract.python.expressions import Expressions
-from launchlint.extract.python.memory import ENDED, GOES_ON, Ended
-from launchlint.extract.python.text import may_be
-from launchlint.extract.python.values import (
+from launchlint.python import builtins
+from launchlint.python.call import Call
+from launchlint.python.expressions import Expressions
+from launchlint.python.memory import ENDED, GOES_ON, Ended
+from launchlint.python.recogniser import Recogniser
+from launchlint.python.text import may_be
+from launchlint.python.values import (
     MISSING,
     MORE,
     UNKNOWN,
@@ -24,7 +25,7 @@ from launchlint.extract.python.values import (
     Instance,
     Map,
     Module,
-    Param,
+    Outside,
     Partial,
     Scope,
     Seq,
@@ -61,8 +62,8 @@ class Callback:
 class Calls(Expressions):
     """Calling and attributes."""
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, recogniser: Recogniser) -> None:
+        super().__init__(recogniser)
         self.active: list[int] = []
         self.executed: set[int] = set()
         self.callbacks: list[Callback] = []
@@ -71,7 +72,6 @@ class Calls(Expressions):
         self.escaped: list[Instance] = []
         self.given_classes: list[Class] = []
         self.unknown_methods: set[str] = set()
-        self.options: dict[str, int] = {}
         self.function_attributes: dict[int, dict[str, Value]] = {}
         self._returns: list[list[tuple[str, Value]]] = []
         self._yields: list[list[Value]] = []
@@ -80,26 +80,6 @@ class Calls(Expressions):
 
     def execute(self, body: Sequence[ast.stmt], scope: Scope) -> int:
         """Go through statements; how that ended."""
-        raise NotImplementedError
-
-    def configuration(self, package: str, name: str, namespace: Value, made: Call) -> None:
-        """Note the params of ``package.cfg.<name>Config`` below a namespace."""
-        raise NotImplementedError
-
-    def plugin(self, name: Value, made: Call) -> None:
-        """Make the rqt plugin of this name."""
-        raise NotImplementedError
-
-    def test_classes(self) -> list[Value]:
-        """The classes of the program itself."""
-        raise NotImplementedError
-
-    def configured(self, name: Value, type_: Value, default: Value, made: Call) -> None:
-        """Note a param that a ``.cfg`` file describes."""
-        raise NotImplementedError
-
-    def is_silent(self, name: str) -> bool:
-        """Whether a module, or what is in it, is known to make no names that are not recognised."""
         raise NotImplementedError
 
     def module(self, name: Value, made: Call) -> Value:
@@ -143,7 +123,7 @@ class Calls(Expressions):
         """Values are given to something of which nothing is known."""
         self.escape(values, "start")
         for value in values:
-            if isinstance(value, External) and recognised.makes(value.name):
+            if isinstance(value, External) and self.recogniser.matters(value.name):
                 self.doubt(f"{value.name} is given to code that is not known", scope.module.path, getattr(node, "lineno", 1))
 
     def call_external(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
@@ -173,7 +153,7 @@ class Calls(Expressions):
             if word not in builtins.KEEPING:
                 self.escape([*positional, *keywords.values()], "start")
             return builtins.function(self, word, positional, keywords)
-        return recognised.call(self, name, positional, keywords, node, scope)
+        return self.recogniser.call(name, positional, keywords, node, scope)
 
     def call_method(
         self, receiver: Value, name: Value, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
@@ -181,12 +161,12 @@ class Calls(Expressions):
         """Call a method of something that is no object of a followed class."""
         if isinstance(name, External):  # a method that a followed class inherits from one that is not followed
             if isinstance(receiver, Instance) and name.name.endswith(".__init__"):
-                recognised.inherited(self, name.name[: -len(".__init__")], receiver, positional, keywords, node, scope)
+                self.recogniser.inherited(name.name[: -len(".__init__")], receiver, positional, keywords, node, scope)
                 return None
-            return recognised.inherited_method(self, name.name, receiver, positional, keywords, node, scope)
+            return self.recogniser.inherited_method(name.name, receiver, positional, keywords, node, scope)
         if isinstance(receiver, Handle):
-            return recognised.method(self, receiver, str(name), positional, keywords, node, scope)
-        if isinstance(receiver, (str, Text, Param, Seq, Map, Argv)):
+            return self.recogniser.method(receiver, str(name), positional, keywords, node, scope)
+        if isinstance(receiver, (str, Text, Outside, Seq, Map, Argv)):
             result = builtins.method(self, receiver, str(name), positional, keywords)
             if result is UNKNOWN:
                 self.escape([*positional, *keywords.values()], "start")
@@ -203,9 +183,9 @@ class Calls(Expressions):
             if id(node) not in self.executed:
                 self.doubt("it calls functions in functions too deep to be followed", function.scope.module.path, node.lineno)
             return UNKNOWN
-        begin, before = self.steps, (len(self.facts), len(self.callbacks))
+        begin, before = self.steps, (self.outcome, len(self.callbacks))
         result = self._run(function, positional, keywords)
-        if before == (len(self.facts), len(self.callbacks)):
+        if before == (self.outcome, len(self.callbacks)):
             self._spent[id(node)] = spent + self.steps - begin
         else:
             self._spent[id(node)] = 0
@@ -286,12 +266,12 @@ class Calls(Expressions):
         for base in type_.order:
             if not isinstance(base, (Class, External)):
                 self.doubt(f"{type_.name} inherits from a class that is not known", *place)
-            elif isinstance(base, External) and recognised.is_open(self, base.name):
+            elif isinstance(base, External) and self.recogniser.is_open(base.name):
                 self.doubt(f"it inherits from {base.name}, whose source was not given", *place)
         foreign = False
         for base in type_.order:
             if isinstance(base, External) and base.name != "builtins.object" and not foreign:
-                recognised.inherited(self, base.name, instance, positional, keywords, node, scope)
+                self.recogniser.inherited(base.name, instance, positional, keywords, node, scope)
                 foreign = True
             elif isinstance(base, Class) and "__init__" in base.attributes:
                 if foreign:  # whether the class before it calls it cannot be seen
@@ -348,7 +328,7 @@ class Calls(Expressions):
     def _any_attribute(self, owner: Value, pattern: Value, node: ast.AST, scope: Scope) -> None:
         """An attribute is asked for by a name that is not known."""
         if isinstance(owner, External):
-            for name in recognised.makers(owner.name):
+            for name in self.recogniser.mattering(owner.name):
                 if may_be(name, pattern):
                     reason = f"something of {owner.name} is asked for by a name that is not known"
                     self.doubt(reason, scope.module.path, getattr(node, "lineno", 1))
@@ -375,7 +355,7 @@ class Calls(Expressions):
         if isinstance(value, Instance):
             return self._of_instance(value, name)
         if isinstance(value, External):
-            return recognised.attribute(value.name, name)
+            return self.recogniser.attribute(value.name, name)
         if isinstance(value, Module):
             found = value.scope.variables.get(name, MISSING)
             return self.submodule(value, name) if found is MISSING else found
@@ -385,8 +365,10 @@ class Calls(Expressions):
             return self._of_super(value, name)
         if isinstance(value, Handle):
             found = value.state.get(("attribute", name), MISSING)
+            if found is MISSING:
+                found = self.recogniser.member(value, name)
             return Bound(value, name) if found is MISSING else found
-        if isinstance(value, (str, Text, Param, Seq, Map, Argv)):
+        if isinstance(value, (str, Text, Outside, Seq, Map, Argv)):
             return Bound(value, name)
         if isinstance(value, Unknown):
             self.unknown_methods.add(name)

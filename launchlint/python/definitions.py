@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import ast
 
-from launchlint.extract.python.arguments import Call
-from launchlint.extract.python.calls import Calls
-from launchlint.extract.python.memory import GOES_ON
-from launchlint.extract.python.source import Source, SourceError, parse_text
-from launchlint.extract.python.values import (
+from launchlint.python.call import Call
+from launchlint.python.calls import Calls
+from launchlint.python.memory import GOES_ON
+from launchlint.python.recogniser import Recogniser
+from launchlint.python.source import Source, SourceError, parse_text
+from launchlint.python.values import (
     UNKNOWN,
     Class,
     External,
     Function,
     Module,
-    Param,
+    Outside,
     Scope,
     Seq,
     Text,
@@ -32,8 +33,8 @@ _KEEPING = ("functools.lru_cache", "functools.cache", "contextlib.", "abc.", "bu
 class Definitions(Calls):
     """Making functions, classes and modules."""
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, recogniser: Recogniser) -> None:
+        super().__init__(recogniser)
         self._sources: list[Source] = []  # what is known of nodes hangs on their ids, so that they must live on
 
     def import_module(self, name: str, level: int, node: ast.stmt, scope: Scope) -> Value:
@@ -96,7 +97,7 @@ class Definitions(Calls):
             return External("builtins.object")  # of a library that makes no names: of another one it would not be unknown
         if value is UNKNOWN and isinstance(node, (ast.Call, ast.Subscript)):
             maker = self.evaluate(node.func if isinstance(node, ast.Call) else node.value, scope)
-            if isinstance(maker, External) and self.is_silent(maker.name):
+            if isinstance(maker, External) and self.recogniser.is_silent(maker.name):
                 return External("builtins.object")
             return maker if isinstance(node, ast.Subscript) else value  # Base[T]
         return value
@@ -109,7 +110,7 @@ class Definitions(Calls):
             loaded = self.module(code, made)
             first = code.partition(".")[0] if isinstance(code, str) and made.get(3, "fromlist", None) is None else code
             return loaded if first == code else self.module(first, made)
-        if word == "eval" and (isinstance(code, Param) or (isinstance(code, Text) and code.template.startswith(("{arg:", "{option:")))):
+        if word == "eval" and (isinstance(code, Outside) or (isinstance(code, Text) and code.template.startswith(("{arg:", "{option:")))):
             return UNKNOWN  # a value that somebody writes into a launch file
         if word == "execfile" or not isinstance(code, str) or len(code) > LONGEST_CODE:
             made.doubt(f"it runs code that it works out ({word})")
@@ -132,7 +133,7 @@ class Definitions(Calls):
         """A module by a name that the program has worked out. What it has in its messages makes no names."""
         if isinstance(name, str):
             return self.import_module(name, 0, ast.Pass(lineno=made.line, col_offset=0), made.scope)
-        if not (isinstance(name, Text) and name.template.endswith((".msg", ".srv", ".action", ".cfg"))):
+        if not (isinstance(name, Text) and self.recogniser.is_harmless(name.template)):
             made.doubt("it imports a module by a name that is not known")
         return UNKNOWN
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Iterator, Sequence
 
-from launchlint.extract.python import builtins
-from launchlint.extract.python.conditions import negated, written
-from launchlint.extract.python.definitions import SETTER, Definitions
-from launchlint.extract.python.expressions import DEEPEST, MOST_ROUNDS, hashable
-from launchlint.extract.python.memory import BROKEN, CONTINUED, ENDED, GOES_ON, RETURNED, Branch, Ended
-from launchlint.extract.python.values import (
+from launchlint.python import builtins
+from launchlint.python.conditions import negated, written
+from launchlint.python.definitions import SETTER, Definitions
+from launchlint.python.expressions import DEEPEST, MOST_ROUNDS, hashable
+from launchlint.python.memory import BROKEN, CONTINUED, ENDED, GOES_ON, RETURNED, Branch, Ended
+from launchlint.python.recogniser import Recogniser
+from launchlint.python.values import (
     COMPLETE,
     ENTRIES,
     ITEMS,
@@ -36,8 +37,8 @@ from launchlint.extract.python.values import (
 class Statements(Definitions):
     """Execution."""
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, recogniser: Recogniser) -> None:
+        super().__init__(recogniser)
         self._changed: dict[int, list[tuple[ast.expr, bool]]] = {}
 
     def execute(self, body: Sequence[ast.stmt], scope: Scope) -> int:
