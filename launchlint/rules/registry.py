@@ -158,7 +158,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL301", "duplicate-node-name", "nodes.duplicate_node_name", ERROR, on=(evaluate.DuplicateNode,)),
     Entry("LL302", "invalid-node-name", "nodes.invalid_node_name", ERROR, on=(evaluate.InvalidNodeName,), dialects=BOTH),
     Entry("LL303", "unknown-package", "nodes.unknown_package", ERROR, view="launch", dialects=BOTH, ros2=("NodePackageMissing",)),
-    Entry("LL304", "unknown-executable", "nodes.unknown_executable", ERROR, view="graph"),
+    Entry("LL304", "unknown-executable", "nodes.unknown_executable", ERROR, view="graph", dialects=BOTH),
     Entry("LL305", "not-executable", "nodes.not_executable", ERROR, view="launch"),
     Entry("LL306", "unknown-machine", "nodes.unknown_machine", ERROR, view="launch", on=(evaluate.UnknownMachine,)),
     Entry("LL307", "machine-conflict", "nodes.machine_conflict", ERROR, on=(evaluate.MachineConflict,)),
@@ -260,6 +260,8 @@ RULES: tuple[Entry, ...] = (
     Entry("LL933", "yaml-wants-text", "ros2.yaml_wants_text", ERROR, dialects=(ROS2,), ros2=("WantsText", "WantsFraction")),
     Entry("LL934", "not-in-this-distro", "ros2.not_in_this_distro", ERROR, dialects=(ROS2,), ros2=("NotInDistribution",)),
     Entry("LL935", "broken-in-frontend", "ros2.broken_in_frontend", ERROR, dialects=(ROS2,), ros2=("BrokenInFrontend", "NeverWorks")),
+    Entry("LL945", "not-installed", "packages.not_installed", ERROR, view="launch", dialects=(ROS2,)),
+    Entry("LL946", "not-in-libexec", "nodes.not_in_libexec", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL947", "remap-kills-node", "ros2.remap_kills_node", ERROR, dialects=(ROS2,), ros2=("RemapDies",)),
 )
 

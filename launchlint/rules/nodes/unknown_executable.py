@@ -9,6 +9,8 @@ a warning.
 Each program is told of once, with all places that start it. Where another package of the workspace has a program of just that name,
 the help names it; a program or script (with the executable bit or without) of the same name but for blanks, `_`, `-` or a `_test` or
 `_node` at the end comes first. Where the command that would build the program is commented out in `CMakeLists.txt`, a note says so.
+In ROS 2 only what is installed to `lib/PKG` counts, by `CMakeLists.txt` or by `setup.py` and `setup.cfg`: where these can be followed to
+their end and nothing in the package is called so, it is an error. What is built or lies there and is not installed is told by LL946.
 
 ## Why it matters
 
@@ -76,10 +78,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.model import Node
+from launchlint.model import ROS2, Node
 from launchlint.rules.edits import fix, is_literal, set_value, spot
 from launchlint.rules.judging.other_file import root_of, shown
-from launchlint.rules.judging.package_contents import contents
+from launchlint.rules.judging.package_contents import contents, installs
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
@@ -97,6 +99,9 @@ _SCRIPT_ENDS = (".py", ".sh", ".bash", ".pl", ".rb")
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Yield one finding for each node or test whose executable is not there (roslib.packages.find_node)."""
+    if view.dialect.name == ROS2:
+        yield from _in_ros2(view)
+        return
     launch = view.launch
     for node in (*launch.nodes, *launch.tests):
         name = node.executable
@@ -136,13 +141,55 @@ def check(view: GraphView) -> Iterator[Finding]:
             severity=severity,
             label="not found",
             notes=(*notes, "roslaunch loads the file and fails when it starts this node"),
-            help=_help(node, same or slip, near, contents(view.packages).having(name)),
+            help=_help(
+                node,
+                same or slip,
+                near,
+                contents(view.packages).having(name),
+                f"correct the type, or add {name} to the CMakeLists.txt or scripts of {node.package}",
+            ),
             cause=f"{severity.word} {node.package}/{name}",
             fix=None if slip is None or same not in (None, slip) else _fix(node, view, slip),
         )
 
 
-def _help(node: Node, slip: str | None, near: str | None, others: Sequence[str]) -> str:
+def _in_ros2(view: GraphView) -> Iterator[Finding]:
+    """Likewise for ROS 2 (launch_ros.substitutions.ExecutableInPackage)."""
+    from launchlint.rules.judging.not_in_libexec import build_file, missing_programs
+
+    for missing in missing_programs(view.launch, view.packages):
+        if missing.built is not None or missing.file is not None:
+            continue
+        node, names = missing.node, list(missing.installed.libexec)
+        slip = _slip(node.executable, names)
+        same = same_letters(node.executable, names)
+        longer = [each for each in names if each.endswith(f"_{node.executable}")]
+        near = same or slip or min(longer, key=len, default=closest(node.executable, names))
+        some = _some(names)
+        severity = Severity.WARNING if any(condition.assumed for condition in node.conditions) else RULE.severity
+        others = installs(view.packages).having(node.executable)
+        yield RULE.at(
+            Origin(node.places.get("executable", node.origin.place), node.origin.step),
+            f"the package {node.package} has no executable {node.executable}",
+            severity=severity,
+            label="not found",
+            notes=(
+                f"it has: {some}" if some else "it installs no executables at all",
+                f"ros2 launch stops: executable '{node.executable}' not found on the libexec directory",
+            ),
+            help=_help(
+                node,
+                same or slip,
+                near,
+                others,
+                f"correct the name, or let {build_file(missing.package)} of {node.package} install {node.executable}",
+            ),
+            cause=f"{severity.word} {node.package}/{node.executable}",
+            fix=None if slip is None or near != slip else _fix(node, view, slip),
+        )
+
+
+def _help(node: Node, slip: str | None, near: str | None, others: Sequence[str], otherwise: str) -> str:
     """A slip first; then the packages ``others`` that have just this program; then whatever is similar."""
     if slip is None and 0 < len(others) <= _MOST_PACKAGES:
         *most, last = others
@@ -151,7 +198,7 @@ def _help(node: Node, slip: str | None, near: str | None, others: Sequence[str])
         )
     if near:
         return f"did you mean {near}?"
-    return f"correct the type, or add {node.executable} to the CMakeLists.txt or scripts of {node.package}"
+    return otherwise
 
 
 def _by_library(node: Node, view: GraphView, *, here: bool) -> Iterator[Finding]:

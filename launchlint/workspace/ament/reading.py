@@ -21,10 +21,11 @@ ROS2 = {"ROS_VERSION": "2"}
 class InstalledIndex:
     """What the packages that :attr:`Packages.colcon` finds install; ``packages.once(InstalledIndex)`` is the one of a run."""
 
-    __slots__ = ("_found", "_packages")
+    __slots__ = ("_found", "_having", "_packages")
 
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
+        self._having: dict[str, list[str]] | None = None
         self._found: dict[str, tuple[Installed, frozenset[str]]] = {}
 
     def of(self, package: Package) -> Installed:
@@ -34,6 +35,18 @@ class InstalledIndex:
         found, looked = self._found[package.directory]
         note(looked)
         return found
+
+    def having(self, name: str) -> list[str]:
+        """The packages of the workspaces, by name and sorted, that have a program called just ``name``; all are looked at."""
+        if self._having is None:
+            found: dict[str, set[str]] = {}
+            for place in self._packages.places[: len(self._packages.workspaces)]:
+                for copies in place.by_name.values():
+                    for package in copies:
+                        for program in self.of(package).libexec:
+                            found.setdefault(program, set()).add(package.name)
+            self._having = {each: sorted(names) for each, names in found.items()}
+        return self._having.get(name, [])
 
 
 def installed(package: Package, packages: Packages) -> Installed:

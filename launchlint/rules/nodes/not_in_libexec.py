@@ -1,0 +1,135 @@
+"""The program of a node is built or lies in its package, and is not installed to where ROS 2 looks for it.
+
+What it does: for each node whose package lies in the workspace, it works out what the package installs, from `CMakeLists.txt`, or from
+`setup.py` and `setup.cfg`, which are read and never run. It tells of programs that are installed to another directory than `lib/PKG` (to
+`bin`, say), that are built and not installed, and of scripts of this very name that are not installed. Nothing is said where the build
+files cannot be followed to their end. It is a warning where the condition around the node cannot be worked out. What no part of the package
+is called is told by LL304.
+
+## Why it matters
+
+`ros2 launch` and `ros2 run` look in `lib/PKG` of the place where the package is installed, and nowhere else. The launch stops with
+`executable '…' not found on the libexec directory`, although the build went well.
+
+## Example
+
+```xml launch/robot.launch.xml
+<launch>
+  <node pkg="my_robot" exec="drive_node"/>
+</launch>
+```
+
+```xml package.xml
+<package format="3">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+  <buildtool_depend>ament_cmake</buildtool_depend>
+  <export>
+    <build_type>ament_cmake</build_type>
+  </export>
+</package>
+```
+
+```cmake CMakeLists.txt
+project(my_robot)
+find_package(ament_cmake REQUIRED)
+add_executable(drive_node src/drive.cpp)
+install(TARGETS drive_node)
+install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+ament_package()
+```
+
+## Use instead
+
+```xml launch/robot.launch.xml
+<launch>
+  <node pkg="my_robot" exec="drive_node"/>
+</launch>
+```
+
+```xml package.xml
+<package format="3">
+  <name>my_robot</name>
+  <version>1.0.0</version>
+  <description>Drives a robot.</description>
+  <maintainer email="robot@example.com">Robot</maintainer>
+  <license>Apache-2.0</license>
+  <buildtool_depend>ament_cmake</buildtool_depend>
+  <export>
+    <build_type>ament_cmake</build_type>
+  </export>
+</package>
+```
+
+```cmake CMakeLists.txt
+project(my_robot)
+find_package(ament_cmake REQUIRED)
+add_executable(drive_node src/drive.cpp)
+install(TARGETS drive_node DESTINATION lib/${PROJECT_NAME})
+install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+ament_package()
+```
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.judging.not_in_libexec import Missing, build_file, missing_programs
+from launchlint.rules.judging.other_file import root_of, shown
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
+from launchlint.source import Origin
+
+RULE = Rule("LL946", "not-in-libexec", Severity.ERROR, roslaunch="refuses")
+
+
+def check(view: LaunchView) -> Iterator[Finding]:
+    """Yield one finding for each node whose program is elsewhere (launch_ros.substitutions.ExecutableInPackage)."""
+    launch = view.launch
+    root = root_of(launch.entry)
+    for missing in missing_programs(launch, view.packages):
+        if missing.built is None and missing.file is None:
+            continue
+        node, package = missing.node, missing.package
+        assumed = any(condition.assumed for condition in node.conditions)
+        severity = Severity.WARNING if assumed else RULE.severity
+        yield RULE.at(
+            Origin(node.places.get("executable", node.origin.place), node.origin.step),
+            f"{node.executable} is not in lib/{package.name}: {_where(missing)}",
+            severity=severity,
+            label="not found there",
+            notes=(
+                f"read in {shown(posixpath.join(package.directory, build_file(package)), root)}",
+                f"ros2 launch stops: executable '{node.executable}' not found on the libexec directory",
+            ),
+            help=_help(missing),
+            cause=f"{severity.word} {package.name}/{node.executable}",
+        )
+
+
+def _where(missing: Missing) -> str:
+    if missing.built:
+        return f"it is installed to {missing.built}"
+    if missing.built == "":
+        return "it is built and not installed"
+    assert missing.file is not None
+    return f"{posixpath.relpath(missing.file, missing.package.directory)} is not installed"
+
+
+def _help(missing: Missing) -> str:
+    name = missing.node.executable
+    if build_file(missing.package) == "setup.py":
+        if missing.built is not None:
+            return f"write install_scripts=$base/lib/{missing.package.name} below [install] in setup.cfg, and script_dir below [develop]"
+        return f"add {name} to console_scripts in setup.py"
+    if missing.built is not None:
+        return f"add install(TARGETS {name} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt"
+    assert missing.file is not None
+    path = posixpath.relpath(missing.file, missing.package.directory)
+    return f"add install(PROGRAMS {path} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt"
