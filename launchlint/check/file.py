@@ -11,7 +11,7 @@ from launchlint.problem import Problem
 from launchlint.rules.registry import Entry, speaking_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import FileView, LaunchView
-from launchlint.syntax.tree import Document, Element
+from launchlint.syntax.tree import Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -41,12 +41,12 @@ def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
     selected = frozenset(rule.id for rule in rules)
     findings: list[Guarded] = []
     for problem in view.dialect.validate(document):
-        findings += [Guarded(finding, _guard(document, finding.location)) for finding in tell(problem, view, selected)]
+        findings += [Guarded(finding, _guard(view, finding.location)) for finding in tell(problem, view, selected)]
     if document.launch is not None or view.dialect.name != ROS1:
         for rule in rules:
             if rule.view == "file" and view.dialect.name in rule.dialects:
                 told = run_rule(rule, view, document.source.path)
-                findings += [Guarded(found, _guard(document, found.location)) for found in told if isinstance(found, Finding)]
+                findings += [Guarded(found, _guard(view, found.location)) for found in told if isinstance(found, Finding)]
     suppressions: tuple[Suppression, ...] = ()
     if "launchlint" in document.source.text:
         from launchlint.suppression import read
@@ -104,7 +104,10 @@ def internal_error(what: str, path: str, error: Exception) -> Finding:
     )  # fmt: skip
 
 
-def _guard(document: Document, location: Location) -> int | None:
+def _guard(view: FileView, location: Location) -> int | None:
+    document = view.document
+    if view.dialect.reads_ahead:
+        return None
     if location.path != document.source.path or document.launch is None:
         return None
     # The innermost element around the place: the last one that begins before it, or one around that.

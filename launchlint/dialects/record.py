@@ -29,6 +29,7 @@ class Dialect(NamedTuple):
     ``evaluate(session, file, given)``: what it starts with these args. ``configurations``: the same in every configuration that matters,
     the one that is given first. Neither raises, whatever the file holds.
     ``remarks(document)``: its comments, each with what it stands before.
+    ``reads_ahead``: a file is read to its end before anything of it is executed, so that a condition saves nobody from a mistake under it.
     """
 
     name: DialectName
@@ -39,3 +40,4 @@ class Dialect(NamedTuple):
     evaluate: Callable[[Session, str, Pairs], Evaluation]
     configurations: Callable[[Session, str, Pairs], Iterator[Evaluation]]
     remarks: Callable[[Document], list[Remark]]
+    reads_ahead: bool = False

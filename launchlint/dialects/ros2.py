@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from launchlint.dialects.record import Dialect
 from launchlint.model import ROS2
+from launchlint.workspace.discovery import is_in_python
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -45,14 +46,16 @@ def _evaluate(session: Session, file: str, given: Pairs) -> Evaluation:
 
 
 def _configurations(session: Session, file: str, given: Pairs) -> Iterator[Evaluation]:
-    yield _evaluate(session, file, given)
+    from launchlint.evaluate.ros2.configurations import configurations
+
+    return (_with_documents(session, each) for each in configurations(session, file, given))
 
 
 def _with_documents(session: Session, evaluation: Evaluation) -> Evaluation:
     """The same with every file that was read, those in YAML too."""
     from launchlint.evaluate.session import Read
 
-    read = (session.reading(file) for file in dict.fromkeys(evaluation.launch.files))
+    read = (session.reading(file) for file in dict.fromkeys(evaluation.launch.files) if not is_in_python(file))
     documents = (_document(each) for each in read if not isinstance(each, Read))
     return evaluation._replace(documents={each.source.path: each for each in documents})
 
@@ -67,4 +70,4 @@ def _remarks(document: Document) -> list[Remark]:
     return yaml_remarks(document.source)
 
 
-DIALECT = Dialect(ROS2, "ROS 2", "ros2 launch", _parse, _validate, _evaluate, _configurations, _remarks)
+DIALECT = Dialect(ROS2, "ROS 2", "ros2 launch", _parse, _validate, _evaluate, _configurations, _remarks, reads_ahead=True)

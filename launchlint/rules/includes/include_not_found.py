@@ -64,6 +64,7 @@ from launchlint.rules.judging.installed import installed_from
 from launchlint.rules.judging.joined import led_by
 from launchlint.rules.judging.left_over import left_over_in
 from launchlint.rules.judging.made_file import cause_of, made, malformed
+from launchlint.rules.judging.moved import moved, told_as_moved
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.robot_file import advice as robots_advice
 from launchlint.rules.judging.robot_file import is_robots
@@ -83,7 +84,6 @@ _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _MOST_DIRECTORIES = 300
 _MOST_FILES = 5_000
 _MOST_NAMED = 3
-MOVED = "moved "
 _CORRECT = "correct the name, or create the file"
 
 
@@ -157,15 +157,9 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
         help=advice,
         fix=repair,
         shared_cause=left_over_in(file, view)
-        or (_moved(file, meant) if severity is None and repair is not None else "")
+        or (moved(file, meant) if severity is None and repair is not None else "")
         or ("" if relative or environment or installed is not None else cause_of(file, maker)),
     )
-
-
-def _moved(file: str, meant: str) -> str:
-    """The cause of all that is looked for in one directory and lies in another one: it is the directory that is wrong."""
-    (wrong, base), (right, name) = posixpath.split(file), posixpath.split(meant)
-    return f"{MOVED}{wrong} {right}" if base == name and right else ""
 
 
 def together(findings: Sequence[Finding]) -> Finding:
@@ -176,13 +170,7 @@ def together(findings: Sequence[Finding]) -> Finding:
     if broken is not None:
         return led_by(findings, "LL101")
     told = led_by(findings, "LL215")
-    files = list(dict.fromkeys(_named(each) for each in findings))
-    if told.cause.startswith(MOVED) and len(files) > 1:
-        more = f" and {len(files) - _MOST_NAMED} more" if len(files) > _MOST_NAMED else ""
-        return told._replace(
-            message=f"{len(files)} included files do not exist: {', '.join(files[:_MOST_NAMED])}{more}",
-            help=f"{told.help.removesuffix('?')}, and so for the others?",
-        )
+    told = told_as_moved(told, [_named(each) for each in findings if each.rule == RULE.id], "included files")
     portable = next((each for each in findings if each.rule == "LL406"), None)  # the same name, as it is written
     return told if portable is None or told.help != _CORRECT else told._replace(help=portable.help)
 

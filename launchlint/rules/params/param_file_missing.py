@@ -14,7 +14,8 @@ relative path; where the path is made from an environment variable, whose value 
 of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, or by what `.gitignore` keeps out of the repository;
 where it lies in a git submodule that is not checked out, or in a directory with nothing but a README; where only the default of an arg
 leads there that all files which include this one override; and where that default is `none` or the like and files for other values are
-there. A directory that is missing is told once, with all files that would be in it.
+there. A directory that is missing is told once, with all files that would be in it, and so is one in which files are looked for that lie
+elsewhere.
 
 ## Example
 
@@ -55,6 +56,7 @@ from launchlint.rules.judging.installed import installed_from
 from launchlint.rules.judging.joined import led_by
 from launchlint.rules.judging.left_over import left_over_in
 from launchlint.rules.judging.made_file import cause_of, made
+from launchlint.rules.judging.moved import moved, told_as_moved
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.robot_file import advice, is_robots
 from launchlint.rules.judging.template import is_path_to_fill_in
@@ -112,6 +114,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     if placeholder:
         severity = Severity.INFO
         notes.append("the path is a placeholder, which each user fills in")
+    near = _near(problem, view) if installed is None else shown(installed, root_of(problem.place.source))
     if not path:
         message = "the name of the file is empty"
     else:
@@ -131,14 +134,17 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         if robots
         else choice[1]
         if choice is not None
-        else _advice(problem, _near(problem, view) if installed is None else shown(installed, root_of(problem.place.source)), view),
-        shared_cause=left_over_in(problem.file, view) or (cause_of(problem.file, maker) if look and path and not placeholder else ""),
+        else _advice(problem, near, view),
+        shared_cause=left_over_in(problem.file, view)
+        or (moved(problem.file, near) if severity is None and near is not None and missing else "")
+        or (cause_of(problem.file, maker) if look and path and not placeholder else ""),
     )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
     """One for all: text that was meant to be replaced is told before the names of files that have it."""
-    return led_by(findings, "LL215")
+    names = [each.message.removeprefix("the file ").removesuffix(" does not exist") for each in findings if each.rule == RULE.id]
+    return told_as_moved(led_by(findings, "LL215"), names, "files")
 
 
 def _near(problem: ParamFileMissing, view: LaunchView) -> str | None:
