@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from launchlint.dialects.record import Dialect
 from launchlint.model import ROS2
-from launchlint.workspace.discovery import is_in_python
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,6 +16,9 @@ if TYPE_CHECKING:
     from launchlint.syntax.remarks import Remark
     from launchlint.syntax.ros2.reading import Reading
     from launchlint.syntax.tree import Document
+
+
+_PYTHON = ".py"
 
 
 def _parse(session: Session, file: str) -> Document | Read:
@@ -55,7 +57,7 @@ def _with_documents(session: Session, evaluation: Evaluation) -> Evaluation:
     """The same with every file that was read, those in YAML too."""
     from launchlint.evaluate.session import Read
 
-    read = (session.reading(file) for file in dict.fromkeys(evaluation.launch.files) if not is_in_python(file))
+    read = (session.reading(file) for file in dict.fromkeys(evaluation.launch.files) if not file.endswith(_PYTHON))
     documents = (_document(each) for each in read if not isinstance(each, Read))
     return evaluation._replace(documents={each.source.path: each for each in documents})
 

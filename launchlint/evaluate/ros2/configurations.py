@@ -24,7 +24,7 @@ Pairs = tuple[tuple[str, str], ...]
 
 MOST_EVALUATIONS = 48
 """Evaluations of one entry file, tried ones included."""
-MOST_WORK = 40_000
+MOST_WORK = 16_000
 """Conditions, nodes, includes and args of all evaluations together: a launch of thousands of nodes is evaluated a few times only."""
 
 _BOOLEANS = {"true": "false", "false": "true", "True": "False", "False": "True", "1": "0", "0": "1"}
