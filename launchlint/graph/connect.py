@@ -23,7 +23,7 @@ from launchlint.graph.situation import Start
 from launchlint.library.lookup import Library
 from launchlint.library.program import Program
 from launchlint.library.template import UNKNOWN
-from launchlint.model import Launch, Node, Role
+from launchlint.model import ROS1, Launch, Node, Role
 
 NODELET = ("nodelet", "nodelet")
 """The executable that runs, loads and manages nodelets."""
@@ -45,6 +45,11 @@ class _Process(NamedTuple):
 
 def connect(launch: Launch, library: Library, earlier: Earlier | None = None) -> ConnectionGraph:
     """The connection graph of ``launch``, tests included. ``earlier`` are the other configurations of the same entry file, if any."""
+    if launch.dialect != ROS1:
+        from launchlint.graph.connect_ros2 import instances_of
+
+        nodes, own = instances_of(launch, library.given)
+        return _graph(launch, nodes, own)
     parameters = Parameters(launch.parameters, launch.more_parameters)
     earlier = earlier or Earlier()
     processes = [earlier.process(node, partial(_process, library)) for node in (*launch.nodes, *launch.tests)]
@@ -54,7 +59,11 @@ def connect(launch: Launch, library: Library, earlier: Earlier | None = None) ->
         manager = _manager(process, managers)
         make = partial(_instance, process, manager, parameters, library)
         found.append(earlier.instance(process.node, process, manager, parameters, make))
-    instances = tuple(found)
+    return _graph(launch, tuple(found), parameters)
+
+
+def _graph(launch: Launch, instances: tuple[Instance, ...], parameters: Parameters) -> ConnectionGraph:
+    """What all nodes say under one name meets in a channel."""
     channels: dict[tuple[str, str], Channel] = {}
     readers: dict[str, list[Reading]] = {}
     for instance in instances:

@@ -125,7 +125,7 @@ class Instance(NamedTuple):
         node: the node as the launch file starts it.
         name: its full name.
         program: ``package/executable``, or the class of a nodelet.
-        kind: ``node``, ``nodelet`` (loaded into a manager), ``manager`` (of nodelets).
+        kind: ``node``, ``nodelet`` (loaded into a manager), ``manager`` (of nodelets); in ROS 2 ``component`` and ``container``.
         knowledge: ``known``, ``template`` (known, some names made from args or params), ``unknown``.
         reason: why it is unknown, for people; else empty.
         host: full name of the process it runs in: its own, that of its manager, or empty where that is not known.

@@ -148,7 +148,7 @@ def _add(
         start.looked_up[resolved.unremapped] = name
         serves = declaration.role == "server"
         endpoint(f"action {declaration.role}", resolved, type_)
-        for topic, server_publishes, its_type in _ACTION_TOPICS:
+        for topic, server_publishes, its_type in _ACTION_TOPICS if namer.has_action_topics else ():
             full = its_type if "/" in its_type else f"{type_}{its_type}" if type_ else ""
             role = "publisher" if server_publishes == serves else "subscriber"
             endpoint(role, namer.beneath(resolved, topic), full, action=resolved.name)

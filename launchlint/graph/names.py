@@ -120,6 +120,9 @@ class Namer:
         unknown: remappings of which only patterns are known, of source and target: ``*`` stands for anything.
     """
 
+    has_action_topics = True
+    """Whether actions are five topics that can be remapped (actionlib)."""
+
     __slots__ = ("_is_rospy", "_spelled", "_table", "_unknown", "graph_name", "home", "namespace", "node", "private")
 
     def __init__(

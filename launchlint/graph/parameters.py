@@ -1,8 +1,8 @@
-"""The parameter server as the launch file fills it."""
+"""Params as nodes can read them: of the parameter server that a launch file fills (ROS 1), or each node's own (ROS 2)."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from launchlint.library.template import UNKNOWN
 from launchlint.model import Binary, Command, ParameterSetting, Unknown
@@ -11,9 +11,13 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from launchlint.graph.names import Namer
+    from launchlint.model import Node
+    from launchlint.source import Place
+
 
 class Parameters:
-    """The params that a launch file sets, by their full names; in the namespaces ``more`` there may be others."""
+    """The params that a launch file sets on the server, by their full names; in the namespaces ``more`` there may be others."""
 
     def __init__(self, settings: Mapping[str, ParameterSetting], more: Sequence[str] = ()) -> None:
         self._settings = settings
@@ -39,6 +43,10 @@ class Parameters:
             return UNKNOWN
         below = self._names_below(name)
         return self._tree(name, below) if below else self._inside(name)
+
+    def read(self, name: str, namer: Namer) -> Any:
+        """The value of what the code of a node calls ``name``."""
+        return self.value(namer.resolve(name).name)
 
     def setting(self, name: str) -> ParameterSetting | None:
         """How the param itself is set."""
@@ -92,6 +100,38 @@ class Parameters:
                 for names in lists:
                     names.append(full)
         return self._below.get(name, [])
+
+
+class NodeParameters(Parameters):
+    """The params of the nodes of ROS 2, each of which has its own: their full names are ``/node:param``."""
+
+    def __init__(self, nodes: Iterable[tuple[str, Node]]) -> None:
+        """``nodes`` with the names that they are called by."""
+        super().__init__({})
+        self._own = dict(nodes)
+
+    @property
+    def all(self) -> Iterator[tuple[str, str, Any, Place]]:
+        """The node, the name and the value of all that is known, and where the node is written."""
+        for full, node in self._own.items():
+            for name, (_, value) in sorted((node.own or {}).items()):
+                yield full, name, value, node.origin.place
+
+    def _value(self, name: str) -> Any:
+        full, _, inner = name.partition(":")
+        node = self._own.get(full)
+        if node is None or node.own is None:
+            return UNKNOWN
+        typed = node.own.get(inner)
+        return None if typed is None else _plain(typed[1])
+
+    def read(self, name: str, namer: Namer) -> Any:
+        """The value of what the code of a node calls ``name``: it is always its own."""
+        return self.value(f"{namer.graph_name}:{name.removeprefix('~').lstrip('/').replace('/', '.')}")
+
+    def is_set(self, name: str) -> bool:
+        """Whether the param is certainly set."""
+        return self._value(name) not in (None, UNKNOWN)
 
 
 def _plain(value: Any) -> Any:

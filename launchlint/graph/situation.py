@@ -65,7 +65,7 @@ class Start:
             return self._own[name[1:]]
         if (name.startswith("~") and not self._named) or not (self._placed or name.startswith("/")):
             return UNKNOWN
-        return self._parameters.value(self._namer.resolve(name).name)
+        return self._parameters.read(name, self._namer)
 
     def resolved(self, name: str) -> str:
         """A name, resolved and remapped."""

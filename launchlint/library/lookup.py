@@ -9,6 +9,7 @@ public version (:mod:`.precedence`).
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
 
 from launchlint.library.program import Program, program
 from launchlint.library.shipped import Bundled
@@ -56,6 +57,11 @@ class Library:
         self._own = own
         self._programs: dict[Key, Program | None] = {}
         self._hangs_on: dict[Key, frozenset[Key]] = {}
+
+    @cached_property
+    def given(self) -> Library:
+        """What the user's libraries say alone: those that launchlint ships, and the sources that it reads, are of ROS 1."""
+        return Library(self._files, bundled=False)
 
     @property
     def digests(self) -> tuple[str, ...]:

@@ -82,14 +82,16 @@ def _counts(topology: Topology) -> str:
 
 def _head(node: TopologyNode, topology: Topology) -> str:
     details = [visible(node.program)]
-    if node.kind == "nodelet":
+    if node.kind in ("nodelet", "component"):
         details.append(
             f"in {visible(node.host)}"
             if node.host and node.host != node.name
-            else "its manager is not here"
+            else f"its {'manager' if node.kind == 'nodelet' else 'container'} is not here"
             if not node.host
             else "standalone"
         )
+    elif node.kind == "container":
+        details.append("component container")
     elif node.kind == "manager":
         details.append("nodelet manager")
     if node.is_test:

@@ -3856,11 +3856,12 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/panel_node.js
+  var KINDS3 = { manager: "Nodelet manager", nodelet: "Nodelet", container: "Component container", component: "Component" };
   function nodePanel(page, model, index) {
     const node = model.entry.nodes[index];
     if (!node) return [];
     const { configuration } = page.store.get();
-    const kind = node.isTest ? "Test node" : node.kind === "node" ? "Node" : node.kind === "manager" ? "Nodelet manager" : "Nodelet";
+    const kind = node.isTest ? "Test node" : KINDS3[node.kind] ?? "Node";
     const badges = [
       node.knowledge === "unknown" && badge2("interface not known", "unknown"),
       node.mark && badge2(node.mark, node.mark),
@@ -3888,7 +3889,7 @@ ${end.mark}`;
     ];
   }
   function host(page, model, node) {
-    if (node.kind !== "nodelet" || !node.host) return [];
+    if (node.kind !== "nodelet" && node.kind !== "component" || !node.host) return [];
     const [manager] = model.nodesNamed.get(node.host) ?? [];
     return [" inside ", manager === void 0 ? element2("code", {}, node.host) : nodeReference(page, manager)];
   }
@@ -4318,7 +4319,7 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/table.js
-  var KINDS3 = /* @__PURE__ */ new Map([
+  var KINDS4 = /* @__PURE__ */ new Map([
     ["table-nodes", "node"],
     ["table-topics", "channel"],
     ["table-services", "channel"],
@@ -4330,7 +4331,7 @@ ${end.mark}`;
   var collator = new Intl.Collator("en", { numeric: true });
   function enhance(page, table) {
     var _a, _b;
-    const kind = KINDS3.get(table.id) ?? "";
+    const kind = KINDS4.get(table.id) ?? "";
     const named = kind === "finding" ? 2 : 0;
     let linked = false;
     let sorted = -1;

@@ -99,7 +99,7 @@ export interface Node {
   program: string;
   package: string;
   executable: string;
-  /** node, nodelet, nodelet manager …: launchlint/graph/connections.py Instance.kind. */
+  /** node, nodelet, nodelet manager, component …: launchlint/graph/connections.py Instance.kind. */
   kind: string;
   /** known, template, unknown …: Instance.knowledge; reason says why it is not known. */
   knowledge: string;

@@ -27,6 +27,9 @@ import { does, number, ROLE_ORDER } from "./wording.js";
 /** @typedef {import("../data").Node} GraphNode */
 /** @typedef {import("../data").Connection} Connection */
 
+/** @type {{ [kind: string]: string }} */
+const KINDS = { manager: "Nodelet manager", nodelet: "Nodelet", container: "Component container", component: "Component" };
+
 /**
  * @param {Page} page
  * @param {EntryModel} model
@@ -37,7 +40,7 @@ export function nodePanel(page, model, index) {
   const node = model.entry.nodes[index];
   if (!node) return [];
   const { configuration } = page.store.get();
-  const kind = node.isTest ? "Test node" : node.kind === "node" ? "Node" : node.kind === "manager" ? "Nodelet manager" : "Nodelet";
+  const kind = node.isTest ? "Test node" : (KINDS[node.kind] ?? "Node");
   const badges = [
     node.knowledge === "unknown" && badge("interface not known", "unknown"),
     node.mark && badge(node.mark, node.mark),
@@ -67,7 +70,7 @@ export function nodePanel(page, model, index) {
 
 /** @param {Page} page @param {EntryModel} model @param {GraphNode} node @returns {Child[]} */
 function host(page, model, node) {
-  if (node.kind !== "nodelet" || !node.host) return [];
+  if ((node.kind !== "nodelet" && node.kind !== "component") || !node.host) return [];
   const [manager] = model.nodesNamed.get(node.host) ?? [];
   return [" inside ", manager === undefined ? element("code", {}, node.host) : nodeReference(page, manager)];
 }

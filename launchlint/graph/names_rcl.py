@@ -1,0 +1,108 @@
+"""ROS name resolution as rcl does it, for nodes of ROS 2: behind the same methods as that of roscpp and rospy.
+
+The first remap rule that matches the expanded name counts, and no other one: there are no chains. A rule may be for topics or services
+only, or for one node. Source: see :mod:`launchlint.rcl.names`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from launchlint.graph.names import Applied, Namer, Resolved, Rule, clean, placed
+from launchlint.model import Remap
+from launchlint.rcl.names import Names, expand, is_node_name
+from launchlint.rcl.remap import Rule as RclRule
+from launchlint.rcl.remap import parse
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Literal
+
+
+_UNNAMED = "launchlint_unnamed"
+"""Stands for the name of a node that only its program knows."""
+
+
+class RclNamer(Namer):
+    """Resolves the names of one node of ROS 2.
+
+    Args:
+        namespace: of the node, as launch gives it.
+        node: its full name, also where that is no more than a way to call it.
+        remaps: its remappings in the order of its command line; what rcl would refuse does nothing here.
+        unknown: remappings of which only patterns are known.
+    """
+
+    __slots__ = ("_by_rule", "_names")
+
+    has_action_topics = False
+
+    def __init__(self, namespace: str, node: str, remaps: Iterable[Remap] = (), unknown: Iterable[tuple[str, str]] = ()) -> None:
+        parsed = [(remap, parse(f"{remap.source}:={remap.target}")) for remap in remaps]
+        rules = [(remap, rule) for remap, rule in parsed if isinstance(rule, RclRule)]
+        self._by_rule = {id(rule): remap for remap, rule in rules}
+        own = node.rpartition("/")[2]
+        self._names = Names(own if is_node_name(own) else _UNNAMED, namespace.rstrip("/") or "/", [rule for _, rule in rules])
+        self.namespace = self._names.namespace
+        self.node = self.graph_name = self.private = node
+        self._is_rospy = False
+        self._spelled = {}
+        self._unknown = [(placed(source, self.namespace, node), placed(target, self.namespace, node)) for source, target in unknown]
+        self._table: dict[str, Applied] = {}
+        for remap, rule in reversed(rules):
+            source = self._expanded(rule.match) if rule.match else None
+            target = self._expanded(rule.replacement)
+            if source is not None and target is not None:
+                self._table[source] = Applied(source, target, Rule(rule.match, rule.replacement, remap))
+
+    @property
+    def remappings(self) -> Mapping[str, Applied]:
+        """The remappings of the node itself, by their resolved source: of several the one that counts."""
+        return self._table
+
+    def resolve(self, name: str) -> Resolved:
+        """The name that a service of the node's code has on the graph."""
+        return self._named(name, "service")
+
+    def topic(self, name: str) -> Resolved:
+        """The topic that ``name`` of the node's code has on the graph."""
+        return self._named(name, "topic")
+
+    def action(self, name: str) -> Resolved:
+        """The name of an action: its topics and services are hidden ones below that, which a rule for the name itself does not move."""
+        unremapped = self._expanded(name) or clean(f"/{self.namespace}/{name}")
+        return Resolved(unremapped, unremapped)
+
+    def again(self, base: Resolved) -> Resolved:
+        """Rcl resolves a name once."""
+        return base
+
+    def moved(self, name: str) -> str:
+        """A global name after remapping."""
+        return self._named(name, "topic").name
+
+    def beneath(self, base: Resolved, suffix: str) -> Resolved:
+        """A name made by the code from a name that is already resolved: ``image`` → ``/cam/image`` → ``/cam/image/compressed``."""
+        inner = self.topic(clean(f"{base.name}/{suffix}"))
+        return Resolved(inner.name, inner.unremapped, (*base.applied, *inner.applied))
+
+    def _expanded(self, name: str) -> str | None:
+        """``name`` before any rule. A library that is written for ROS 1 spells private names ``~name``."""
+        name = f"~/{name[1:]}" if name.startswith("~") and name[1:2] not in ("", "/") else name
+        found = expand(name, self._names.node, self.namespace)
+        if found is None or self._names.node != _UNNAMED:
+            return found
+        below = f"{self._names.full_name}/"
+        return f"{self.private}/{found[len(below) :]}" if found.startswith(below) else found
+
+    def _named(self, name: str, kind: Literal["topic", "service"]) -> Resolved:
+        unremapped = self._expanded(name)
+        if unremapped is None:  # a name that rcl refuses
+            unremapped = clean(f"/{self.namespace}/{name}")
+            return Resolved(unremapped, unremapped)
+        rule = self._names.rule(unremapped, kind)
+        target = None if rule is None else self._expanded(rule.replacement)
+        if rule is None or target is None:
+            return Resolved(unremapped, unremapped)
+        applied = Applied(unremapped, target, Rule(rule.match, rule.replacement, self._by_rule.get(id(rule))))
+        return Resolved(target, unremapped, (applied,))
