@@ -23,6 +23,10 @@ _PLAIN_TEXT = late(r"[A-Za-z_/$][\w/.(){}$+-]*(?<!:)", re.ASCII)
 _YAML_WORDS = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null"))
 
 
+LONGEST = 50_000
+"""Characters of a value that are looked into; a longer one, which nobody writes, is taken for a text."""
+
+
 class Misfit(Exception):
     """The value does not become what is wanted."""
 
@@ -33,7 +37,7 @@ def as_yaml(text: str) -> Any:
     Raises:
         Misfit: PyYAML refuses it.
     """
-    if not text or (_PLAIN_TEXT.fullmatch(text) is not None and text.lower() not in _YAML_WORDS):
+    if not text or len(text) > LONGEST or (_PLAIN_TEXT.fullmatch(text) is not None and text.lower() not in _YAML_WORDS):
         return text
     import yaml
 

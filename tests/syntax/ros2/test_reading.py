@@ -305,6 +305,13 @@ def test_great_files_take_linear_time(piece: str) -> None:
     assert time.process_time() - began < 10
 
 
+@pytest.mark.parametrize("value", ["[" * 40_000, "[" + "1, " * 300_000 + "1]", "&amp;a " * 100_000, "- " * 20_000])
+def test_great_values_take_linear_time(value: str) -> None:
+    began = time.process_time()
+    xml(f"<node pkg='p' exec='e'><param name='n' value='{value}'/></node>")
+    assert time.process_time() - began < 10
+
+
 def test_deep_nesting_is_refused_and_does_not_overflow() -> None:
     reading = xml("<group>" * 900 + "</group>" * 900)
     assert [problem.kind for problem in reading.problems] == ["too-deep"]
