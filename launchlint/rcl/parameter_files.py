@@ -89,7 +89,7 @@ class _Reading:
         self.list_start = 0
         self.node: tuple[str, int] = ("", 0)
         self.namespace: tuple[str, int] = ("", 0)
-        self.key: Key | None = next(iter(table.keys.values()), None)
+        self.key: Key | None = None
         self.place = 0
         self.node_span = Span(0, 0)
         self.count = 0

@@ -37,14 +37,25 @@ class Written(NamedTuple):
 
 
 class Parameter:
-    """One parameter of one key: what it was given, by type. A second value of the same type replaces the first; one of another does not."""
+    """One parameter of one key: what it was given, by type. A second value of the same type replaces the first; one of another does not.
 
-    __slots__ = ("given", "name", "written")
+    ``nested``: it stands in a mapping that is the value of another name.
+    """
+
+    __slots__ = ("given", "name", "nested", "written")
 
     def __init__(self, name: str, written: Written) -> None:
         self.name = name
         self.given: dict[Type, Value] = {}
+        self.nested = False
         self.written = written
+
+    def later(self, by: int) -> Parameter:
+        """The same, read after ``by`` other names."""
+        made = Parameter(self.name, self.written._replace(order=self.written.order + by))
+        made.given = dict(self.given)
+        made.nested = self.nested
+        return made
 
     def give(self, value: Value | ScalarValue) -> None:
         """One more value."""
@@ -85,18 +96,50 @@ class Key:
         if self._places.get(parameter.name) == place:
             del self._places[parameter.name]
         parameter.name = name
+        parameter.nested = True
         first = self._places.setdefault(name, place)
         if first > place:
             self._places[name] = place
 
+    def would_rename(self, other: Key) -> bool:
+        """Whether reading ``other`` after this one would make a parameter of this one the namespace of one of its own."""
+        if not other.parameters or not self.parameters:
+            return False
+        names = self._places
+        for parameter in other.parameters:
+            if parameter.nested:
+                at = parameter.name.find(".")
+                while at >= 0:
+                    if parameter.name[:at] in names:
+                        return True
+                    at = parameter.name.find(".", at + 1)
+        return False
+
+    def add(self, other: Key, by: int) -> None:
+        """What ``other`` holds, read after this one and after ``by`` other names."""
+        for parameter in other.parameters:
+            known = None if parameter.nested else self._places.get(parameter.name)
+            made = parameter.later(by)
+            if known is None:
+                self.parameters.append(made)
+                self._places.setdefault(made.name, len(self.parameters) - 1)
+            else:
+                self.parameters[known].given.update(made.given)
+                self.parameters[known].written = made.written
+
 
 class Table:
-    """All keys, in the order in which each of them came first. ``tags``: a tag such as ``!!str`` says of which type a value is."""
+    """All keys, in the order in which each of them came first. ``tags``: a tag such as ``!!str`` says of which type a value is.
 
-    __slots__ = ("keys", "read", "tags")
+    ``read`` counts the names that were read. A key may be that of another table, too, with the count of names that were read before it,
+    until something is added to it.
+    """
+
+    __slots__ = ("_borrowed", "keys", "read", "tags")
 
     def __init__(self) -> None:
         self.keys: dict[str, Key] = {}
+        self._borrowed: dict[str, int] = {}
         self.tags = True
         self.read = 0
 
@@ -110,7 +153,35 @@ class Table:
         known = self.keys.get(name)
         if known is None:
             known = self.keys[name] = Key(name, (source, span))
-        return known
+        return self._own(known)
+
+    def _own(self, key: Key) -> Key:
+        before = self._borrowed.pop(key.name, None)
+        if before is None:
+            return key
+        made = self.keys[key.name] = Key(key.name, key.written)
+        made.add(key, before)
+        return made
+
+    def merge(self, other: Table) -> bool:
+        """Take in what ``other`` holds, as if its file had been read into this table; False, and nothing is changed, where that differs."""
+        for name, key in other.keys.items():
+            mine = self.keys.get(name)
+            if mine is not None and mine.would_rename(key):
+                return False
+        before, self.read = self.read, self.read + other.read
+        for name, key in other.keys.items():
+            mine = self.keys.get(name)
+            if mine is None:
+                self.keys[name] = key
+                self._borrowed[name] = before
+            else:
+                self._own(mine).add(key, before)
+        return True
+
+    def order(self, key: Key, parameter: Parameter) -> int:
+        """When a parameter was set last: a number that grows with each name that is read."""
+        return parameter.written.order + self._borrowed.get(key.name, 0)
 
     def reaching(self, full_name: str) -> Iterator[Key]:
         """The keys that count for the node ``full_name``, in order: of two that set the same parameter the later one wins."""

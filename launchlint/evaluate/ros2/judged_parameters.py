@@ -145,7 +145,7 @@ def _lost(table: Table, full_name: str, begun: Started, passed: Sequence[Passed]
             winner, winning = kept[parameter.name]
             if winner is key or parameter.value == winning.value or parameter.written.source is None:
                 continue
-            later = parameter.written.order > winning.written.order
+            later = table.order(key, parameter) > table.order(winner, winning)
             exact = parameter.written.source is winning.written.source and "*" in winner.name and "*" not in key.name
             if not later and not exact:
                 continue

@@ -17,6 +17,12 @@ if TYPE_CHECKING:
 
 def add_file(file: str, table: Table, asks: Performs) -> Refused | None:
     """Read a file into ``table``; its refusal, if rcl refuses it. Raises YamlBeyond."""
+    alone = table_of(file, asks)
+    return None if isinstance(alone, Table) and table.merge(alone) else _add_events(file, table, asks)
+
+
+def _add_events(file: str, table: Table, asks: Performs) -> Refused | None:
+    """The same, event by event: what is in the table already may change what the file says."""
     read = asks.session.read(file)
     if read.data is None:
         return Refused(f"the file {file} cannot be read: {read.reason}")
@@ -35,11 +41,12 @@ def add_file(file: str, table: Table, asks: Performs) -> Refused | None:
 
 def table_of(file: str, asks: Performs) -> Table | Refused | None:
     """What one file holds by itself; None for one that is beyond all bounds."""
-    name = f"table {file}"
+    name = f"table {file}{'' if asks.tags_count else ' without tags'}"
     if name not in asks.session.loaded:
         table = Table()
+        table.tags = asks.tags_count
         try:
-            asks.session.loaded[name] = add_file(file, table, asks) or table
+            asks.session.loaded[name] = _add_events(file, table, asks) or table
         except YamlBeyond:
             asks.session.loaded[name] = None
     known: Table | Refused | None = asks.session.loaded[name]

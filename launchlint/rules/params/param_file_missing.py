@@ -49,7 +49,7 @@ from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import ParamFileMissing
 from launchlint.finding import Finding, Severity
-from launchlint.model import ROS1
+from launchlint.model import ROS1, ROS2
 from launchlint.rules.judging.default_to_correct import has_arg, unchosen
 from launchlint.rules.judging.elsewhere import elsewhere
 from launchlint.rules.judging.installed import installed_from
@@ -86,6 +86,8 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     name = path.rpartition("/")[2] or path
     severity = None
     installed = installed_from(problem.file, view.packages) if missing and not problem.relative else None
+    if installed is not None and view.dialect.name == ROS2:
+        return  # what is launched in ROS 2 is what is installed
     look = missing and not problem.relative and not problem.environment and installed is None
     maker = made(problem.file, view, root_of(problem.place.source)) if look else None
     if not problem.refused:
