@@ -134,6 +134,8 @@ def _ros2(problem: MisplacedEntity) -> Finding:
         advice = f"move it: it stands in {', '.join(holders)}"
     if parent == "include" and tag == "let":
         advice = "write arg: it passes a value to the included file"
+    elif parent == "include" and tag == "param":
+        advice = "write <arg> if the included file declares one of that name; else <set_parameter>, in a <group> around the <include>"
     return RULE.at(
         problem.origin,
         f"{tag} cannot stand inside {parent}",

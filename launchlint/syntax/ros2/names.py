@@ -15,5 +15,6 @@ IN_PYTHON = {
     "ros_arguments": "ros_args",
     "prefix": "launch-prefix",
     "default_value": "default",
+    "desc": "description",
 }
 """Keyword of a launch file in Python, or name of an old distribution, to the attribute in XML and YAML."""
