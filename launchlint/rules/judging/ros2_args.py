@@ -84,6 +84,8 @@ def missing(problem: IncludeMissingArg, rule: Rule, view: LaunchView) -> Iterato
 
 def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: LaunchView) -> Iterator[Finding]:
     """An included file that is not there."""
+    from launchlint.workspace.ament.shares import may_be_installed
+
     file, source = problem.file, problem.place.source
     if has_placeholder(file) or isinstance(problem, IncludeNotLoadable):
         return
@@ -96,6 +98,9 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
         notes.append("a relative name counts from the directory ros2 launch is called in, not from this file")
     if problem.environment:
         notes.append("the name hangs on an environment variable, which may be another one on the robot")
+    perhaps = "" if relative or not file else may_be_installed(view.packages, file)
+    if perhaps:
+        notes.append(f"the build may install it to this place: {perhaps}")
     base = posixpath.basename(file)
     others = list(view.packages.colcon.launch_files(base)) if base and not relative else []
     advice = "correct the name, or create the file"
@@ -106,7 +111,7 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
     yield rule.at(
         problem.origin,
         f"the included file {named} does not exist" if file else "the name of the included file is empty",
-        severity=Severity.INFO if problem.environment else None,
+        severity=Severity.INFO if problem.environment else Severity.WARNING if perhaps else None,
         label="not found",
         notes=tuple(notes),
         help=advice,

@@ -90,6 +90,10 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         return  # what is launched in ROS 2 is what is installed
     look = missing and not problem.relative and not problem.environment and installed is None
     maker = made(problem.file, view, root_of(problem.place.source)) if look else None
+    perhaps = _may_be_installed(problem.file, view) if look and maker is None else ""
+    if perhaps:
+        severity = Severity.WARNING
+        notes.append(f"the build may install it to this place: {perhaps}")
     if not problem.refused:
         severity = Severity.WARNING
     if path and problem.environment:
@@ -147,6 +151,14 @@ def together(findings: Sequence[Finding]) -> Finding:
     """One for all: text that was meant to be replaced is told before the names of files that have it."""
     names = [each.message.removeprefix("the file ").removesuffix(" does not exist") for each in findings if each.rule == RULE.id]
     return told_as_moved(led_by(findings, "LL215"), names, "files")
+
+
+def _may_be_installed(file: str, view: LaunchView) -> str:
+    if view.dialect.name == ROS1:  # where packages are not looked for in what is installed, but in the sources
+        return ""
+    from launchlint.workspace.ament.shares import may_be_installed
+
+    return may_be_installed(view.packages, file)
 
 
 def _near(problem: ParamFileMissing, view: LaunchView) -> str | None:

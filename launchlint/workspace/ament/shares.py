@@ -12,6 +12,8 @@ from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.prefixes import is_installed
 
+_BUILD = ("CMakeLists.txt", "setup.py")
+
 
 class Shared(NamedTuple):
     """A path in the source directory of ``package``, taken for one below its share directory: ``path`` is what follows that."""
@@ -44,7 +46,17 @@ def installed_source(packages: Packages, file: str) -> str | None:
     return source if source is not None and exists(source) else None
 
 
-def may_be_installed(packages: Packages, file: str) -> bool:
-    """Whether something may stand there once the package is installed: a file that the build makes, or one that is not known here."""
+def may_be_installed(packages: Packages, file: str) -> str:
+    """Why something may stand there once the package is installed, although it is not here: what of its build files is not understood.
+
+    Empty where certainly nothing will stand there, and where there is nothing to build the package with.
+    """
     found = shared(packages, file)
-    return found is not None and not found.installed.lacks(found.path)
+    if (
+        found is None
+        or found.installed.lacks(found.path)
+        or not any(exists(os.path.join(found.package.directory, each)) for each in _BUILD)
+    ):
+        return ""
+    reasons = found.installed.reasons
+    return reasons[0] if reasons else "it installs files whose names are not known here"

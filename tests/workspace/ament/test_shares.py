@@ -36,12 +36,14 @@ def test_a_file_that_is_installed_from_another_directory(rover: Callable[[str], 
 
 def test_what_may_be_there(rover: Callable[[str], tuple[Packages, Path]]) -> None:
     packages, directory = rover(CMAKE)
-    there = {
-        path: may_be_installed(packages, str(directory / path)) for path in ("config/gone.yaml", "config/c.yaml", "launch/b.launch.xml")
-    }
-    assert there == {"config/gone.yaml": True, "config/c.yaml": False, "launch/b.launch.xml": False}
+    assert may_be_installed(packages, str(directory / "config/gone.yaml")) == "it installs files whose names are not known here"
+    assert may_be_installed(packages, str(directory / "config/c.yaml")) == ""
+    assert may_be_installed(packages, str(directory / "launch/b.launch.xml")) == ""
     packages, directory = rover(CMAKE + "some_command()\n")
-    assert may_be_installed(packages, str(directory / "launch/b.launch.xml"))
+    assert may_be_installed(packages, str(directory / "launch/b.launch.xml")) == "the command some_command (line 4) is not known"
+    (directory / "CMakeLists.txt").unlink()
+    packages = Packages([str(directory)], {}, explicit=True)
+    assert may_be_installed(packages, str(directory / "launch/b.launch.xml")) == ""
 
 
 def test_what_lies_in_no_package(rover: Callable[[str], tuple[Packages, Path]]) -> None:
