@@ -77,9 +77,13 @@ def _yaml(data: bytes, path: str, style: Style) -> Formatted:
     from launchlint.syntax.ros2.reading import read
 
     reading = read(data, path)
-    unread = next((each for each in reading.problems if each.kind in ("malformed-yaml", "unreadable-file", "wrong-root")), None)
+    unread = next(
+        (each for each in reading.problems if each.kind in ("malformed-yaml", "malformed-xml2", "unreadable-file", "wrong-root")), None
+    )
     if unread is not None:
         return Formatted(data, problem=unread)
+    if reading.document is not None:
+        return Formatted(data, refusal="it holds XML, and has the name of a file in YAML")
     text = reading.source.text
     mark = data[: len(data) - len(text.encode())]
     return Formatted(mark + normal_form(text, style, yaml=True).encode())

@@ -9,6 +9,8 @@ from __future__ import annotations
 from launchlint.fix.format.style import Style
 from launchlint.fix.format.yaml_layout import Layout, Line, Unusual
 from launchlint.source import Source
+from launchlint.yaml.refusals import YamlError
+from launchlint.yaml.tree import YamlBeyond
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -40,7 +42,10 @@ def yaml_normal_form(text: str, style: Style) -> str:
     if sum(line.indent for line in lines.values()) > MOST_TIMES * len(text) + MOST_ADDED:
         return text
     result = _printed(written, lines) if lines else _tidied(written)
-    other = parse(result, Reader("ros2 launch")).root
+    try:
+        other = parse(result, Reader("ros2 launch")).root
+    except (YamlError, YamlBeyond):
+        return text
     return result if _same(root, other) else text
 
 

@@ -104,6 +104,11 @@ def test_what_is_no_launch_file_is_left_alone() -> None:
         assert result.problem is not None
 
 
+def test_xml_by_the_name_of_yaml_is_left_alone() -> None:
+    assert formatted(b"<launch/>\n", "a.launch.yaml", Style()).refusal
+    assert formatted(b"<launch>\n", "a.launch.yaml", Style()).problem is not None
+
+
 PIECES = ("a:", "- ", "  ", "\n", "    ", "b", "'c'", "|", ">", "# d", "{e: f}", "[", "]", "&g ", "*g", '"h\n i"', "\t", ": ")
 
 
