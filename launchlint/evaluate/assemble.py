@@ -7,6 +7,7 @@ noticed: two nodes of one name, two machines of one name, a machine that does no
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, MoreParameters, NodeEffect, PrivateParameter
@@ -43,11 +44,13 @@ class Evaluation(NamedTuple):
     """The outcome of evaluating one entry file in one configuration.
 
     ``documents`` are the launch files it reached by path; ``visited`` the indices of their conditional elements that were evaluated.
+    ``compared`` (ROS 2) says what launch configurations that can be given are compared with.
     """
 
     launch: Launch
     documents: Mapping[str, Document]
     visited: Mapping[str, frozenset[int]]
+    compared: Mapping[str, tuple[str, ...]] = MappingProxyType({})
 
 
 class _Inherited(NamedTuple):

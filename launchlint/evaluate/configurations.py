@@ -11,14 +11,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import islice, product
+from typing import NamedTuple, Protocol
 
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.block import Side
-from launchlint.evaluate.ros1.arg_flow import ArgFlow, Pairs
-from launchlint.evaluate.ros1.launch import Entered, enter_entry
 from launchlint.evaluate.session import Session
 from launchlint.model import Branch
-from launchlint.syntax.ros1.substitutions import expression_in
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Set
+    from typing import TypeAlias
+
+    Pairs: TypeAlias = tuple[tuple[str, str], ...]
+    """Args that are given, with their values."""
+    Enter: TypeAlias = Callable[[Session, str, Pairs, frozenset[str], Set[Side] | None], Evaluation | None]
+    """Evaluates an entry file; None where nothing but these sides of conditions would be seen."""
 
 MOST_EVALUATIONS = 48
 """Evaluations of one entry file, tried ones included; real files need 1.6 on average."""
@@ -28,19 +36,60 @@ MOST_COMBINATIONS = 24
 """Args that are changed together for one condition, and how many combinations of their values are tried."""
 
 
-def configurations(session: Session, file: str, given: tuple[tuple[str, str], ...] = ()) -> Iterator[Evaluation]:
+class Flow(Protocol):
+    """What one evaluation says of the args of its entry file."""
+
+    def telling(self, given: Pairs) -> Pairs:
+        """The args of ``given`` without those that get what they have anyway."""
+
+    def has(self, pairs: Pairs) -> bool:
+        """Whether all args of ``pairs`` have these values in this configuration."""
+
+    def literals(self, name: str) -> tuple[str, ...]:
+        """What the arg ``name`` is compared with anywhere."""
+
+    def turning(self, branch: Branch) -> Iterator[tuple[str, str]]:
+        """Args with values that may turn a condition: what it compares them with, or the opposite boolean."""
+
+    def breaks_text(self, changes: Pairs) -> bool:
+        """Whether a boolean went to an arg that turns out to be text in a file that only this configuration reaches."""
+
+
+class Way(NamedTuple):
+    """How the files of a dialect are evaluated, and what is known of their args then.
+
+    ``most_work``: conditions, nodes, includes and args of all evaluations together, where each evaluation is done from the beginning: a
+    launch of thousands of nodes is evaluated a few times only.
+    """
+
+    enter: Enter
+    flow: Callable[[Session, Evaluation], Flow]
+    most_work: int | None = None
+
+
+def roslaunch() -> Way:
+    """The way of ROS 1."""
+    from launchlint.evaluate.ros1.arg_flow import ArgFlow
+    from launchlint.evaluate.ros1.launch import enter_unless_seen
+
+    return Way(enter_unless_seen, ArgFlow)
+
+
+def configurations(session: Session, file: str, given: Pairs = (), way: Way | None = None) -> Iterator[Evaluation]:
     """Evaluate ``file`` as given, then with single args changed until every reachable side of every condition has been seen.
 
-    Args in ``given`` stay as they are. Only configurations that show something new are yielded.
+    Args in ``given`` stay as they are. Only configurations that show something new are yielded. Without a ``way`` it is that of ROS 1.
     """
+    enter, flow_of, most_work = way or roslaunch()
     pinned = frozenset(name for name, _ in given)
-    entered = enter_entry(session, file, given, pinned)
-    first = entered.assembled() if isinstance(entered, Entered) else entered
+    first = enter(session, file, given, pinned, None)
+    assert first is not None  # nothing has been seen before
     yield first
-    found = [(first, ArgFlow(session, first))]
+    found = [(first, flow_of(session, first))]
     seen = _sides(first)
     tried: set[Pairs] = {()}
     evaluations = 1
+    work = _work(first)
     # What takes one arg and one look at the condition comes first, for all conditions; then what takes more.
     for alone in (True, False):
         waiting = list(found)
@@ -64,15 +113,17 @@ def configurations(session: Session, file: str, given: tuple[tuple[str, str], ..
                     telling = found[0][1].telling(changes)
                     if flow.has(pairs) or (len(telling) < len(changes) and tuple(sorted(telling)) in tried):
                         continue  # args are given what they have anyway: all that can come of it has been seen
-                    entered = enter_entry(session, file, (*given, *changes), pinned)
-                    if isinstance(entered, Entered) and entered.block.sides <= seen:
+                    evaluation = enter(session, file, (*given, *changes), pinned, seen)
+                    if evaluation is None:
                         continue
-                    evaluation = entered.assembled() if isinstance(entered, Entered) else entered
+                    work += _work(evaluation)
+                    if most_work is not None and work > most_work:
+                        return
                     sides = _sides(evaluation)
                     if sides <= seen:
                         continue
-                    reached = ArgFlow(session, evaluation)
-                    if _breaks_text(changes, reached):
+                    reached = flow_of(session, evaluation)
+                    if reached.breaks_text(changes):
                         continue
                     seen |= sides
                     yield evaluation
@@ -80,6 +131,11 @@ def configurations(session: Session, file: str, given: tuple[tuple[str, str], ..
                     found.append((evaluation, reached))
                     if wanted in seen:
                         break
+
+
+def _work(evaluation: Evaluation) -> int:
+    launch = evaluation.launch
+    return len(launch.branches) + len(launch.nodes) + len(launch.includes) + len(launch.declared)
 
 
 def _open_branches(base: Evaluation) -> Iterator[Branch]:
@@ -100,13 +156,13 @@ def _sides(evaluation: Evaluation) -> set[Side]:
     return {_side(branch, branch.taken) for branch in evaluation.launch.branches if branch.taken is not None}
 
 
-def _candidates(branch: Branch, flow: ArgFlow) -> Iterator[Pairs]:
+def _candidates(branch: Branch, flow: Flow) -> Iterator[Pairs]:
     """Single args with values that may turn the condition: what an ``$(eval …)`` compares with, or the opposite boolean."""
-    for name, value in _turning(branch, flow):
+    for name, value in flow.turning(branch):
         yield ((name, value),)
 
 
-def _all_candidates(branch: Branch, flow: ArgFlow, around: list[Branch]) -> Iterator[Pairs]:
+def _all_candidates(branch: Branch, flow: Flow, around: list[Branch]) -> Iterator[Pairs]:
     """As :func:`_candidates`; then what other expressions compare the args with (``value="$(eval mode == 'sim')"``), then several args at
     once.
 
@@ -124,7 +180,7 @@ def _all_candidates(branch: Branch, flow: ArgFlow, around: list[Branch]) -> Iter
         name: {None: None, **(dict.fromkeys(flow.literals(name)) if name in branch.steered_by else {})} for name in names
     }
     for each in (branch, *around):
-        for name, value in _turning(each, flow):
+        for name, value in flow.turning(each):
             values[name][value] = None
     combinations = (
         tuple((name, value) for name, value in zip(names, together, strict=True) if value is not None)
@@ -147,7 +203,8 @@ def _around(branch: Branch, base: Evaluation, by_place: dict[tuple[str, int], Br
     for place in (branch.element, *branch.origin.chain):
         path = place.source.path
         start = place.span.start
-        element = base.documents[path].element_from(start)
+        document = base.documents.get(path)  # there is no tree of YAML
+        element = None if document is None else document.element_from(start)
         if element is not None and element.start_span.start != start:
             element = None
         while element is not None:
@@ -156,22 +213,3 @@ def _around(branch: Branch, base: Evaluation, by_place: dict[tuple[str, int], Br
                 found.append(known)
             element = element.parent
     return found
-
-
-def _turning(branch: Branch, flow: ArgFlow) -> Iterator[tuple[str, str]]:
-    names = sorted(branch.steered_by)
-    expression = expression_in(branch.text)
-    if expression is not None:
-        path = branch.origin.place.source.path
-        for name in names:
-            for value in flow.literals_in(name, path, expression):
-                yield name, value
-    positive = branch.taken is (branch.attribute == "unless")
-    for name in names:
-        for value in flow.booleans(name, positive):
-            yield name, value
-
-
-def _breaks_text(changes: Pairs, flow: ArgFlow) -> bool:
-    """Whether a boolean went to an arg that turns out to be text in a file that only this configuration reaches."""
-    return any(value in ("true", "false") and flow.nature(name).text for name, value in changes)

@@ -12,9 +12,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from launchlint.evaluate import configurations as room
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.configurations import MOST_EVALUATIONS, configurations
+from launchlint.evaluate.ros1 import launch as room
 from launchlint.evaluate.ros1.arg_flow import ArgFlow
 from launchlint.evaluate.ros1.launch import Entered, enter_entry, evaluate
 from tests.evaluate.comparison import MAIN, Case, case, inside, session_in, write

@@ -9,7 +9,8 @@ from typing import NamedTuple
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.ros1.arg_uses import ArgUses, arg_uses, is_boolean, settled_defaults
 from launchlint.evaluate.session import Session
-from launchlint.model import Unknown
+from launchlint.model import Branch, Unknown
+from launchlint.syntax.ros1.substitutions import expression_in
 
 MOST_PLACES = 2_000
 """Args of files that one arg of the entry file is followed into."""
@@ -122,6 +123,24 @@ class ArgFlow:
         for local, values in compared_literals(expression).items():
             if (path, local) in nature.places:
                 yield from (value for value in values if value in known and value.lower() not in ("true", "false"))
+
+    def turning(self, branch: Branch) -> Iterator[tuple[str, str]]:
+        """Args with values that may turn a condition: what its ``$(eval …)`` compares them with, or the opposite boolean."""
+        names = sorted(branch.steered_by)
+        expression = expression_in(branch.text)
+        if expression is not None:
+            path = branch.origin.place.source.path
+            for name in names:
+                for value in self.literals_in(name, path, expression):
+                    yield name, value
+        positive = branch.taken is (branch.attribute == "unless")
+        for name in names:
+            for value in self.booleans(name, positive):
+                yield name, value
+
+    def breaks_text(self, changes: Pairs) -> bool:
+        """Whether a boolean went to an arg that turns out to be text in a file that only this configuration reaches."""
+        return any(value in ("true", "false") and self.nature(name).text for name, value in changes)
 
     def _nature(self, name: str) -> Nature:
         places: dict[At, None] = {(self._launch.entry.path, name): None}

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Set
 from typing import NamedTuple
 
 from launchlint.evaluate.assemble import Evaluation, assemble, not_loadable
-from launchlint.evaluate.block import Block, Value
+from launchlint.evaluate.block import Block, Side, Value
 from launchlint.evaluate.names import as_namespace
 from launchlint.evaluate.ros1.entering import Entering
 from launchlint.evaluate.ros1.file import NO_DEFAULTS, Declaration, Exhausted, Progress
@@ -101,3 +101,13 @@ def enter_entry(
     except Exhausted as exhausted:
         return not_loadable(document.source, document, given, exhausted.args[0])
     return Entered(block, file, arguments, given, pinned)
+
+
+def enter_unless_seen(
+    session: Session, file: str, given: tuple[tuple[str, str], ...], pinned: frozenset[str], seen: Set[Side] | None
+) -> Evaluation | None:
+    """As :func:`evaluate`; None where no side of a condition would be taken that is not in ``seen``."""
+    entered = enter_entry(session, file, given, pinned)
+    if not isinstance(entered, Entered):
+        return entered
+    return None if seen is not None and entered.block.sides <= seen else entered.assembled()

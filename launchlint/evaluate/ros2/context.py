@@ -31,7 +31,7 @@ class Setting(NamedTuple):
     """A launch configuration: its value, where it was set, and how.
 
     ``steer`` are the names that would have to be given another value for this one to change; ``outside``: it is made from an environment
-    variable. ``missing``: an arg without a value, which has been told.
+    variable. ``missing``: an arg without a value, which has been told. ``same`` is the name whose value it is as a whole, if it is.
     """
 
     value: Value
@@ -39,6 +39,7 @@ class Setting(NamedTuple):
     how: How
     steer: frozenset[str] = frozenset()
     outside: bool = False
+    same: str | None = None
 
 
 class Environment:

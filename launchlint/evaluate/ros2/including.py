@@ -85,7 +85,7 @@ def enter(walk: Walk, file: str, known: Reading, given: Mapping[str, str]) -> No
     told = _missing(walk, known.description, list(given), None)
     for name, value in given.items():
         steer = frozenset() if name in walk.pinned else frozenset((name,))
-        context.configurations[name] = Setting(value, None, "given", steer)
+        context.configurations[name] = Setting(value, None, "given", steer, same=name)
     walk.here = Here(file, None, (context.file,), told=told)
     _run(walk, known, file)
 
@@ -163,7 +163,9 @@ def _tell_missing(
     )  # fmt: skip
     if argument.name not in walk.context.configurations:
         missing = Told("", f"the arg {argument.name} has no value")
-        walk.context.configurations[argument.name] = Setting(missing, walk.at(argument.place), "missing", frozenset((argument.name,)))
+        walk.context.configurations[argument.name] = Setting(
+            missing, walk.at(argument.place), "missing", frozenset((argument.name,)), same=argument.name
+        )
 
 
 def _too_deep(walk: Walk, action: described.Include, file: str) -> None:

@@ -86,4 +86,5 @@ def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...]) 
         late=tuple(walk.late),
     )
     documents = {path: reading.document for path, reading in walk.readings.items() if reading.document is not None}
-    return Evaluation(launch, documents, {})
+    compared = {name: tuple(values) for name, values in walk.performer.compared.items()}
+    return Evaluation(launch, documents, {}, compared)

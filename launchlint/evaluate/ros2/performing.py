@@ -69,9 +69,10 @@ class Performer:
     ``steer`` and ``outside`` collect what the texts performed since they were emptied depend on: configurations that can be given another
     value, and whether an environment variable is read. ``where`` makes an origin of a place, ``spend`` counts characters, ``notice`` takes
     what is worth knowing and keeps nothing from going on. ``table`` says what is put in place of each substitution.
+    ``compared`` collects what launch configurations that can be given from outside are compared with.
     """
 
-    __slots__ = ("anonymous", "context", "entry", "notice", "outside", "rules", "session", "spend", "steer", "table", "where")
+    __slots__ = ("anonymous", "compared", "context", "entry", "notice", "outside", "rules", "session", "spend", "steer", "table", "where")
 
     def __init__(
         self,
@@ -93,6 +94,7 @@ class Performer:
         self.notice = notice
         self.table = table
         self.anonymous = 0
+        self.compared: dict[str, dict[str, None]] = {}
         self.steer: set[str] = set()
         self.outside = False
 

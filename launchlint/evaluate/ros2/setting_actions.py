@@ -6,6 +6,7 @@ import os
 
 from launchlint.evaluate.problems import InvalidNamespace, RequiredArgUnset
 from launchlint.evaluate.ros2 import parameters
+from launchlint.evaluate.ros2.comparing import note_choices, same_as
 from launchlint.evaluate.ros2.context import NAMESPACE, Setting, Value
 from launchlint.evaluate.ros2.names import absolute, namespace_fault, prefixed
 from launchlint.evaluate.ros2.performing import Failure
@@ -29,10 +30,10 @@ def argument(walk: Walk, action: described.Argument) -> None:
         if action.default is None:
             if (name, action.place.key) not in walk.here.told:
                 walk.record(RequiredArgUnset(origin=origin, refused=True, name=name))
-            setting = Setting(Told("", f"the arg {name} has no value"), origin, "missing", frozenset((name,)))
+            setting = Setting(Told("", f"the arg {name} has no value"), origin, "missing", frozenset((name,)), same=name)
         else:
             value, steer, outside = walk.known(action.default)
-            setting = Setting(value, origin, "default", steer | {name}, outside)
+            setting = Setting(value, origin, "default", steer | {name}, outside, name)
         configurations[name] = setting
     value = setting.value
     written = None if action.default is None else action.default.literal
@@ -41,6 +42,7 @@ def argument(walk: Walk, action: described.Argument) -> None:
     walk.declared.append(
         Declaration(Declared(name, value, default, origin, False, in_group), given, action.default is not None, action.choices)
     )
+    note_choices(walk.performer, name, action.choices)
     if action.choices is not None and isinstance(value, str) and value not in action.choices:
         walk.record(ChoiceRefused(origin=origin, refused=True, name=name, value=value, choices=action.choices, given=given))
 
@@ -56,7 +58,9 @@ def configure(walk: Walk, pair: Pair, *, passed: bool = False) -> tuple[str, Val
     name = walk.value(pair.name)
     if isinstance(name, Unknown):
         return None
-    walk.context.configurations[name] = Setting(value, walk.at(pair.place), "passed" if passed else "let", steer, outside)
+    walk.context.configurations[name] = Setting(
+        value, walk.at(pair.place), "passed" if passed else "let", steer, outside, same_as(walk.performer, pair.value)
+    )
     return name, value
 
 

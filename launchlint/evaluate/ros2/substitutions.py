@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable
 
 from launchlint.evaluate.problems import EnvUnset, PackageNotFound, UndeclaredArg
+from launchlint.evaluate.ros2.comparing import note_equals, note_expression
 from launchlint.evaluate.ros2.context import Setting, Value
 from launchlint.evaluate.ros2.parameters import GlobalParameter
 from launchlint.evaluate.ros2.performing import Failure, Perform, Performer
@@ -217,10 +218,12 @@ def _number(text: str) -> float | None:
 
 
 def _equals(performer: Performer, substitution: Substitution) -> Value:
+    note_equals(performer, substitution)
     return _said(_equal(performer, substitution))
 
 
 def _not_equals(performer: Performer, substitution: Substitution) -> Value:
+    note_equals(performer, substitution)
     return _said(not _equal(performer, substitution))
 
 
@@ -251,6 +254,7 @@ def _content(performer: Performer, substitution: Substitution) -> Value:
 def _eval(performer: Performer, substitution: Substitution) -> Value:
     from launchlint.evaluate.ros2.evaluating import evaluate
 
+    note_expression(performer, substitution)
     return evaluate(performer, substitution, _known(performer, substitution, 0), _modules(performer, substitution))
 
 

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from launchlint.evaluate.problems import ConditionNotBoolean, EvaluationBound
+from launchlint.evaluate.ros2.comparing import note_truth
 from launchlint.evaluate.ros2.context import Context, Value
 from launchlint.evaluate.ros2.listing import Lister
 from launchlint.evaluate.ros2.performing import Failure, Performer, Rules
@@ -247,6 +248,7 @@ class Walk:
     def judge(self, condition: described.Condition, tag: str, element: Place) -> Condition | None:
         """The condition as one that was met, None where it does not hold. One of unknown value is taken to hold."""
         value, steer, outside = self.known(condition.operands[0])
+        note_truth(self.performer, condition.operands[0])
         origin = self.at(condition.place)
         if isinstance(value, Told):
             return None
