@@ -24,11 +24,15 @@ _MOST_LOOKED_AT = 200
 
 
 class Receiver(NamedTuple):
-    """A node with what it is given; ``full_name`` None: it has the name of its program. ``host``: other nodes are loaded into it."""
+    """A node with what it is given; ``full_name`` None: it has the name of its program.
+
+    ``host``: other nodes are loaded into it. ``composable``: it is one of these.
+    """
 
     full_name: str | None
     host: bool
     passed: tuple[Passed, ...]
+    composable: bool = False
 
 
 def for_nobody(receivers: Sequence[Receiver], asks: Performs) -> Iterator[Problem]:
@@ -52,6 +56,8 @@ def for_nobody(receivers: Sequence[Receiver], asks: Performs) -> Iterator[Proble
             table = table_of(given.file, asks)
             if isinstance(table, Table) and table.keys:
                 for problem in _of_file(table, given, receiver.full_name, last_names, reaches_any):
+                    if receiver.composable:
+                        problem = problem.without_wildcards()
                     # What a container is given counts for all nodes in it, those that somebody else loads as well.
                     if problem.near == "namespace" or not receiver.host:
                         yield problem

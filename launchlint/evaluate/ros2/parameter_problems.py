@@ -112,7 +112,8 @@ class ParametersForNobody(Problem):
     """A ``file`` that is given to ``node`` and in which the key ``key`` does not reach it.
 
     ``reached``: something else in the file does. ``near``: the key is that of another namespace (``namespace``) or nearly the name
-    (``spelling``); empty: it has nothing to do with the node. ``keys`` are those of the file.
+    (``spelling``); empty: it has nothing to do with the node. ``keys`` are those of the file. ``wildcards``: a key may have others than
+    ``/**`` for this node.
     """
 
     file: str
@@ -121,6 +122,11 @@ class ParametersForNobody(Problem):
     near: Literal["namespace", "spelling", ""]
     reached: bool
     keys: tuple[str, ...]
+    wildcards: bool = True
+
+    def without_wildcards(self) -> ParametersForNobody:
+        """The same for a composable node."""
+        return ParametersForNobody(**vars(self) | {"wildcards": False})
 
 
 class ComponentKeyIgnored(Problem):

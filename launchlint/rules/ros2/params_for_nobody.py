@@ -65,6 +65,7 @@ def tell(problem: ParametersForNobody, view: object) -> Iterator[Finding]:
         )
         return
     last = node.rpartition("/")[2]
+    every = f", or /**/{last} for every {last}" if problem.wildcards else ""
     means = f"{key} is /{key} and nothing else" if not key.startswith("/") else f"{key} is another name"
     yield RULE.at(
         problem.origin,
@@ -72,6 +73,6 @@ def tell(problem: ParametersForNobody, view: object) -> Iterator[Finding]:
         label="no node that is given this file has that name",
         related=problem.related,
         notes=(f"{means}, and the node is {node}",),
-        help=f"did you mean {node}?" if problem.near == "spelling" else f"write {node}, or /**/{last} for every {last}",
+        help=f"did you mean {node}?" if problem.near == "spelling" else f"write {node}{every}",
         cause=f"{problem.file} {key}",
     )
