@@ -103,16 +103,16 @@ class Cache:
         except self._error:
             return None
 
-    def _file(self, path: str) -> FileResult | None:
+    def _file(self, key: str) -> FileResult | None:
         """The result of one launch file, where it is known and still true."""
-        if path not in self._files:
-            self._files[path] = None
-            value = self._row("SELECT value FROM files WHERE path = ?", path)
+        if key not in self._files:
+            self._files[key] = None
+            value = self._row("SELECT value FROM files WHERE path = ?", key)
             if value is not None:
                 known, result = value[0], file_from_json(value[1])
-                if self._session.read(os.path.join(self._session.root, path)).digest == known and self._holds(result.looks):
-                    self._files[path] = result
-        return self._files[path]
+                if self._session.read(os.path.join(self._session.root, result.path)).digest == known and self._holds(result.looks):
+                    self._files[key] = result
+        return self._files[key]
 
     def _holds(self, looks: Iterable[tuple[str, str]]) -> bool:
         for path, known in looks:
@@ -134,10 +134,10 @@ class Cache:
                     continue
                 digests = dict(result.dependencies)
                 for file in result.files:
-                    if file.path not in files:
+                    if file.key not in files:
                         content = digests[os.path.abspath(os.path.join(self._session.root, file.path))]
-                        files[file.path] = _sealed(file.path, [content, file_to_json(file)])
-                names = [file.path for file in result.files]
+                        files[file.key] = _sealed(file.key, [content, file_to_json(file)])
+                names = [file.key for file in result.files]
                 value = [result.dependencies, result.variables, result.looks, result.programs, names, entry_to_json(result)]
                 entries.append((_key(result.request), _sealed(_key(result.request), value)))
             with self._database:

@@ -117,7 +117,7 @@ class EntryChecker:
             other.session = other.session.with_text(file, data)
         changed = {self.session.shown(file) for file in texts}
         other.remember = False
-        other._files = {path: result for path, result in self._files.items() if path not in changed}
+        other._files = {key: result for key, result in self._files.items() if result.path not in changed}
         return other
 
     def check(self, request: EntryRequest) -> EntryResult:
@@ -219,15 +219,16 @@ class EntryChecker:
 
     def _file(self, session: Session, path: str, document: Document, dialect: DialectName) -> FileResult:
         shared = session is self.session
-        if shared and path in self._files:
-            return self._files[path]
+        key = f"{dialect} {path}"
+        if shared and key in self._files:
+            return self._files[key]
         before = noted() if self.remember else ()
         result = check_file(FileView(document, self.packages, self.options.style, named(dialect)), self.rules)
         if self.remember:
             result = result._replace(looks=tuple((path, state(path)) for path in sorted(noted())))
             note(before)
         if shared:
-            self._files[path] = result
+            self._files[key] = result
         return result
 
     def _launch_findings(self, evaluation: Evaluation, request: EntryRequest, view: LaunchView) -> Iterator[Finding | Fine]:

@@ -15,6 +15,7 @@ from launchlint.syntax.tree import Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.model import DialectName
     from launchlint.suppression import Suppression
 
 
@@ -26,13 +27,19 @@ class Guarded(NamedTuple):
 
 
 class FileResult(NamedTuple):
-    """What one launch file by itself gives; ``looks`` as in :class:`~launchlint.check.entry.EntryResult`."""
+    """What one launch file by itself gives, read in one dialect; ``looks`` as in :class:`~launchlint.check.entry.EntryResult`."""
 
     path: str
     findings: tuple[Guarded, ...]
     suppressions: tuple[Suppression, ...]
     root: Location | None
     looks: tuple[tuple[str, str], ...] = ()
+    dialect: DialectName = ROS1
+
+    @property
+    def key(self) -> str:
+        """Equal for two results about the same file."""
+        return f"{self.dialect} {self.path}"
 
 
 def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
@@ -53,7 +60,7 @@ def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
 
         suppressions = tuple(read(document.source, view.dialect.remarks(document)))
     root = None if document.root is None else Location.of(document.place(document.root.name_span))
-    return FileResult(document.source.path, tuple(findings), suppressions, root)
+    return FileResult(document.source.path, tuple(findings), suppressions, root, dialect=view.dialect.name)
 
 
 def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[Finding]:

@@ -38,8 +38,8 @@ def command(
     """Write what FILE starts as a launch file again.
 
     Without --flatten that is FILE itself in the normal form of `launchlint format`: includes, args, conditions and comments stay. What is
-    written has been compared with FILE, and means the same; otherwise nothing is written. The exit status is 1 where roslaunch would refuse
-    FILE.
+    written has been compared with FILE, and means the same; otherwise nothing is written. The exit status is 1 where roslaunch, or
+    ros2 launch, would refuse FILE. Files of ROS 2 are not flattened.
     """
     from launchlint.atomic import check_target, write_bytes
     from launchlint.check.entry import EntryChecker
@@ -81,8 +81,9 @@ def _the_file(file: str, entry: EntryOptions, requests: list[EntryRequest]) -> E
 
 
 def _refused(checker: EntryChecker, request: EntryRequest) -> bool:
-    """Whether roslaunch refuses the file; why, or what it reads over in it, is told on standard error."""
+    """Whether its launcher refuses the file; why, or what it reads over in it, is told on standard error."""
     from launchlint import __version__
+    from launchlint.dialects.door import named
     from launchlint.finding import Severity
     from launchlint.report.formats import emit
     from launchlint.report.run import Run
@@ -92,7 +93,7 @@ def _refused(checker: EntryChecker, request: EntryRequest) -> bool:
 
     # What roslaunch skips has no place in what is exported.
     read_over = (UnknownTag, UnknownAttribute, MisplacedTag, WrongDialect)
-    _, error = checker.model(request)
+    evaluation, error = checker.model(request)
     result = checker.check(request)
     found = {each.key: each for each in (*(guarded.finding for file in result.files for guarded in file.findings), *result.findings)}
     always = {rule_of(kind) for kind in read_over} | (set() if error is None else {error[0]})
@@ -101,17 +102,24 @@ def _refused(checker: EntryChecker, request: EntryRequest) -> bool:
         emit(render(told, Run(__version__, files_checked=1, verbose=True, root=checker.session.root)), sys.stderr)
     if error is not None:
         rule, message = error
-        tell(f"{request.at} is not exported, since roslaunch refuses it{'' if told else f' ({rule}): {message}'}")
+        launcher = named(evaluation.launch.dialect).launcher
+        why = "" if told else f" ({rule}): {message}"
+        tell(f"{request.at} is not exported, since {launcher} refuses it{why}")
     return error is not None
 
 
 def _exported(checker: EntryChecker, request: EntryRequest, style: Style, *, flatten: bool, args_kept: bool) -> tuple[bytes, list[str]]:
     """The bytes, and what people should know about them. Raises CannotExport."""
+    from launchlint.dialects.door import dialect_of
     from launchlint.export import flatten as flattening
     from launchlint.export.plain import plain
+    from launchlint.export.written import CannotExport
+    from launchlint.model import ROS1
 
     session = checker.session_for(request)
     if not flatten:
         return plain(session, request.at, request.arguments, style), []
+    if dialect_of(session, request.at).name != ROS1:
+        raise CannotExport("only launch files of ROS 1 can be flattened")
     exported = flattening.flatten(session, request.at, request.arguments, style, args_kept=args_kept)
     return exported.data, [f"fixed: {each}" for each in exported.fixed]

@@ -29,7 +29,9 @@ class Dialect(NamedTuple):
     ``evaluate(session, file, given)``: what it starts with these args. ``configurations``: the same in every configuration that matters,
     the one that is given first. Neither raises, whatever the file holds.
     ``remarks(document)``: its comments, each with what it stands before.
-    ``reads_ahead``: a file is read to its end before anything of it is executed, so that a condition saves nobody from a mistake under it.
+    ``difference(before, after, file)``: of a file in two sessions, what would be done differently, where that can be told from what it
+    describes; None where only its evaluation shows it. ``reads_ahead``: a file is read to its end before anything of it is
+    executed, so that a condition saves nobody from a mistake under it.
     """
 
     name: DialectName
@@ -40,4 +42,5 @@ class Dialect(NamedTuple):
     evaluate: Callable[[Session, str, Pairs], Evaluation]
     configurations: Callable[[Session, str, Pairs], Iterator[Evaluation]]
     remarks: Callable[[Document], list[Remark]]
+    difference: Callable[[Session, Session, str], str] | None = None
     reads_ahead: bool = False

@@ -73,4 +73,14 @@ def _remarks(document: Document) -> list[Remark]:
     return yaml_remarks(document.source)
 
 
-DIALECT = Dialect(ROS2, "ROS 2", "ros2 launch", _parse, _validate, _evaluate, _configurations, _remarks, reads_ahead=True)
+def _difference(before: Session, after: Session, file: str) -> str:
+    from launchlint.evaluate.session import Read
+    from launchlint.syntax.ros2.same import difference
+
+    old, new = before.reading(file), after.reading(file)
+    if isinstance(old, Read) or isinstance(new, Read):
+        return "it cannot be read"
+    return difference(old, new)
+
+
+DIALECT = Dialect(ROS2, "ROS 2", "ros2 launch", _parse, _validate, _evaluate, _configurations, _remarks, _difference, reads_ahead=True)

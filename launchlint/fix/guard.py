@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
 from typing import NamedTuple
 
-from launchlint.dialects.door import configurations, evaluate
+from launchlint.dialects.door import configurations, dialect_of, evaluate
 from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.session import Read, Session
 from launchlint.fix.hidden import Hidden
@@ -53,6 +53,9 @@ class Guard:
             return ""
         first = self._session.with_text(file, before)
         second = first.with_text(file, after)
+        told = dialect_of(first, file).difference
+        if told is not None:
+            return told(first, second, file)
         for session, which in ((first, "the file"), (second, "the result")):
             document = session.document(file)
             if isinstance(document, Read) or document.launch is None:
