@@ -222,6 +222,32 @@ def test_rooms_do_not_know_what_is_none_of_their_business() -> None:
     assert curious == []
 
 
+OF_ONE_DIALECT = (
+    "launchlint.check.empty_defaults",  # what only roslaunch makes of an empty default
+    "launchlint.check.empty_reach",
+    "launchlint.check.overridden",
+    "launchlint.cli.schema",  # of launch files of ROS 1
+    "launchlint.export",  # flattens launch files of ROS 1
+    "launchlint.fix.format",  # its tables hold both
+    "launchlint.rules",  # each says of which dialects it speaks, see the registry
+)
+"""What may know the rooms of a dialect; all else goes through the door."""
+
+
+def test_all_else_comes_to_a_dialect_through_the_door() -> None:
+    rooms = tuple(f"launchlint.{room}.{dialect}" for room in ("syntax", "evaluate") for dialect in ("ros1", "ros2"))
+    above = {name for names in FLOORS[: FLOORS.index(("dialects",))] for name in names}
+    found = [
+        f"{entry.module}:{entry.line} imports {entry.target}"
+        for entry in inner_imports()
+        if room(entry.module) in above
+        and entry.target.startswith(rooms)
+        and not entry.module.startswith(OF_ONE_DIALECT)
+        and not entry.for_types
+    ]
+    assert found == []
+
+
 def test_rooms_keep_away_from_foreign_libraries() -> None:
     foreign = [
         f"{entry.module}:{entry.line} imports {entry.target}"

@@ -163,9 +163,10 @@ def _node_lines(node: Node, parameters: list[ParameterSetting], known: Mapping[s
     flags = [word for word, on in (("required", node.required), ("respawn", node.respawn)) if on]
     if node.machine:
         flags.append(f"on {node.machine}")
-    start = (
-        f"  {visible(node.full_name if node.name else node.namespace + '(anonymous)')}  {visible(node.package)}/{visible(node.executable)}"
-    )
+    program = f"{node.package}/{node.executable}" if node.plugin is None else node.plugin
+    if node.container:
+        flags.append(f"in {node.container}")
+    start = f"  {visible(node.full_name if node.name else node.namespace + '(anonymous)')}  {visible(program)}"
     lines = [start + (f"  [{', '.join(map(visible, flags))}]" if flags else "")]
     if node.arguments:
         lines.append(f"      args   {visible(node.arguments)}")
@@ -173,6 +174,7 @@ def _node_lines(node: Node, parameters: list[ParameterSetting], known: Mapping[s
     lines += [f"      env    {visible(setting.name)}={visible(setting.value)}" for setting in node.environment]
     prefix = len(node.full_name) + 1
     lines += [f"      param  ~{visible(setting.name[prefix:])} = {_shown(setting.value)}" for setting in parameters]
+    lines += [f"      param  {visible(name)} = {_shown(value)}" for name, (_, value) in sorted((node.own or {}).items())]
     return lines
 
 

@@ -102,6 +102,12 @@ def test_model_of_both_dialects(repository: Path) -> None:
     assert len(told) == 4
     assert told["two.launch.xml"]["distro"] == "jazzy"
     assert [each["executable"] for each in told["two.launch.xml"]["nodes"]] == ["b"]
+    part = '<composable_node pkg="demo" plugin="demo::Part" name="p"><param name="rate" value="5"/></composable_node>'
+    box = f'<launch><node_container pkg="demo" exec="box" name="box" namespace="/a">{part}</node_container></launch>'
+    write(repository, {"three.launch.xml": box})
+    assert run(repository, "model", "three.launch.xml").output == (
+        "NODES\n  /a/box  demo/box\n  /p  demo::Part  [in /a/box]\n      param  rate = 5\n"
+    )
     assert run(repository, "model", "--distro", "humble", "--format", "jsonl", "two.launch.xml").output.count('"distro": "humble"') == 1
 
 
