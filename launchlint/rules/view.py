@@ -74,6 +74,14 @@ class LaunchView:
         self.declared_entry = declared_entry
         self.documents = documents
         self.told: dict[tuple[int, str], tuple[Finding, ...]] = {}
+        self._worked_out: dict[object, Any] = {}
+
+    def once(self, work: Callable[[LaunchView], T]) -> T:
+        """What ``work`` makes of the view: worked out for the first that asks, and kept for the others."""
+        if work not in self._worked_out:
+            self._worked_out[work] = work(self)
+        made: T = self._worked_out[work]
+        return made
 
     @property
     def dialect(self) -> Dialect:

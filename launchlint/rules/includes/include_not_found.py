@@ -8,7 +8,8 @@ no choice, for files of the robot (below `/etc`, `/opt`, `/home` and the like, o
 variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a template that lies beside
 it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration, or by what `.gitignore`
 keeps out of the repository; and for one in a git submodule that is not checked out. A directory that is missing is told once, with all
-files that would be in it, and so is one in which files are looked for that lie in another.
+files that would be in it, and so is one in which files are looked for that lie in another, and one that lacks several files which one
+launch file names.
 
 ## Why it matters
 
@@ -64,7 +65,7 @@ from launchlint.rules.judging.installed import installed_from
 from launchlint.rules.judging.joined import led_by
 from launchlint.rules.judging.left_over import left_over_in
 from launchlint.rules.judging.made_file import cause_of, made, malformed
-from launchlint.rules.judging.moved import moved, told_as_moved
+from launchlint.rules.judging.moved import lacking, moved, told_as_moved
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.robot_file import advice as robots_advice
 from launchlint.rules.judging.robot_file import is_robots
@@ -158,6 +159,7 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
         fix=repair,
         shared_cause=left_over_in(file, view)
         or (moved(file, meant) if severity is None and repair is not None else "")
+        or (lacking(file, source.path, view) if severity is None and advice == _CORRECT and not relative and installed is None else "")
         or ("" if relative or environment or installed is not None else cause_of(file, maker)),
     )
 

@@ -1,14 +1,23 @@
-"""Files that are looked for in one directory and lie in another one: it is the directory that is wrong, and that is told once."""
+"""Files that one directory lacks: they lie in another one, or are not here at all. That is told once for the directory."""
 
 from __future__ import annotations
 
 import posixpath
 from collections.abc import Sequence
 
+from launchlint.evaluate.problems import IncludeNotFound, ParamFileMissing
 from launchlint.finding import Finding
+from launchlint.rules.view import LaunchView
+from launchlint.workspace.looking import exists
 
 _MOVED = "moved "
+_LACKING = "lacking "
 _MOST_NAMED = 3
+_OF_MANY = {
+    "correct the path, or add the file": "correct the paths, or add the files",
+    "correct the name, or create the file": "correct the names, or create the files",
+}
+"""What is said of one file, and of several."""
 
 
 def moved(path: str, meant: str) -> str:
@@ -18,13 +27,35 @@ def moved(path: str, meant: str) -> str:
     return f"{_MOVED}{directory}" if name == other and right else ""
 
 
+def lacking(path: str, source: str, view: LaunchView) -> str:
+    """The cause of all that the directory of ``path`` lacks, where the launch file ``source`` names more of it; else empty.
+
+    One that is not here itself is told of by :func:`launchlint.rules.judging.made_file.cause_of`.
+    """
+    directory = posixpath.dirname(posixpath.normpath(path))
+    several = len(view.once(_named).get((source, directory), ())) > 1
+    return f"{_LACKING}{directory}" if several and exists(directory) else ""
+
+
+def _named(view: LaunchView) -> dict[tuple[str, str], set[str]]:
+    """The missing files that each launch file names in each directory."""
+    found: dict[tuple[str, str], set[str]] = {}
+    for problem in view.launch.problems:
+        if not isinstance(problem, (IncludeNotFound, ParamFileMissing)):
+            continue
+        if problem.file and posixpath.isabs(problem.file):
+            directory, name = posixpath.split(posixpath.normpath(problem.file))
+            found.setdefault((problem.place.source.path, directory), set()).add(name)
+    return found
+
+
 def told_as_moved(told: Finding, files: Sequence[str], what: str) -> Finding:
     """``told``, which speaks for all findings of one cause, with the ``files`` that these are about; ``what`` they are, in words."""
     names = list(dict.fromkeys(files))
-    if not told.cause.startswith(_MOVED) or len(names) < 2:
+    if not told.cause.startswith((_MOVED, _LACKING)) or len(names) < 2:
         return told
     more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
     return told._replace(
         message=f"{len(names)} {what} do not exist: {', '.join(names[:_MOST_NAMED])}{more}",
-        help=f"{told.help.removesuffix('?')}, and so for the others?" if told.help.endswith("?") else told.help,
+        help=f"{told.help.removesuffix('?')}, and so for the others?" if told.help.endswith("?") else _OF_MANY.get(told.help, told.help),
     )

@@ -15,7 +15,7 @@ of `CMakeLists.txt`, from a template that lies beside it, by a node that writes 
 where it lies in a git submodule that is not checked out, or in a directory with nothing but a README; where only the default of an arg
 leads there that all files which include this one override; and where that default is `none` or the like and files for other values are
 there. A directory that is missing is told once, with all files that would be in it, and so is one in which files are looked for that lie
-elsewhere.
+elsewhere, and one that lacks several files which one launch file names.
 
 ## Example
 
@@ -56,7 +56,7 @@ from launchlint.rules.judging.installed import installed_from
 from launchlint.rules.judging.joined import led_by
 from launchlint.rules.judging.left_over import left_over_in
 from launchlint.rules.judging.made_file import cause_of, made
-from launchlint.rules.judging.moved import moved, told_as_moved
+from launchlint.rules.judging.moved import lacking, moved, told_as_moved
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.robot_file import advice, is_robots
 from launchlint.rules.judging.template import is_path_to_fill_in
@@ -143,6 +143,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         else _advice(problem, near, view),
         shared_cause=left_over_in(problem.file, view)
         or (moved(problem.file, near) if severity is None and near is not None and missing else "")
+        or (lacking(problem.file, problem.place.source.path, view) if look and severity is None and near is None else "")
         or (cause_of(problem.file, maker) if look and path and not placeholder else ""),
     )
 
