@@ -115,7 +115,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
     """Yield a finding for each file that is certainly not installed (ament_index_python.packages.get_package_share_directory)."""
     root = root_of(view.launch.entry)
     for use in _uses(view):
-        if not posixpath.isabs(use.file) or not _by_share(use.origin, view):
+        if not posixpath.isabs(use.file) or not _by_share(use, view):
             continue
         place = shared(view.packages, use.file)
         if place is None or not exists(use.file) or not place.installed.lacks(place.path):
@@ -160,12 +160,15 @@ def _uses(view: LaunchView) -> Iterator[_Use]:
                 yield _Use(word.rpartition("=")[2], at, node.conditions, _ARGUMENT)
 
 
-def _by_share(origin: Origin, view: LaunchView) -> bool:
-    """Whether the path comes from ``$(find-pkg-share …)``: written there, or in a variable while nothing here uses ``$(dirname)``."""
-    text = origin.place.text
+def _by_share(use: _Use, view: LaunchView) -> bool:
+    """Whether the path comes from ``$(find-pkg-share …)``: written there; or, where a variable gives it or the place is no more than a key
+    of YAML, somewhere in the files, while none of them uses ``$(dirname)`` or writes the path out.
+    """
+    text = use.origin.place.text
     if "find-pkg-share" in text:
         return "dirname" not in text
-    return "var" in text and not any("dirname" in each.source.text for each in view.documents.values())
+    texts = [each.source.text for each in view.documents.values()]
+    return any("find-pkg-share" in each for each in texts) and not any("dirname" in each or use.file in each for each in texts)
 
 
 def _help(place: Shared) -> str:
