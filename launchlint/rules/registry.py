@@ -117,7 +117,6 @@ RULES: tuple[Entry, ...] = (
             "UnknownSubstitution",
             "SubstitutionArity",
             "CommandOption",
-            "ContentMissing",
             "NoDirectory",
             "ParameterNotSet",
         ),

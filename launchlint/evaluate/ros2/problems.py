@@ -22,13 +22,6 @@ class ParameterNotSet(Problem):
     name: str
 
 
-class ContentMissing(Problem):
-    """``$(file-content …)`` of a ``file`` that cannot be read, for this ``reason``."""
-
-    file: str
-    reason: str
-
-
 class CommandOption(Problem):
     """A second word of ``$(command …)`` that says nothing to launch; ``known`` are those that do."""
 

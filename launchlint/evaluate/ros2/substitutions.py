@@ -15,7 +15,7 @@ from launchlint.evaluate.ros2.comparing import note_equals, note_expression
 from launchlint.evaluate.ros2.context import Setting, Value
 from launchlint.evaluate.ros2.parameters import GlobalParameter
 from launchlint.evaluate.ros2.performing import Failure, Perform, Performer
-from launchlint.evaluate.ros2.problems import CommandOption, ContentMissing, InvalidPackageName, NoDirectory, NotABoolean, ParameterNotSet
+from launchlint.evaluate.ros2.problems import CommandOption, InvalidPackageName, NoDirectory, NotABoolean, ParameterNotSet
 from launchlint.late import late
 from launchlint.model import Unknown
 from launchlint.syntax.ros2.description import Substitution
@@ -244,10 +244,16 @@ def _parameter(performer: Performer, substitution: Substitution) -> Value:
 
 
 def _content(performer: Performer, substitution: Substitution) -> Value:
+    outside, performer.outside = performer.outside, False
     file = _known(performer, substitution, 0)
+    environment = performer.outside
+    performer.outside |= outside
     read = performer.session.read(file)
     if read.data is None:
-        raise Failure(ContentMissing(origin=performer.where(substitution.place), refused=True, file=file, reason=read.reason))
+        from launchlint.evaluate.missing_file import missing_file  # only a file that is not there pays for it
+
+        origin = performer.where(substitution.place)
+        raise Failure(missing_file(performer.session, origin, "file-content", file, read.reason, environment=environment, refused=True))
     return re.sub("\r\n?", "\n", read.data.decode("utf-8", "replace"))
 
 

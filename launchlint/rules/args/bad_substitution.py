@@ -68,7 +68,7 @@ from launchlint.syntax.ros2.problems import SubstitutionArity, UnknownSubstituti
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.evaluate.ros2.problems import CommandOption, ContentMissing, NoDirectory, ParameterNotSet
+    from launchlint.evaluate.ros2.problems import CommandOption, NoDirectory, ParameterNotSet
 
 RULE = Rule("LL207", "bad-substitution", Severity.ERROR, roslaunch="refuses", fixable="safe")
 MOST_WORDS = 3
@@ -79,7 +79,7 @@ EVAL_ALONE = "$(eval …) must be the whole value: write the text around it as s
 
 
 def tell(
-    problem: BadSubstitution | UnreadableSubstitution | UnknownSubstitution | SubstitutionArity | CommandOption | ContentMissing
+    problem: BadSubstitution | UnreadableSubstitution | UnknownSubstitution | SubstitutionArity | CommandOption
     | NoDirectory | ParameterNotSet,
     view: object,
 ) -> Iterator[Finding]:  # fmt: skip

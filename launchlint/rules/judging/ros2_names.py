@@ -10,7 +10,6 @@ from launchlint.evaluate.ros2.names import name_fault, namespace_fault
 from launchlint.evaluate.ros2.problems import (
     ChoiceRefused,
     CommandOption,
-    ContentMissing,
     InvalidPackageName,
     NodePackageMissing,
     NoDirectory,
@@ -19,7 +18,6 @@ from launchlint.evaluate.ros2.problems import (
 )
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.missing_package import cause, judge
-from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import closest
@@ -117,7 +115,7 @@ def value(problem: ChoiceRefused | InvalidValue | UnsplittablePrefix, rule: Rule
     )
 
 
-def substitution(problem: ParameterNotSet | CommandOption | ContentMissing | NoDirectory, rule: Rule) -> Iterator[Finding]:
+def substitution(problem: ParameterNotSet | CommandOption | NoDirectory, rule: Rule) -> Iterator[Finding]:
     """A substitution that fails when it is performed."""
     if isinstance(problem, ParameterNotSet):
         message = f"no <set_parameter> has set {problem.name}"
@@ -125,10 +123,6 @@ def substitution(problem: ParameterNotSet | CommandOption | ContentMissing | NoD
     elif isinstance(problem, CommandOption):
         message = f"{problem.value!r} says nothing to $(command …)"
         advice = f"write one of {', '.join(problem.known)}, or put the whole command in quotes"
-    elif isinstance(problem, ContentMissing):
-        named = shown(problem.file, root_of(problem.place.source))
-        message = f"$(file-content …) cannot read {named}: {problem.reason}"
-        advice = "correct the name, or create the file"
     else:
         message, advice = f"there is no file for $({problem.substitution})", ""
     severity = Severity.ERROR if problem.refused else Severity.WARNING
