@@ -1,7 +1,7 @@
 """Parts for launch files that nothing includes any more: what is missing there is one finding for a file, and nobody is stopped by it.
 
-A file called ``x.launch.xml``, or in a directory ``include`` or ``includes``, is written for other launch files to include, and is not
-started by itself.
+A file called ``x.launch.xml`` (of ROS 1: in ROS 2 every launch file in XML is), or in a directory ``include`` or ``includes``, is written
+for other launch files to include, and is not started by itself.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from launchlint.check.known import Known
+from launchlint.dialects.ros1 import DIALECT as ROS1_DIALECT
 from launchlint.finding import Finding, Related, Severity
 from launchlint.rules.judging.joined import joined
 
@@ -23,7 +24,12 @@ def judged_by_inclusion(findings: Iterable[Finding], known: Known) -> Iterator[F
     included: set[str] | None = None
     for finding in findings:
         path = finding.location.path
-        if finding.severity is Severity.ERROR and finding.rule in _MISSING and _is_part(path) and known.reached.get(finding.key) == {path}:
+        if (
+            finding.severity is Severity.ERROR
+            and finding.rule in _MISSING
+            and _is_part(finding)
+            and known.reached.get(finding.key) == {path}
+        ):
             included = _included(known) if included is None else included
             if path not in included:
                 notes = (*finding.notes, NOTE)
@@ -48,9 +54,10 @@ def told_together(findings: Sequence[Finding]) -> Finding:
     )
 
 
-def _is_part(path: str) -> bool:
-    *directories, name = path.split("/")
-    return name.endswith(".launch.xml") or not _DIRECTORIES.isdisjoint(directories[-1:])
+def _is_part(finding: Finding) -> bool:
+    *directories, name = finding.location.path.split("/")
+    part = name.endswith(".launch.xml") and finding.launcher == ROS1_DIALECT.launcher
+    return part or not _DIRECTORIES.isdisjoint(directories[-1:])
 
 
 def _included(known: Known) -> set[str]:
