@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     Named: TypeAlias = Mapping[str, Value]
 
 _LONGEST = 100_000
+_MOST_ITEMS = 20_000
 _TEXT_METHODS = frozenset(
     """capitalize endswith format join lower lstrip partition removeprefix removesuffix replace rpartition rsplit rstrip split splitlines
     startswith strip title upper""".split()
@@ -79,7 +80,7 @@ def _change(value: Value, name: str, given: Given) -> Value:
         return value.copy()
     if name in ("extend", "update"):
         more = items(given[0]) if given else []
-        more = [UNKNOWN] if more is None else more
+        more = [UNKNOWN] if more is None or len(value) + len(more) > _MOST_ITEMS else more
         value.update(more) if isinstance(value, set) else value.extend(more)
     elif isinstance(value, set):
         value.add(given[0])
@@ -87,7 +88,7 @@ def _change(value: Value, name: str, given: Given) -> Value:
         value.append(given[0])
     elif name == "insert":
         value.insert(0, given[1])
-    elif name == "remove" and given and given[0] in value:
+    elif name == "remove" and given and isinstance(given[0], str) and given[0] in value:
         value.remove(given[0])
     return None
 
@@ -216,8 +217,4 @@ _LOOKS: Mapping[str, Callable[[Files, str], Value]] = {
 
 
 def _hashable(value: Value) -> Value:
-    try:
-        hash(value)
-    except TypeError:
-        return UNKNOWN
-    return value
+    return value if isinstance(value, (str, int, PurePosixPath)) else UNKNOWN

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 _DEEPEST = 20
 _LONGEST_LOOP = 10_000
+_MOST_ITEMS = 20_000
 
 
 class _Leave(Exception):
@@ -111,7 +112,7 @@ class _Script:
         before, value = self.evaluator.value(node.target), self.evaluator.value(node.value)
         if isinstance(node.op, ast.Add) and isinstance(before, list):
             listed = items(value)
-            before.extend([UNKNOWN] if listed is None else listed)
+            before.extend([UNKNOWN] if listed is None or len(before) + len(listed) > _MOST_ITEMS else listed)
         else:
             self.evaluator.assign(node.target, self.evaluator.add(before, value) if isinstance(node.op, ast.Add) else UNKNOWN)
 

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     Value: TypeAlias = Any
     """Plain Python (text, numbers, lists, tuples, dictionaries, pure paths), or one of the classes below."""
 
+_MOST_LOOKED_AT = 50_000
+
 
 class Unknown:
     """What cannot be known; in a list it stands for any number of items."""
@@ -48,12 +50,19 @@ class Function(NamedTuple):
 
 
 def is_known(value: Value) -> bool:
-    """Whether all of it is known, to the last item."""
-    if isinstance(value, (list, tuple, set, frozenset)):
-        return all(map(is_known, value))
-    if isinstance(value, Mapping):
-        return all(is_known(key) and is_known(each) for key, each in value.items())
-    return not isinstance(value, (Unknown, Name, Method, Function))
+    """Whether all of it is known, to the last item; false for what is too large to look through."""
+    waiting = [value]
+    for _ in range(_MOST_LOOKED_AT):
+        if not waiting:
+            return True
+        each = waiting.pop()
+        if isinstance(each, Mapping):
+            waiting += [*each.keys(), *each.values()]
+        elif isinstance(each, (Unknown, Name, Method, Function)):
+            return False
+        elif isinstance(each, (list, tuple, set, frozenset)):
+            waiting += each
+    return False
 
 
 def items(value: Value) -> list[Value] | None:

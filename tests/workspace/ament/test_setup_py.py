@@ -193,3 +193,17 @@ def test_hostile_loops_end(install: Make) -> None:
     assert install({"setup.py": f"{start}many = list('{'x' * 300}')\n{nested}\nsetup()"}).reasons != ()
     assert install({"setup.py": f"{start}def f():\n    return f()\nf()\nsetup()"}).reasons != ()
     assert install({"setup.py": f"{start}x = [1]\nfor each in x:\n    x.append(each)\nsetup()"}).reasons == ()
+
+
+@pytest.mark.parametrize("line", ["x += x", "x.extend(x)", "x = x + x", "x = [x, x]", "x = f'{x}{x}'"])
+def test_what_doubles_again_and_again_is_bounded(line: str, install: Make) -> None:
+    start = "from setuptools import setup\n"
+    found = install({"setup.py": f"{start}x = ['a']\nfor each in '{'i' * 200}':\n    {line}\nsetup(data_files=[('share/rover', x)])"})
+    assert not found.lacks("config/c.yaml")
+
+
+@pytest.mark.parametrize("line", ["x = (x, x)", "x = {'a': x, 'b': x}", "x = [x, x]"])
+def test_what_holds_itself_many_times_is_not_looked_through(line: str, install: Make) -> None:
+    start = "from setuptools import setup\n"
+    looks = "if x == [x]:\n    pass\ny = set([x])\nz = [x]\nz.remove(x)\n"
+    assert install({"setup.py": f"{start}x = ()\nfor each in '{'i' * 200}':\n    {line}\n{looks}\nsetup()"}).reasons == ()
