@@ -51,6 +51,11 @@ class Problem(_Record):
         return self.origin.place
 
     @property
+    def lacks(self) -> tuple[str, str] | None:
+        """What is not here and may be elsewhere, so that the launcher stops: what kind of thing, and its name; None where it is no lack."""
+        return None
+
+    @property
     def kind(self) -> str:
         """What it is, in words: ``package-not-found`` for a ``PackageNotFound``."""
         return "".join(f"-{letter.lower()}" if letter.isupper() else letter for letter in type(self).__name__)[1:]

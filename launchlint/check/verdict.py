@@ -8,17 +8,7 @@ from __future__ import annotations
 
 from launchlint.check.file import tell
 from launchlint.dialects.door import named
-from launchlint.evaluate.problems import (
-    DuplicateNode,
-    EnvUnset,
-    IncludeMissingArg,
-    IncludeNotFound,
-    PackageNotFound,
-    ParamFileMissing,
-    RequiredArgUnset,
-    UndeclaredArg,
-    UnknownMachine,
-)
+from launchlint.evaluate.problems import DuplicateNode
 from launchlint.finding import Severity
 from launchlint.model import Launch
 from launchlint.problem import Problem
@@ -59,25 +49,12 @@ def judged(launch: Launch, view: object) -> Verdict:
 
 
 def plainly(problem: Problem) -> str:
-    """Why roslaunch refuses a file, where the rule for it keeps silent because it need not be a mistake of the file."""
-    if isinstance(problem, PackageNotFound):
-        return f"the package {problem.package} is not on this machine"
-    return problem.kind.replace("-", " ")
+    """Why the launcher refuses a file, where the rule for it keeps silent because it need not be a mistake of the file."""
+    lacks = problem.lacks
+    return f"{' '.join(lacks)} is not here" if lacks else problem.kind.replace("-", " ")
 
 
 def _missing(problem: Problem) -> str:
-    """What would have to be there so that roslaunch does not stop at a problem; empty where that has no name."""
-    match problem:
-        case PackageNotFound():
-            what, name = "the package", problem.package
-        case RequiredArgUnset() | UndeclaredArg() | IncludeMissingArg():
-            what, name = "the arg", problem.name
-        case EnvUnset():
-            what, name = "the environment variable", problem.variable
-        case UnknownMachine():
-            what, name = "the machine", problem.name
-        case IncludeNotFound() | ParamFileMissing():
-            what, name = "the file", problem.file.rsplit("/", 1)[-1]
-        case _:
-            return ""
+    """What would have to be there so that the launcher does not stop at a problem; empty where that has no name."""
+    what, name = problem.lacks or ("", "")
     return f"{what} {shortened(name)}" if name else ""

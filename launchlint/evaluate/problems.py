@@ -46,12 +46,22 @@ class EnvUnset(Problem):
 
     variable: str
 
+    @property
+    def lacks(self) -> tuple[str, str]:
+        """That environment variable."""
+        return "the environment variable", self.variable
+
 
 class PackageNotFound(Problem):
     """A package that is not here, looked for from the entry file ``near``."""
 
     package: str
     near: str
+
+    @property
+    def lacks(self) -> tuple[str, str]:
+        """That package."""
+        return "the package", self.package
 
 
 class EvalError(Problem):
@@ -109,12 +119,22 @@ class UndeclaredArg(Problem):
     in_expression: bool
     asked: tuple[tuple[str, str], ...] = ()
 
+    @property
+    def lacks(self) -> tuple[str, str]:
+        """That arg."""
+        return "the arg", self.name
+
 
 class RequiredArgUnset(Problem):
     """An arg of the entry file without a value; ``empty``: it has a default, with nothing in it."""
 
     name: str
     empty: bool = False
+
+    @property
+    def lacks(self) -> tuple[str, str]:
+        """That arg."""
+        return "the arg", self.name
 
 
 class UsedBeforeDeclaration(Problem):
@@ -155,6 +175,11 @@ class IncludeNotFound(Problem):
     written: str
     reason: str
     environment: bool
+
+    @property
+    def lacks(self) -> tuple[str, str]:
+        """That file."""
+        return "the file", self.file.rsplit("/", 1)[-1]
 
 
 class IncludeNotLoadable(Problem):
@@ -218,8 +243,12 @@ class IncludeMissingArg(Problem):
     pass_all: bool
     empty: bool = False
 
+    # ---- nodes, machines and names
 
-# ---- nodes, machines and names
+    @property
+    def lacks(self) -> tuple[str, str]:
+        """That arg."""
+        return "the arg", self.name
 
 
 class InvalidNodeName(Problem):
@@ -251,6 +280,11 @@ class UnknownMachine(Problem):
 
     name: str
     known: tuple[str, ...]
+
+    @property
+    def lacks(self) -> tuple[str, str]:
+        """That machine."""
+        return "the machine", self.name
 
 
 class MachineConflict(Problem):
@@ -347,6 +381,11 @@ class ParamFileMissing(Problem):
     environment: bool
     near: str | None
     no_directory: str
+
+    @property
+    def lacks(self) -> tuple[str, str]:
+        """That file."""
+        return "the file", self.file.rsplit("/", 1)[-1]
 
 
 class ParamYamlInvalid(Problem):

@@ -42,6 +42,11 @@ class NodePackageMissing(Problem):
     near: str
     valid: bool
 
+    @property
+    def lacks(self) -> tuple[str, str] | None:
+        """That package, where it may be elsewhere."""
+        return ("the package", self.package) if self.valid else None
+
 
 class NoDirectory(Problem):
     """``$(dirname)`` or ``$(filename)`` where there is no launch file."""

@@ -57,7 +57,7 @@ def test_tables_say_all_without_scripts(repository: Path) -> None:
         "Param | Value | Place | Overrides | Read by\n/robot/talker/rate | 5 | demo/launch/nav.launch:5 |  | /robot/talker"
     )
     assert text_of(html, "table-findings").splitlines()[1] == (
-        "error | LL611 type-mismatch | /robot/talker publishes /robot/news as std_msgs/String, but /robot/listener subscribes to it as "
+        "warning | LL611 type-mismatch | /robot/talker publishes /robot/news as std_msgs/String, but /robot/listener subscribes to it as "
         "std_msgs/Int32 | demo/launch/nav.launch:9 | give one of the two another name, or put a node between them that converts"
     )
     assert text_of(html, "table-unknown") == (
