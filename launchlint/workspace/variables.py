@@ -24,6 +24,8 @@ _COMPOSE = re.compile(r"^[ \t]*(?:-[ \t]*[\"']?)?([A-Z_][A-Z_0-9]*)[ \t]*[:=]", 
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
 # No grammar, a look through whole files, comments and all: that a variable is read in many files is a reason for less, never for more.
 _LAUNCH = re.compile(r"\$\(\s*env\s+([A-Za-z_]\w*)\s*\)")
+_OPTIONAL = re.compile(r"\$\(\s*(?:optenv\s+([A-Za-z_]\w*)|env\s+([A-Za-z_]\w*)\s+[^\s)])")
+"""Read with a default, in ROS 1 or in ROS 2."""
 _SOURCE = re.compile(r"(?:environ(?:\.get)?[ \t]*[\[(]|getenv[ \t]*\()[ \t]*[\"']([A-Za-z_]\w*)[\"']")
 
 
@@ -45,12 +47,26 @@ def read_variables(directories: Iterable[str]) -> Variables:
     return Variables(found, frozenset(looked))
 
 
-def count_launch_files(directories: Iterable[str]) -> Mapping[str, int]:
-    """The variables that launch files below ``directories`` read without a default, and how many do. Bounded; never raises."""
+class Readers(NamedTuple):
+    """How many launch files read each variable without a default, and the variables that some launch file has a default for."""
+
+    counts: Mapping[str, int]
+    optional: frozenset[str]
+
+    def family(self, name: str) -> tuple[str, int]:
+        """What the variable's name begins with, up to the first ``_``, and how many begin so that are never read with a default."""
+        prefix = name.partition("_")[0] + "_"
+        return prefix, sum(1 for each in self.counts if each.startswith(prefix) and each not in self.optional)
+
+
+def read_in_launch_files(directories: Iterable[str]) -> Readers:
+    """The variables that launch files below ``directories`` read. Bounded; never raises."""
     counted: Counter[str] = Counter()
+    optional: set[str] = set()
     for _, text in texts(_places(directories, lambda name: name.endswith(_LAUNCH_ENDS)), _MOST_FILES, set()):
         counted.update(set(_LAUNCH.findall(text)))
-    return counted
+        optional.update(one or other for one, other in _OPTIONAL.findall(text))
+    return Readers(counted, frozenset(optional))
 
 
 def _places(directories: Iterable[str], wanted: Callable[[str], bool]) -> Iterator[tuple[str, list[str]]]:

@@ -6,7 +6,8 @@ Variables that every login or ROS installation sets are not told of, nor those t
 check. The variables of a file are told of together. It is an info where the workspace itself sets or reads the variable elsewhere (a shell
 file, a Dockerfile, a service, `os.environ` or `getenv`), where a document of it or a comment of the launch file names the variable (then
 people are told to set it), where it is a secret by its name (`DB_PASSWORD`, `API_TOKEN`), where a public package sets it that nothing here
-names, and where three or more launch files read it: it is the project's own.
+names, where three or more launch files read it, or two and none of all has a default for it, and where the launch files read three or
+more variables of one first word (`SITE_MAP`, `SITE_DOCK` …), none with a default: it is the project's own.
 
 ## Why it matters
 
@@ -59,6 +60,7 @@ OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE"
 
 
 _SET_BY = "the public package"
+OF_A_SITE = "the launch files read"
 SECRET = "it holds a secret, by its name: it belongs into no file, and without it nothing is to start"
 
 
@@ -104,7 +106,7 @@ def together(findings: Sequence[Finding]) -> Finding:
         return whole
     return whole._replace(
         message=f"{len(names)} environment variables are not set here: {', '.join(names[:MOST_NAMED])}{more}",
-        notes=("where one of them is not set roslaunch stops", *(note for note in whole.notes if note.startswith(_SET_BY))),
+        notes=("where one of them is not set roslaunch stops", *(note for note in whole.notes if note.startswith((_SET_BY, OF_A_SITE)))),
         help="write $(optenv NAME DEFAULT), or give them values under env: in .launchlint.yaml if they are always set",
     )
 
