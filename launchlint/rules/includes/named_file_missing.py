@@ -4,10 +4,10 @@ What it does: it looks for the files that the `args` of nodes and the `command` 
 workspace. It is an error where roslaunch itself fails because of it: `command` runs a program that is not there, or lets xacro or cat read
 the file. Files that are there to be written (behind `-o` or `>`, of a recorder) are passed over; logs, bags and the like, too, unless a
 file of nearly that name is there. It is an info where a file is made: by a command of `CMakeLists.txt`, from a template that lies beside
-it, by another node, or by what `.gitignore` keeps out of the repository; where its directory is there and holds nothing but a README or
-the like: what belongs there is put there on each machine; where it lies in a git submodule that is not checked out; where the package has
-no file of that kind at all; and where args make the name and it takes another value than a default. Silent it is where the name is made
-from an environment variable, also by way of args. What LL401 or LL502 tells is not told again.
+it, by another node or another launch file of the package, or by what `.gitignore` keeps out of the repository; where its directory is
+there and holds nothing but a README or the like: what belongs there is put there on each machine; where it lies in a git submodule that is
+not checked out; where the package has no file of that kind at all; and where args make the name and it takes another value than a default.
+Silent it is where the name is made from an environment variable, also by way of args. What LL401 or LL502 tells is not told again.
 
 ## Why it matters
 

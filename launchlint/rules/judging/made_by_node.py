@@ -51,7 +51,7 @@ def maker_of(path: str, view: LaunchView) -> Maker | None:
             key = word.value, file
             one = absolutes.get(key)
             if one is None:
-                one = absolutes[key] = _absolute(word.value, file, view.packages)
+                one = absolutes[key] = absolute(word.value, file, view.packages)
             if word.is_node and _extends(directory, stem, ending, one):
                 made = not _starts(view, word.program, one)
             else:
@@ -62,9 +62,9 @@ def maker_of(path: str, view: LaunchView) -> Maker | None:
     return None
 
 
-class _Word(NamedTuple):
-    """A path that the element at ``start`` hands over: the ``program``, or the name of the param or arg; ``writes``: that, or an option in
-    front, says that it is written.
+class Word(NamedTuple):
+    """What the element at ``start`` hands over: to the ``program``, or as the param or arg of that name; ``writes``: that, or an option
+    in front, says that it is written.
     """
 
     is_node: bool
@@ -75,17 +75,19 @@ class _Word(NamedTuple):
 
 
 @lru_cache(maxsize=256)  # each file that is not here is asked for in every configuration
-def _words(text: str) -> tuple[_Word, ...]:
+def _words(text: str) -> tuple[Word, ...]:
     """The words with a path in them that the elements of a launch file hand over; those in comments are none."""
-    found: list[_Word] = []
+    return tuple(word for word in handed_over(text) if "/" in word.value or opens(word.value))
+
+
+def handed_over(text: str) -> Iterator[Word]:
+    """The words that the elements of a launch file hand over; those in comments are none."""
     text = _blanked(text)
     for element in _ELEMENT.finditer(text):
         for program, before, word in _given(element[0], element[1] == "node"):
             option, _, value = word.rpartition("=")
             writes = any(map(_WRITES.search, (program, option or before)))
-            if "/" in value or opens(value):
-                found.append(_Word(element[1] == "node", program, value, writes, element.start()))
-    return tuple(found)
+            yield Word(element[1] == "node", program, value, writes, element.start())
 
 
 def _given(element: str, is_node: bool) -> Iterator[tuple[str, str, str]]:
@@ -106,11 +108,11 @@ def _blanked(text: str) -> str:
 
 
 def _absolutes(packages: Packages) -> dict[tuple[str, str], str]:
-    """The paths that words of files name, see :func:`_absolute`."""
+    """The paths that words of files name, see :func:`absolute`."""
     return {}
 
 
-def _absolute(word: str, file: str, packages: Packages) -> str:
+def absolute(word: str, file: str, packages: Packages) -> str:
     """The path a word names, as far as ``$(find …)`` and ``$(dirname)`` tell; with other substitutions, what is behind the last of them."""
     path, whole = "", True
     for part in parse(word).parts:

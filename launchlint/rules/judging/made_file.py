@@ -43,7 +43,7 @@ def made(path: str, view: LaunchView, root: str) -> Made | None:
     """What makes the file at ``path`` (absolute), which is not here; ``None`` where nothing is known to.
 
     That is a submodule of git, a command of the package's CMake files, else a template beside it, else whatever makes what ``.gitignore``
-    names, else who fills a directory that is kept empty, else a node.
+    names, else who fills a directory that is kept empty, else a node, else one of another launch file of the package.
     """
     known = view.packages.once(_told)
     key = path, root  # of all configurations alike
@@ -57,9 +57,21 @@ def made(path: str, view: LaunchView, root: str) -> Made | None:
 
     node = maker_of(path, view)
     if node is None:
-        return None
+        return _made_before(path, view, root)
     place = f"{shown(node.file, root)}, line {node.line}"
     return Made(f"made by {node.program}, which is given {node.given} ({place})", f"let {node.program} make it before this is started")
+
+
+def _made_before(path: str, view: LaunchView, root: str) -> Made | None:
+    """As :func:`made`, by what other launch files of the package write."""
+    from launchlint.rules.judging.made_by_launch import written_by
+
+    step = written_by(path, view.launch.entry.file, view.packages)
+    if step is None:
+        return None
+    file = shown(step.file, root)
+    why = f"it is written by {file}: line {step.line} gives {step.program} the directory, and the name is given there, too"
+    return Made(why, f"start {file} before this")
 
 
 def _told(packages: Packages) -> dict[tuple[str, str], tuple[Made | None, frozenset[str]]]:

@@ -7,15 +7,15 @@ of `<set_parameters_from_file>`. The path is checked as it is after substitution
 ## Why it matters
 
 roslaunch refuses the launch file, and with it every launch file that includes it. `ros2 launch` only warns where a node has the file, and
-starts it without its params: a warning here, too. It is also a warning where the file may well be there on the
-robot: a path outside of all packages, a relative one, and one that `CMakeLists.txt` may install. It is an info where a system keeps its
-own files (`/etc`, `/opt`, `/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; where an arg gives a
-relative path; where the path is made from an environment variable, whose value here says little; and where the file is made: by a command
-of `CMakeLists.txt`, from a template that lies beside it, by a node that writes it, or by what `.gitignore` keeps out of the repository;
-where it lies in a git submodule that is not checked out, or in a directory with nothing but a README; where only the default of an arg
-leads there that all files which include this one override; and where that default is `none` or the like and files for other values are
-there. A directory that is missing is told once, with all files that would be in it, and so is one in which files are looked for that lie
-elsewhere, and one that lacks several files which one launch file names.
+starts it without its params: a warning here, too. It is also a warning where the file may well be there on the robot: a path outside of
+all packages, a relative one, and one that `CMakeLists.txt` may install. It is an info where a system keeps its own files (`/etc`, `/opt`,
+`/var`, `/usr/local`, `/media`, `/mnt`, `/dev`, `/home`), outside of the workspace; where an arg gives a relative path; where the path is
+made from an environment variable, whose value here says little; and where the file is made: by a command of `CMakeLists.txt`, from a
+template that lies beside it, by a node that writes it, also one of another launch file of the package, or by what `.gitignore` keeps out
+of the repository; where it lies in a git submodule that is not checked out, or in a directory with nothing but a README; where only the
+default of an arg leads there that all files which include this one override; and where that default is `none` or the like and files for
+other values are there. A directory that is missing is told once, with all files that would be in it, and so is one in which files are
+looked for that lie elsewhere, and one that lacks several files which one launch file names.
 
 ## Example
 
