@@ -76,10 +76,11 @@ def test_readme_shows_what_the_tool_prints(command: str, update: bool) -> None:
 
 def test_readme_needs_two_commands_to_set_up_one_to_run_and_one_to_test() -> None:
     commands = [entry.command for entry in shown(README.read_text(encoding="utf-8"))]
-    assert commands[:4] == [
+    assert commands[:5] == [
         "python3 -m venv .venv",
         ".venv/bin/pip install -e '.[test]'",
         f"{TOOL} check examples/turtles/turtle_parade/launch/parade_broken.launch",
+        f"{TOOL} check --distro jazzy examples/ferry/ferry_bringup/launch/ferry_broken.launch.xml",
         ".venv/bin/python -m pytest -n auto",
     ]
 
@@ -98,5 +99,6 @@ def test_every_option_the_readme_names_exists() -> None:
     assert sorted(named - known) == []
 
 
-def test_the_fixed_example_is_clean() -> None:
-    assert "LL" not in run(f"{TOOL} check -v examples/turtles/turtle_parade/launch/parade.launch")
+@pytest.mark.parametrize("file", ["turtles/turtle_parade/launch/parade.launch", "ferry/ferry_bringup/launch/ferry.launch.xml"])
+def test_the_fixed_examples_are_clean(file: str) -> None:
+    assert "LL" not in run(f"{TOOL} check -v examples/{file}")
