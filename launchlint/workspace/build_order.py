@@ -5,14 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from launchlint.workspace.looking import walk
+from launchlint.late import late
+from launchlint.workspace.looking import note, walk, watched
+from launchlint.workspace.texts import texts
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.workspace.packages import Packages
 
-_LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
+_LAUNCH_ENDS = (".launch", ".xml", ".test")
 _MOST_DIRECTORIES = 1_000
+_MOST_FILES = 1_000
+# No grammar: comments and what never runs count, too, since a name too many only costs a fix its safety.
+_USES = late(r"""\bpkg\s*=\s*["']\s*([\w.-]+)|\bfind\(\s*["']([\w.-]+)|\bfind\s+([\w.-]+)\s*\)""")
 _BEFORE = ("build", "buildtool", "test")
 _WITH = ("exec", "build_export")
 
@@ -27,7 +32,7 @@ class Way(NamedTuple):
 def ways_to(name: str, packages: Packages, *, lacking: bool = False) -> dict[str, Way]:
     """The packages of the workspaces that need package ``name`` already, each with the way; where building hangs on one, that one.
 
-    ``lacking``: every package with launch files counts as one that needs it to run: it may yet declare what leads there.
+    ``lacking``: what the launch files of a package use counts as what it needs to run: it may yet declare that.
 
     A package is built after what it declares for building and testing, and after all that those need to run, over any number of steps
     (catkin_pkg.topological_order: calculate_depends_for_topological_order). A ring is refused where one step of it is of the first kind;
@@ -37,12 +42,20 @@ def ways_to(name: str, packages: Packages, *, lacking: bool = False) -> dict[str
 
 
 def _needed_by(packages: Packages, lacking: str | None) -> dict[str, dict[str, bool]]:
-    """Package → the packages that declare it, and whether for building; packages with launch files as if they declared ``lacking``."""
+    """Package → the packages that declare it, and whether for building; with ``lacking`` also those whose launch files use it.
+
+    A package with more launch files than are read here may well use ``lacking``.
+    """
+    used: Mapping[str, frozenset[str] | None] = {}
+    if lacking is not None:
+        used, looked = packages.once(_all_used)
+        note(looked)
     needed_by: dict[str, dict[str, bool]] = {}
     for place in packages.places[: len(packages.workspaces)]:
         for package in place.everything:
             if package.name and package.manifest is not None:
-                named = {lacking} if lacking is not None and _has_launch_files(package.directory) else set[str]()
+                found = used.get(package.directory, frozenset())
+                named = found if found is not None else frozenset({lacking or ""})
                 for other in sorted(package.manifest.depends(*_WITH) | named):
                     needed_by.setdefault(other, {}).setdefault(package.name, False)
                 for other in sorted(package.manifest.depends(*_BEFORE)):
@@ -71,11 +84,21 @@ def _ways(name: str, needed_by: Mapping[str, Mapping[str, bool]]) -> dict[str, W
     return found
 
 
-def _has_launch_files(directory: str) -> bool:
-    """Whether there are launch files below ``directory``; of a very large one only a part is looked at, and the answer is yes."""
-    left = _MOST_DIRECTORIES
-    for _, names in walk(directory, _MOST_DIRECTORIES):
-        left -= 1
-        if left <= 0 or any(name.endswith(_LAUNCH_ENDS) for name in names):
-            return True
-    return False
+def _all_used(packages: Packages) -> tuple[Mapping[str, frozenset[str] | None], frozenset[str]]:
+    """What the launch files of each package use, and what that hangs on."""
+    directories = [each.directory for place in packages.places[: len(packages.workspaces)] for each in place.everything if each.name]
+    return watched(lambda: {directory: _used(directory) for directory in directories})
+
+
+def _used(directory: str) -> frozenset[str] | None:
+    """The packages that the launch files below ``directory`` name; ``None`` of a very large one, which may name any."""
+    found: set[str] = set()
+    places = [(each, [name for name in names if name.endswith(_LAUNCH_ENDS)]) for each, names in walk(directory, _MOST_DIRECTORIES)]
+    if len(places) >= _MOST_DIRECTORIES or sum(len(names) for _, names in places) > _MOST_FILES:
+        return None
+    looked: set[str] = set()
+    for _, text in texts(places, _MOST_FILES, looked):
+        if "<launch" in text:
+            found.update(one or other or third for one, other, third in _USES.findall(text))
+    note(looked)
+    return frozenset(found)

@@ -60,7 +60,8 @@ def test_a_ring_that_is_there_and_nobody_who_needs_it(tmp_path: Path) -> None:
 def test_who_may_yet_declare_it(tmp_path: Path) -> None:
     ways(tmp_path, a="", b="<build_depend>c</build_depend>", c="", d="")
     (tmp_path / "c" / "launch").mkdir()
-    (tmp_path / "c" / "launch" / "c.launch").write_text("<launch/>")
+    (tmp_path / "c" / "launch" / "c.launch").write_text('<launch><node pkg="a" type="t" name="n"/></launch>')
+    (tmp_path / "d" / "d.launch").write_text('<launch><include file="$(find d)/e.launch"/></launch>')
     packages = Packages([str(tmp_path)], {}, explicit=True)
     assert ways_to("a", packages) == {}
     assert ways_to("a", packages, lacking=True) == {"c": Way(("c", "a"), False), "b": Way(("b", "c", "a"), True)}

@@ -62,12 +62,12 @@ farm, a fresh robot) the launch fails, unless something else brings the package 
 ## Fix
 
 `--fix` adds the line to `package.xml`, below the last dependency, and proves that nothing else changes in it. What is declared for tests
-only is left alone, and so is what needs this package itself to be built: the dependency would close a ring, and catkin would build
-nothing any more. Where two packages would only need each other to run, catkin has no objection; no fix makes such a ring either, since the
-file may belong into the other package. A fix is not called safe where it names a package of the workspace with launch files of its own:
-that one's fix could close the ring from the other side. Nor is it where one of the distributions that the workspace, or a condition in
-the `package.xml`, names has never had the package (where none is named: none since Kinetic): rosdep would not find it. What the fix leaves
-out is said, with the reason.
+only is left alone, and so is what needs this package itself to be built: the dependency would close a ring, and catkin would build nothing
+any more. Where two packages would only need each other to run, catkin has no objection; no fix makes such a ring either, since the file
+may belong into the other package. A fix is not called safe where it names a package of the workspace whose launch files lead back here,
+over packages that they use and do not declare: that one's fix could close the ring from the other side. Nor is it where one of the
+distributions that the workspace, or a condition in the `package.xml`, names has never had the package (where none is named: none since
+Kinetic): rosdep would not find it. What the fix leaves out is said, with the reason.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ from launchlint.syntax.parts import Parts
 from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Document, Element
 from launchlint.workspace.build_order import ways_to
-from launchlint.workspace.looking import is_file
+from launchlint.workspace.looking import is_file, note, watched
 from launchlint.workspace.public_packages import public_names
 from launchlint.workspace.releases import never_released
 
@@ -107,7 +107,7 @@ LEFT_OUT = "it may do without: "
 MOST_NAMED = 12
 TRIED = "only launch files that seem to be there to try something out need {}"
 SETTING_UP = "only files need it that MoveIt's Setup Assistant writes beside those that drive the robot"
-_LATER = "once {} {} what {} own launch files use, to declare {} here could close a ring"
+_LATER = "once {} {} what {} own launch files use, to declare {} here would close a ring"
 _MOVE = "move {} to a package that starts both, such as a bringup package"
 # What MoveIt's Setup Assistant writes into every package and what nobody needs to drive the robot; it declares none of this itself.
 _GENERATED_EXTRA = late(
@@ -215,11 +215,14 @@ class _Ways:
     def __init__(self, packages: Packages) -> None:
         self._name: str | None = None
         self._found: tuple[dict[str, Way], dict[str, Way]] = ({}, {})
+        self._looked: frozenset[str] = frozenset()
 
     def to(self, name: str, packages: Packages) -> tuple[dict[str, Way], dict[str, Way]]:
         """Who needs package ``name``: now, and perhaps once other packages declare what their launch files use, too."""
         if self._name != name:
-            self._name, self._found = name, (ways_to(name, packages), ways_to(name, packages, lacking=True))
+            self._name = name
+            self._found, self._looked = watched(lambda: (ways_to(name, packages), ways_to(name, packages, lacking=True)))
+        note(self._looked)
         return self._found
 
 
