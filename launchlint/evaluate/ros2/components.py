@@ -83,6 +83,7 @@ def load(walk: Walk, met: list[Met], container: Value, place: Place | None) -> N
 def _load(walk: Walk, met: Met, container: Value) -> None:
     component = met.component
     walk.spend(STARTING, component.place)
+    walk.spend_on_inherited(component.place)
     package, plugin, name = walk.value(component.package), walk.value(component.plugin), walk.optional(component.name)
     namespace = namespace_of(walk, component.namespace)
     remaps = [*(walk.context.remaps or ()), *(remapping(walk, remap) for remap in component.remaps)]

@@ -54,6 +54,7 @@ class Named(NamedTuple):
 def node(walk: Walk, action: described.Node) -> None:
     """Execute a node: its name, its params and its remaps are worked out before its command line is."""
     walk.spend(STARTING, action.place)
+    walk.spend_on_inherited(action.place)
     components = met_components(walk, action.components)
     tag = tag_of(action)
     named = _named(walk, action)

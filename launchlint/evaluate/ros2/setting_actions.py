@@ -72,6 +72,7 @@ def group(walk: Walk, action: described.Group) -> None:
     below = namespace.rstrip("/") + "/" if isinstance(namespace, str) else "/"
     walk.here = outer._replace(scope=Scope("group", walk.at(action.place), below, outer.scope))
     if scoped:
+        walk.spend_on_inherited(action.place)
         context.push()
     if scoped and action.forwarding is False:
         context.environment.restore({})

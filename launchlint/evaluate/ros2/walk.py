@@ -33,6 +33,10 @@ PYTHON = ".py"
 LARGEST_EVALUATION = 200_000
 """Actions executed in one configuration; more than any real launch has, few enough to end in seconds."""
 CHARACTERS_PER_ACTION = 100
+INHERITED_PER_ACTION = 50
+"""How many configurations and variables that are taken over count as one more action."""
+PASSED_PER_ACTION = 1
+"""The same for remaps and params, which are put on command lines and read again."""
 STARTING = 5
 """What it costs to start something or to enter a file, in further actions."""
 DEEPEST_INCLUDE = 200
@@ -196,6 +200,13 @@ class Walk:
         if count >= CHARACTERS_PER_ACTION:
             self.spend(count // CHARACTERS_PER_ACTION, place)
 
+    def spend_on_inherited(self, place: Place) -> None:
+        """Count what a new scope or a node takes over from the context. Raises Exhausted."""
+        context = self.context
+        inherited = len(context.configurations) + len(context.environment.changes)
+        passed = len(context.remaps or ()) + len(context.parameters or ())
+        self.spend(inherited // INHERITED_PER_ACTION + passed // PASSED_PER_ACTION, place)
+
     # -- values ------------------------------------------------------------------------------------------------
 
     def value(self, text: Text) -> Value:
@@ -276,8 +287,8 @@ class Walk:
     def finish(self) -> None:
         """Execute what was deferred, in the order in which it was."""
         late: list[Problem] = []
-        for body in self.waiting:  # grows on the way
-            if len(late) + len(self.nodes) > LARGEST_EVALUATION or self.waiting.index(body) >= MOST_DEFERRED:
+        for number, body in enumerate(self.waiting):  # grows on the way
+            if number >= MOST_DEFERRED:
                 break
             self.late = []
             self.here = body.here._replace(deferred=body.kind)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from time import process_time
 
 import pytest
 
@@ -244,3 +245,21 @@ def test_includes_that_double_end_soon(tmp_path: Path) -> None:
 def test_names_of_nodes(tmp_path: Path) -> None:
     body = '<node pkg="pk" exec="e"/><node pkg="pk" exec="e" name="b" namespace="/s"/>'
     assert named(loaded(Workspace(tmp_path, body).launch())) == ["", "/s/b"]
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ("<let name='a{}' value='1'/>", "<group/>"),
+        ("<set_remap from='a{}' to='b'/>", "<node pkg='pk' exec='e'/>"),
+        ("<set_parameter name='a{}' value='1'/>", "<node pkg='pk' exec='e'/>"),
+        ("<set_env name='a{}' value='1'/>", "<group/>"),
+        ("<arg name='a{}' default='1'/>", "<log message='$(var no)'/>"),
+        ("<timer period='1.0'><log message='$(var a{})'/></timer>", "<timer period='1.0'/>"),
+    ],
+)
+def test_great_numbers_end_soon(tmp_path: Path, first: str, second: str) -> None:
+    many = 3_000
+    start = process_time()
+    Workspace(tmp_path, "".join(map(first.format, range(many))) + second * many).launch()
+    assert process_time() - start < 30
