@@ -73,12 +73,17 @@ class _Saved(NamedTuple):
     remaps: list[Remap] | None
     parameters: list[GlobalSource] | None
     environment: dict[str, Value | None]
+    unread: bool
 
 
 class Context:
-    """See the module. ``directory`` and ``file`` are what ``$(dirname)`` and ``$(filename)`` say."""
+    """See the module. ``directory`` and ``file`` are what ``$(dirname)`` and ``$(filename)`` say.
 
-    __slots__ = ("configurations", "directory", "environment", "file", "parameters", "remaps", "stack")
+    ``unread``: a launch file was included that is not read, and may have set configurations and variables of names that are not known; a
+    group puts that back, too. ``unread_parameters`` says the same of params, which leak out of groups.
+    """
+
+    __slots__ = ("configurations", "directory", "environment", "file", "parameters", "remaps", "stack", "unread", "unread_parameters")
 
     def __init__(self, session: Session) -> None:
         self.configurations: dict[str, Setting] = {}
@@ -88,16 +93,23 @@ class Context:
         self.directory: str | None = None
         self.file: str | None = None
         self.stack: list[_Saved] = []
+        self.unread = False
+        self.unread_parameters = False
+
+    def include_unread(self) -> None:
+        """A launch file is included that is not read: whatever is not set here may be set by it."""
+        self.unread = self.unread_parameters = True
 
     def push(self) -> None:
         """Begin a scope: everything is inherited (PushLaunchConfigurations, PushEnvironment)."""
-        self.stack.append(_Saved(dict(self.configurations), self.remaps, self.parameters, dict(self.environment.changes)))
+        self.stack.append(_Saved(dict(self.configurations), self.remaps, self.parameters, dict(self.environment.changes), self.unread))
 
     def pop(self) -> None:
         """End a scope. The lists of remaps and params are the ones of before, with whatever was added to them inside."""
         saved = self.stack.pop()
         self.configurations, self.remaps, self.parameters = saved.configurations, saved.remaps, saved.parameters
         self.environment.restore(saved.environment)
+        self.unread = saved.unread
 
     def forget(self, keep: Mapping[str, Setting]) -> None:
         """Drop all launch configurations but ``keep`` (ResetLaunchConfigurations), remaps and params among them."""

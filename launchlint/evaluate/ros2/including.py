@@ -7,6 +7,7 @@ import os
 from launchlint.evaluate.problems import IncludeCycle, IncludeMissingArg, IncludeNotFound, RequiredArgUnset
 from launchlint.evaluate.ros2.context import Setting
 from launchlint.evaluate.ros2.problems import RequiredArgNotPassed
+from launchlint.evaluate.ros2.python_files import describes_nothing
 from launchlint.evaluate.ros2.setting_actions import configure
 from launchlint.evaluate.ros2.walk import DEEPEST_INCLUDE, PYTHON, STARTING, Exhausted, Here, Told, Walk
 from launchlint.evaluate.session import Read
@@ -35,9 +36,9 @@ def include(walk: Walk, action: described.Include) -> None:
         pushed if isinstance(pushed, str) or pushed is None else pushed.text, walk.here.deferred,
     )  # fmt: skip
     if isinstance(file, Unknown):
-        walk.complete = False
         walk.includes.append(entry)
         _pass(walk, action)
+        _unread(walk)
         return
     if len(walk.here.files) >= DEEPEST_INCLUDE - 1:
         _too_deep(walk, action, file)
@@ -47,18 +48,19 @@ def include(walk: Walk, action: described.Include) -> None:
             IncludeNotFound(origin=walk.at(action.file.place), refused=True, file=file, written=action.file.place.text,
                             reason=known.reason, environment=outside)
         )  # fmt: skip
-        walk.complete = False
         walk.includes.append(entry)
         _pass(walk, action)
+        _unread(walk)
         return
     context.file = os.path.abspath(file)
     context.directory = os.path.dirname(context.file)
     outer = walk.here
     step = IncludeStep(action.place, outer.step)
     if known is None:  # Python: what it starts is not looked into
-        walk.complete = False
         walk.files.append(file)
         walk.includes.append(entry._replace(arguments=_pass(walk, action)))
+        if not describes_nothing(walk.session.read(file).data or b""):
+            _unread(walk)
         return
     _tell_refusals(walk, known, step)
     names = [name for name in (walk.value(pair.name) for pair in action.arguments) if isinstance(name, str)]
@@ -74,6 +76,12 @@ def include(walk: Walk, action: described.Include) -> None:
     )
     _run(walk, known, file)
     walk.here = outer
+
+
+def _unread(walk: Walk) -> None:
+    """Go on behind an included file that is not read: it may start more nodes, and set what others read."""
+    walk.complete = False
+    walk.context.include_unread()
 
 
 def enter(walk: Walk, file: str, known: Reading, given: Mapping[str, str]) -> None:

@@ -24,6 +24,8 @@ _FOLD = str.maketrans(".-:", "___")
 _PACKAGE = late(r"[a-zA-Z0-9][a-zA-Z0-9_-]+")
 _STDERR = ("fail", "ignore", "warn", "capture")
 _LONGEST_NUMBER = 400
+UNREAD = "an included launch file that is not read may set it"
+"""Why something that is set nowhere is not known."""
 
 
 class _Unknown(Exception):
@@ -65,6 +67,8 @@ def _var(performer: Performer, substitution: Substitution) -> Value:
     performer.steer.add(name)  # giving it a value would be enough
     if len(substitution.arguments) > 1:
         return performer.perform(substitution.arguments[1])
+    if performer.context.unread:
+        return Unknown(substitution.place.text, UNREAD)
     known = tuple(sorted(performer.context.configurations))
     performer.spend(4 * len(known), substitution.place)
     origin = performer.where(substitution.place)
@@ -83,6 +87,8 @@ def _env(performer: Performer, substitution: Substitution) -> Value:
         return value
     if default is not None:
         return default
+    if performer.context.unread:
+        return Unknown(substitution.place.text, UNREAD)
     raise Failure(EnvUnset(origin=performer.where(substitution.place), refused=True, variable=name))
 
 
@@ -240,6 +246,8 @@ def _parameter(performer: Performer, substitution: Substitution) -> Value:
             return each.text
     if len(substitution.arguments) > 1:
         return performer.perform(substitution.arguments[1])
+    if performer.context.unread_parameters:
+        return Unknown(substitution.place.text, UNREAD)
     raise Failure(ParameterNotSet(origin=performer.where(substitution.place), refused=True, name=name))
 
 

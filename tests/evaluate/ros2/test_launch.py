@@ -216,6 +216,37 @@ def test_a_launch_file_in_python_leaves_the_launch_incomplete(tmp_path: Path) ->
     assert launch.nodes[0].arguments == "1"
 
 
+SETTER = "from launch import LaunchDescription\n\ndef generate_launch_description():\n    return LaunchDescription([anything()])\n"
+EMPTY = (
+    'from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    """Nothing."""\n    return LaunchDescription([])\n'
+)
+
+
+def test_behind_a_launch_file_in_python_what_is_set_nowhere_may_have_been_set_by_it(tmp_path: Path) -> None:
+    reads = SHOW.format("$(var robot)$(env ROBOT)") + "<node pkg='pk' exec='e' name='m'><param name='h' value='$(param height)'/></node>"
+    launch = loaded(Workspace(tmp_path, "<include file='$(dirname)/a.launch.py'/>" + reads, {"a.launch.py": SETTER}).launch())
+    assert launch.problems == ()
+    assert not launch.complete
+    shown, measured = launch.nodes
+    assert not shown.knows("arguments")
+    assert measured.own is not None
+    assert isinstance(measured.own["h"][1], Unknown)
+
+
+@pytest.mark.parametrize(("read", "told"), [("$(var robot)", [UndeclaredArg]), ("$(param height)", [])])
+def test_a_group_puts_back_what_a_launch_file_in_python_has_set_but_not_its_params(tmp_path: Path, read: str, told: list[type]) -> None:
+    body = "<group><include file='$(dirname)/a.launch.py'/></group>" + SHOW.format(read)
+    launch = Workspace(tmp_path, body, {"a.launch.py": SETTER}).launch()
+    assert [type(problem) for problem in launch.problems] == told
+
+
+def test_a_launch_file_in_python_that_describes_nothing_sets_nothing(tmp_path: Path) -> None:
+    body = "<include file='$(dirname)/a.launch.py'/>" + SHOW.format("$(var robot)")
+    launch = Workspace(tmp_path, body, {"a.launch.py": EMPTY}).launch()
+    assert isinstance(launch.refused, UndeclaredArg)
+    assert launch.complete
+
+
 def test_the_output_of_a_command_is_not_known(tmp_path: Path) -> None:
     body = "<node pkg='pk' exec='e' name='n' if=\"$(command 'true')\"><param name='v' value=\"$(command 'rm -r $(env HOME)')\"/></node>"
     launch = loaded(Workspace(tmp_path, body).launch())
