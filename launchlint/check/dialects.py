@@ -31,10 +31,10 @@ def sort_out(requests: Sequence[EntryRequest], named: Collection[str], session: 
     python: dict[str, None] = {}
     other: dict[str, str] = {}
     for request in requests:
-        if is_in_python(request.at):
+        if is_in_python(request.at) and session.in_python(request.at) is None:
             python[session.shown(request.at)] = None
             continue
-        data = None if os.path.abspath(request.at) in named else session.read(request.file).data
+        data = None if os.path.abspath(request.at) in named or is_in_python(request.at) else session.read(request.file).data
         root = None if data is None else other_root(data)
         if root is not None:
             other[session.shown(request.at)] = root

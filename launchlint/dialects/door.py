@@ -34,7 +34,7 @@ def dialect_of(session: Session, file: str) -> Dialect:
 
 
 def _told(session: Session, file: str) -> DialectName:
-    if file.endswith(_YAML_ENDS):
+    if file.endswith((*_YAML_ENDS, ".py")):
         return ROS2
     data = session.read(file).data
     expected = _expected(session, file)

@@ -68,6 +68,8 @@ class Session:
         self.environment = environment
         self.root = os.getcwd() if root is None else root
         self.asked_distro = distro
+        self.reads_python = False
+        self._in_python: dict[str, Reading | str] = {}
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
         self.variants: dict[Any, Block] = {}
@@ -174,7 +176,7 @@ class Session:
         """Read ``file`` of ROS 2, in XML or YAML, once; the failed :class:`Read` where it cannot be read."""
         absolute = os.path.abspath(file) if file else ""
         self.touched.add(absolute)
-        known = self._readings.get(absolute)
+        known = self._readings.get(absolute) or self.in_python(file)
         if known is None:
             from launchlint.syntax.ros2.reading import read
 
@@ -182,6 +184,37 @@ class Session:
             known = content if content.data is None else read(content.data, self.shown(file), file, self.distro)
             self._readings[absolute] = known
         return known
+
+    def in_python(self, file: str) -> Reading | None:
+        """A launch file of ROS 2 that is a program, where all it describes can be told without running it, and where that is asked for."""
+        if not file.endswith(".py") or not self.reads_python:
+            return None
+        absolute = os.path.abspath(file)
+        if absolute not in self._in_python:
+            self._in_python[absolute] = self._understood(absolute)
+        known = self._in_python[absolute]
+        return None if isinstance(known, str) else known
+
+    def not_understood(self, file: str) -> str:
+        """Why what a launch file in Python describes cannot be told; empty where it can, or nobody has asked for it."""
+        known = self._in_python.get(os.path.abspath(file))
+        return known if isinstance(known, str) else ""
+
+    def _understood(self, file: str) -> Reading | str:
+        """What a launch file in Python describes, or why that cannot be told."""
+        from launchlint.syntax.ros2.python.reading import read
+        from launchlint.syntax.ros2.python.recogniser import Outside
+        from launchlint.syntax.ros2.python.texts import NotUnderstood
+
+        content = self.read(file)
+        if content.data is None:
+            return content.reason
+        package = self.packages.package_of(file)
+        outside = Outside(self.distro, lambda name: self.packages.colcon.find(name, file) is not None, self.environment)
+        try:
+            return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
+        except NotUnderstood as reason:
+            return reason.reason
 
     def find_package(self, name: str, near: str) -> str | None:
         """Directory of package ``name`` as seen from the entry file ``near``; None where it is not here."""

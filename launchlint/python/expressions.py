@@ -287,7 +287,7 @@ class Expressions(Memory):
                 complete = complete and isinstance(inner, Seq) and inner.complete
             else:
                 items.append(self.evaluate(each, scope))
-        return Seq(items, complete)
+        return Seq(items, complete, isinstance(node, ast.Tuple))
 
     def _mapping(self, node: ast.Dict, scope: Scope) -> Value:
         entries: dict[Value, Value] = {}

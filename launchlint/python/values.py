@@ -88,11 +88,15 @@ MISSING = Missing()
 
 
 class Seq:
-    """A list, tuple or set. Its content is in a mapping, so that changing it can be taken back: its items and whether they are all."""
+    """A list, tuple or set. Its content is in a mapping, so that changing it can be taken back: its items and whether they are all.
 
-    __slots__ = ("content",)
+    ``is_tuple``: it is known to be a tuple.
+    """
 
-    def __init__(self, items: list[Value], complete: bool = True) -> None:
+    __slots__ = ("content", "is_tuple")
+
+    def __init__(self, items: list[Value], complete: bool = True, is_tuple: bool = False) -> None:
+        self.is_tuple = is_tuple
         self.content: dict[Any, Any] = {ITEMS: items[:MOST_ITEMS], COMPLETE: complete and len(items) <= MOST_ITEMS}
 
     @property

@@ -113,9 +113,25 @@ def test_model_of_both_dialects(repository: Path) -> None:
 
 def test_launch_files_in_python_are_left_out_with_one_notice(repository: Path) -> None:
     write(repository, {"two.launch.py": "def generate_launch_description(): ...\n"})
-    notice = "launchlint: left out the launch file two.launch.py: of ROS 2, those in XML and YAML are read, and none in Python\n"
+    notice = (
+        "launchlint: left out the launch file two.launch.py: what it does cannot be told without running it"
+        " (generate_launch_description gives what is not known to be a LaunchDescription)\n"
+    )
     assert run(repository, "model", "--format", "jsonl", ".").errors == notice
     assert run(repository, "model", "two.launch.py") == (0, "", notice)
+
+
+def test_model_of_a_launch_file_in_python(repository: Path) -> None:
+    text = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+        "def generate_launch_description():\n    return LaunchDescription([Node(package='demo', executable='b', name='n')])\n"
+    )
+    write(repository, {"two.launch.py": text})
+    ran = run(repository, "model", "--format", "jsonl", "two.launch.py")
+    assert ran.errors == ""
+    told = json.loads(ran.output)
+    assert (told["verdict"], told["complete"], [each["name"] for each in told["nodes"]]) == ("ok", True, ["n"])
+    assert "left out the launch file two.launch.py" in run(repository, "check", "two.launch.py").errors
 
 
 def test_rules_lists_all_of_them(repository: Path) -> None:

@@ -15,7 +15,7 @@ from launchlint.evaluate.ros2.typed import TypeFault, by_yaml_rules, convert, is
 from launchlint.model import Unknown
 from launchlint.rcl.table import ANY
 from launchlint.source import Source
-from launchlint.syntax.ros2.description import Parameter, ParameterFile, Substitution, Text
+from launchlint.syntax.ros2.description import Parameter, ParameterFile, Parameters, Substitution, Text
 from launchlint.yaml.refusals import YamlError
 from launchlint.yaml.tree import YamlBeyond
 
@@ -191,13 +191,14 @@ def parameter_file(source: ParameterFile, asks: Performs, must_exist: bool = Fal
     return Passed(origin, content=content, text=text, of=file)
 
 
-def values(source: Parameter, asks: Performs, texts: list[TextValue] | None = None) -> dict[str, Any]:
-    """What one ``<param>`` sets, those in it joined by points; what is not known is Unknown. Raises where launch stops.
+def values(source: Parameter | Parameters, asks: Performs, texts: list[TextValue] | None = None) -> dict[str, Any]:
+    """What one ``<param>`` or dict sets, those in it joined by points; what is not known is Unknown. Raises where launch stops.
 
     ``texts`` is filled with the values that are texts.
     """
     found: dict[str, Any] = {}
-    _collect(source, "", found, [] if texts is None else texts, asks)
+    for each in source.entries if isinstance(source, Parameters) else (source,):
+        _collect(each, "", found, [] if texts is None else texts, asks)
     return found
 
 
@@ -226,7 +227,7 @@ def _read(file: str, asks: Performs) -> Read | None:
     return asks.session.read(file) if posixpath.isabs(file) else None
 
 
-def _content(source: Parameter, full_name: str | Unknown | None, asks: Performs) -> Passed:
+def _content(source: Parameter | Parameters, full_name: str | Unknown | None, asks: Performs) -> Passed:
     texts: list[TextValue] = []
     found = values(source, asks, texts)
     unknown = isinstance(full_name, Unknown) or any(isinstance(each, Unknown) for each in found.values())

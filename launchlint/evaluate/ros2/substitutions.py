@@ -14,7 +14,7 @@ from launchlint.evaluate.problems import EnvUnset, PackageNotFound, UndeclaredAr
 from launchlint.evaluate.ros2.comparing import note_equals, note_expression
 from launchlint.evaluate.ros2.context import Setting, Value
 from launchlint.evaluate.ros2.parameters import GlobalParameter
-from launchlint.evaluate.ros2.performing import Failure, Perform, Performer
+from launchlint.evaluate.ros2.performing import SHARE, Failure, Perform, Performer
 from launchlint.evaluate.ros2.problems import CommandOption, InvalidPackageName, NoDirectory, NotABoolean, ParameterNotSet
 from launchlint.late import late
 from launchlint.model import Unknown
@@ -265,6 +265,19 @@ def _content(performer: Performer, substitution: Substitution) -> Value:
     return re.sub("\r\n?", "\n", read.data.decode("utf-8", "replace"))
 
 
+def _path(performer: Performer, substitution: Substitution) -> Value:
+    """Parts joined as by os.path.join (launch.substitutions.PathJoinSubstitution)."""
+    parts = [performer.perform(each) for each in substitution.arguments]
+    unknown = next((each for each in parts if isinstance(each, Unknown)), None)
+    if unknown is not None:
+        return Unknown(substitution.place.text, unknown.reason)
+    whole = os.path.join("", *(each for each in parts if isinstance(each, str)))
+    performer.spend(len(whole), substitution.place)
+    pieces = substitution.arguments[0].pieces if substitution.arguments else ()
+    starts_in_package = bool(pieces) and isinstance(pieces[0], Substitution) and pieces[0].name == SHARE
+    return performer.session.placed(whole) if starts_in_package else whole
+
+
 def _eval(performer: Performer, substitution: Substitution) -> Value:
     from launchlint.evaluate.ros2.evaluating import evaluate
 
@@ -302,5 +315,6 @@ PERFORM: dict[str, Perform] = {
         "param": _parameter,
         "file-content": _content,
         "eval": _eval,
+        "path-join": _path,
     }.items()
 }

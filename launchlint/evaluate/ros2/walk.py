@@ -159,7 +159,8 @@ class Walk:
     def description_of(self, file: str) -> described.Description | None:
         """What a file describes, None where launch cannot load it."""
         if file.endswith(PYTHON):
-            return None
+            program = self.session.in_python(file)
+            return None if program is None else program.description
         known = self.session.reading(file)
         return None if isinstance(known, Read) or known.refusal is not None else known.description
 

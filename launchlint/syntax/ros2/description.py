@@ -98,7 +98,14 @@ class ParameterFile(NamedTuple):
     place: Place
 
 
-ParameterSource: TypeAlias = "Parameter | ParameterFile"
+class Parameters(NamedTuple):
+    """A dict of params (Python only): launch writes one file of them, whatever their number."""
+
+    entries: tuple[Parameter, ...]
+    place: Place
+
+
+ParameterSource: TypeAlias = "Parameter | Parameters | ParameterFile"
 
 
 class Argument(NamedTuple):

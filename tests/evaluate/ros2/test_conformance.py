@@ -89,3 +89,34 @@ def test_the_model_is_that_of_launch(oracle: Path, cases: Path, comparison: Modu
             different.append(f"{case}: declared or deferred")
     assert count > 700
     assert not different
+
+
+def test_the_model_of_python_is_that_of_launch_or_none(oracle: Path, cases: Path, comparison: ModuleType) -> None:
+    """Either a file in Python is understood, and then all of it as launch does, or it is said that it is not."""
+    different: list[str] = []
+    understood = 0
+    root = str(cases)
+    with lzma.open(oracle / "cases.jazzy.jsonl.xz", "rt", encoding="utf-8") as lines:
+        recorded = [answer for answer in map(json.loads, lines) if answer["file"].endswith(".py")]
+    for answer in recorded:
+        case = answer["file"].split("/")[0]
+        variables = {**comparison.ENV, "ROS_DISTRO": "jazzy"}
+        session = Session(Packages([str(cases / case)], variables, explicit=True), variables, root)
+        session.reads_python = True
+        if session.in_python(str(cases / answer["file"])) is None:
+            continue
+        understood += 1
+        launch = evaluate(session, str(cases / answer["file"]), tuple((answer.get("given_args") or {}).items())).launch
+        error = None if launch.refused is None else ("", launch.refused.kind)
+        ours = json.loads(json.dumps(as_object(launch, answer["file"], error)))
+        if ours["verdict"] != answer["verdict"]:
+            different.append(f"{case}: launch {answer['verdict']}, here {ours['error']}")
+        if answer["verdict"] != "ok" or launch.refused is not None:
+            continue
+        for part in ("nodes", "includes", "executables", "args"):
+            keys = comparison.LISTS.get(part) or sum(comparison.GROUPS.values(), ())
+            theirs, mine = ([comparison.item(each, keys, root, "jazzy") for each in side.get(part) or []] for side in (answer, ours))
+            if comparison.compare(theirs, mine) != "equal":
+                different.append(f"{case}: {part}: {comparison.first_difference(theirs, mine)}")
+    assert understood >= 60
+    assert not different

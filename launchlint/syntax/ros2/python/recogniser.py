@@ -1,0 +1,204 @@
+"""What launch files in Python find outside of them: launch and launch_ros, the package index, paths and the environment."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Callable, Mapping, Sequence
+
+from launchlint.python import builtins, standard
+from launchlint.python.call import Call
+from launchlint.python.interpreter import Interpreter
+from launchlint.python.values import COMPLETE, ITEMS, MISSING, MORE, UNKNOWN, External, Handle, Instance, Map, Scope, Seq, Value
+from launchlint.python.values import Text as Open
+from launchlint.source import Place
+from launchlint.syntax.ros2.python.tables import Signature, is_of_launch, signature
+from launchlint.syntax.ros2.python.texts import NotUnderstood, share
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    import ast
+
+_OUTSIDE = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
+_SHARE = ("ament_index_python.packages.get_package_share_directory", "ament_index_python.get_package_share_directory")
+_PREFIX = ("ament_index_python.packages.get_package_prefix", "ament_index_python.get_package_prefix")
+_HARMLESS = ("logging.", "os.path.", "os.getcwd", "math.", "time.", "datetime.", "platform.", "sys.")
+"""What changes nothing, and needs nothing that may not be there."""
+_COPIES = ("copy.copy", "copy.deepcopy", "collections.OrderedDict")
+_MADE_LATER = ("GroupAction",)
+"""Classes that keep the list they are given, so that it can be changed afterwards; the others make a copy."""
+_DEEPEST = 20
+
+
+class Outside:
+    """What is asked of whoever reads launch files: is there a package (by its name), and what the environment holds."""
+
+    def __init__(self, distro: str, has_package: Callable[[str], bool], environment: Mapping[str, str]) -> None:
+        self.distro = distro
+        self.has_package = has_package
+        self.environment = environment
+
+
+class LaunchRecogniser:
+    """Recognises for one launch file (a :class:`~launchlint.python.recogniser.Recogniser`). All methods raise NotUnderstood."""
+
+    def __init__(self, run: Interpreter, outside: Outside, place: Callable[[ast.AST, Scope], Place]) -> None:
+        self._run = run
+        self._outside = outside
+        self._place = place
+        self.environment = Map(dict(outside.environment))
+
+    def call(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
+        """An object of launch, a directory, a path, or something that is not known."""
+        known = signature(name, self._outside.distro)
+        if known is not None:
+            return self._object(known, positional, keywords, self._place(node, scope))
+        place = self._place(node, scope)
+        if is_of_launch(name):
+            raise NotUnderstood(f"{name} is not known", place)
+        if name in _SHARE or name in _PREFIX:
+            return self._directory("share" if name in _SHARE else "prefix", positional, keywords, place)
+        if name.startswith("os.path."):
+            return _path(name[len("os.path.") :], positional)
+        if name == "os.getenv":
+            return builtins.method(self._run, self.attribute("os", "environ"), "get", positional, keywords)
+        if name in _COPIES and len(positional) == 1 and not keywords:
+            return snapshot(positional[0])
+        if name in _COPIES and not positional:
+            return Map(dict(keywords))
+        handler = standard.HANDLERS.get(name)
+        if handler is not None:
+            return handler(Call(self._run, name, positional, keywords, node, scope))
+        if name.startswith(_HARMLESS) and not any(_is_ours(each) for each in (*positional, *keywords.values())):
+            return UNKNOWN
+        raise NotUnderstood(f"{name} is not known", place)
+
+    def _object(self, known: Signature, positional: list[Value], keywords: dict[str, Value], place: Place) -> Handle:
+        if MORE in keywords or len(positional) > known.positional:
+            raise NotUnderstood(f"arguments of {known.name} that are not known, or too many", place)
+        given = {**dict(zip(known.arguments, positional, strict=False)), **keywords}
+        stray = given.keys() - set(known.arguments)
+        lacking = known.required - given.keys()
+        if stray or lacking or len(given) < len(positional) + len(keywords):
+            names = ", ".join(sorted(stray or lacking)) or "twice"
+            raise NotUnderstood(f"{known.name} is not made with these arguments: {names}", place)
+        kind = known.name.rpartition(".")[2]
+        if kind not in _MADE_LATER:
+            given = {key: snapshot(value) for key, value in given.items()}
+        if kind == "LaunchDescription" and not isinstance(given.get("initial_entities"), Seq):
+            if given.get("initial_entities") is not None:
+                raise NotUnderstood("a launch description of which the actions are not known", place)
+            given["initial_entities"] = Seq([])
+        return Handle(kind, {**given, "place": place})
+
+    def _directory(self, kind: str, positional: list[Value], keywords: dict[str, Value], place: Place) -> Value:
+        package = positional[0] if positional else keywords.get("package_name", UNKNOWN)
+        if not isinstance(package, str) or not self._outside.has_package(package):
+            raise NotUnderstood("a package that is not known, or not here", place)
+        return share(package, kind)
+
+    def attribute(self, name: str, member: str) -> Value:
+        """``os.environ`` and whatever else."""
+        if (name, member) == ("os", "environ"):
+            return self.environment
+        return standard.attribute(name, member)
+
+    def member(self, receiver: Handle, name: str) -> Value:
+        """All are methods, but the list of actions."""
+        if receiver.kind == "LaunchDescription" and name == "entities":
+            return receiver.state["initial_entities"]
+        return MISSING
+
+    def method(
+        self, receiver: Handle, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
+    ) -> Value:
+        """``ld.add_action(…)``; all others need a launch that runs."""
+        if receiver.kind == "LaunchDescription" and name in ("add_action", "add_entity") and len([*positional, *keywords]) == 1:
+            actions: Seq = receiver.state["initial_entities"]
+            added = positional[0] if positional else next(iter(keywords.values()))
+            self._run.store(actions.content, ITEMS, [*actions.items, added])
+            self._run.store(actions.content, COMPLETE, actions.complete and len(actions.items) < 250)
+            return None
+        raise NotUnderstood(f"{name}() of {receiver.kind}", self._place(node, scope))
+
+    def inherited(
+        self, base: str, instance: Instance, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
+    ) -> None:
+        """Classes of launch are not extended by what is read here."""
+        raise NotUnderstood(f"a class that is made of {base}", self._place(node, scope))
+
+    def inherited_method(
+        self, name: str, instance: Value, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
+    ) -> Value:
+        """As above."""
+        raise NotUnderstood(f"a class that is made of {name}", self._place(node, scope))
+
+    def text_method(self, spelled: str, name: str, positional: Sequence[Value]) -> Value:
+        """Nothing more is known of a directory than its name."""
+        return MISSING
+
+    def stays_outside(self, name: str) -> bool:
+        """Launch itself and the package index."""
+        return name.partition(".")[0] in _OUTSIDE
+
+    def is_generated(self, name: str) -> bool:
+        """Launch files use no messages."""
+        return False
+
+    def is_harmless(self, spelled: str) -> bool:
+        """A module by a name that is not known may hold anything."""
+        return False
+
+    def from_stars(self, name: str, stars: list[str]) -> Value:
+        """What all classes of a module of launch brings; otherwise it may be of any of them."""
+        for star in stars:
+            if signature(f"{star}.{name}", self._outside.distro) is not None:
+                return External(f"{star}.{name}")
+        return UNKNOWN
+
+    def is_silent(self, name: str) -> bool:
+        """What is not recognised is not known."""
+        return False
+
+    def is_open(self, name: str) -> bool:
+        """Nothing is known of classes outside."""
+        return name != "builtins.object"
+
+    def matters(self, name: str) -> bool:
+        """Whoever is given a class of launch may make actions."""
+        return is_of_launch(name)
+
+    def mattering(self, name: str) -> list[str]:
+        """Not told one by one."""
+        return []
+
+
+def snapshot(value: Value, depth: int = 0) -> Value:
+    """A value as it is now: lists and dicts that are changed later do not change it."""
+    if depth > _DEEPEST:
+        raise NotUnderstood("lists in lists without end")
+    if isinstance(value, Seq):
+        return Seq([snapshot(each, depth + 1) for each in value.items], value.complete, value.is_tuple)
+    if isinstance(value, Map):
+        return Map({key: snapshot(each, depth + 1) for key, each in value.entries.items()}, value.complete)
+    return value
+
+
+def _is_ours(value: Value) -> bool:
+    return isinstance(value, Handle) and "place" in value.state
+
+
+def _path(name: str, positional: list[Value]) -> Value:
+    """Functions of os.path that look at nothing."""
+    first = positional[0] if positional else UNKNOWN
+    if name in ("abspath", "realpath", "normpath") and isinstance(first, str) and first.startswith("/"):
+        return posixpath.normpath(first)
+    if isinstance(first, Open) and "/" in first.template.rpartition("}")[2] and name in ("basename", "dirname"):
+        head, _, tail = first.template.rpartition("/")
+        return tail if name == "basename" else Open(head)
+    if isinstance(first, (str, Open)) and name == "splitext":
+        spelled = first if isinstance(first, str) else first.template
+        root, end = posixpath.splitext(spelled)
+        if "}" in end:
+            return UNKNOWN
+        return Seq([root if isinstance(first, str) else Open(root), end])
+    return builtins.path_function(name, positional) if name in ("join", "basename", "dirname", "normpath") else UNKNOWN
