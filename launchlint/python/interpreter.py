@@ -41,6 +41,10 @@ class Interpreter(Statements):
         self.modules[os.path.realpath(path)] = main
         return main
 
+    def leave(self) -> None:
+        """Let go of the recogniser when all is followed: each of the two holds the other, and only a search would find them then."""
+        del self.recogniser
+
     def import_module(self, name: str, level: int, node: ast.stmt, scope: Scope) -> Value:
         """A module by its name as an import statement says it."""
         if level == 0 and self.recogniser.stays_outside(name):

@@ -56,6 +56,7 @@ def python_program(path: str, root: str, package: str, finder: PackageModules) -
     try:
         run.follow(path)
     finally:
+        run.leave()
         if collecting:
             gc.enable()
     facts = tuple(dict.fromkeys(_hashable(_as_node(fact, run.starts)) for fact in run.facts))
@@ -77,6 +78,8 @@ def configuration_params(path: str, root: str) -> tuple[list[Fact], bool]:
         run.follow(path)
     except SourceError:
         return [], False
+    finally:
+        run.leave()
     return [fact for fact in run.facts if fact.category == "params"], not any(doubt.category == "params" for doubt in run.doubts)
 
 

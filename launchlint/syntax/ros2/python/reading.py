@@ -63,6 +63,8 @@ def read(data: bytes, path: str, file: str, outside: Outside, package: str = "")
             raise NotUnderstood("it changes the environment")
     except (Ended, Exhausted, RecursionError, SourceError):
         raise NotUnderstood("it ends with an error, or is too much to be followed") from None
+    finally:
+        run.leave()
     if not isinstance(made, Handle) or made.kind != "LaunchDescription":
         raise NotUnderstood(f"{ENTRY} gives what is not known to be a LaunchDescription")
     everything = Place(source, Span(0, 0))
