@@ -16,7 +16,8 @@ from launchlint.workspace.ros2_distributions import distribution
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from collections.abc import Callable
+    from typing import Any, TypeVar
 
     from launchlint.evaluate.block import Block, Effect
     from launchlint.evaluate.ros1.arg_uses import ArgUses
@@ -24,6 +25,9 @@ if TYPE_CHECKING:
     from launchlint.model import Argument
     from launchlint.syntax.ros2.reading import Reading
     from launchlint.syntax.tree import Attribute, Document, Element
+
+    Given = TypeVar("Given")
+    Made = TypeVar("Made")
 
 LARGEST_FILE = 64 * 1024 * 1024
 """Files of more bytes than this are not read: it bounds memory on hostile input."""
@@ -86,6 +90,7 @@ class Session:
         self._reads: dict[str, Read] = {}
         self._documents: dict[str, Document | Read] = {}
         self._readings: dict[str, Reading | Read] = {}
+        self._made: dict[int, tuple[object, Any]] = {}
 
     def with_text(self, file: str, data: bytes) -> Session:
         """A session in which ``file`` holds ``data``; what has been read of other files is shared, evaluated blocks are not."""
@@ -215,6 +220,14 @@ class Session:
             return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
         except NotUnderstood as reason:
             return reason.reason
+
+    def once(self, of: Given, work: Callable[[Given], Made]) -> Made:
+        """What ``work`` makes of something that was read, and is kept for all evaluations; of one thing, always the same work."""
+        known = self._made.get(id(of))
+        if known is None:
+            known = self._made[id(of)] = (of, work(of))
+        made: Made = known[1]
+        return made
 
     def find_package(self, name: str, near: str) -> str | None:
         """Directory of package ``name`` as seen from the entry file ``near``; None where it is not here."""

@@ -104,7 +104,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL203", "arg-redeclared", "args.arg_redeclared", ERROR, on=(evaluate.ArgRedeclared,)),
     Entry("LL204", "arg-value-and-default", "args.arg_value_and_default", ERROR, on=(syntax.ArgValueAndDefault,)),
     Entry("LL205", "arg-cycle", "args.arg_cycle", ERROR, on=(evaluate.UsedBeforeDeclaration,)),
-    Entry("LL206", "unused-arg", "args.unused_arg", WARNING, view="file"),
+    Entry("LL206", "unused-arg", "args.unused_arg", WARNING, view="file", dialects=BOTH, ros2=("ArgUnused",)),
     Entry(
         "LL207",
         "bad-substitution",
@@ -256,6 +256,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL908", "set-parameter-list", "ros2.set_parameter_list", ERROR, dialects=(ROS2,), ros2=("ListBecomesText",)),
     Entry("LL909", "set-parameter-empty", "ros2.set_parameter_empty", ERROR, dialects=(ROS2,), ros2=("SetParameterDies",)),
     Entry("LL912", "required-arg-not-passed", "includes.required_arg_not_passed", ERROR, dialects=(ROS2,), ros2=("RequiredArgNotPassed",)),
+    Entry("LL913", "passed-but-not-declared", "includes.passed_but_not_declared", WARNING, dialects=(ROS2,), ros2=("PassedForNothing",)),
     Entry("LL933", "yaml-wants-text", "ros2.yaml_wants_text", ERROR, dialects=(ROS2,), ros2=("WantsText", "WantsFraction")),
     Entry("LL934", "not-in-this-distro", "ros2.not_in_this_distro", ERROR, dialects=(ROS2,), ros2=("NotInDistribution",)),
     Entry("LL935", "broken-in-frontend", "ros2.broken_in_frontend", ERROR, dialects=(ROS2,), ros2=("BrokenInFrontend", "NeverWorks")),

@@ -6,6 +6,7 @@ import os
 
 from launchlint.evaluate.problems import IncludeCycle, IncludeMissingArg, IncludeNotFound, RequiredArgUnset
 from launchlint.evaluate.ros2.context import Setting
+from launchlint.evaluate.ros2.passing import Entered
 from launchlint.evaluate.ros2.problems import RequiredArgNotPassed
 from launchlint.evaluate.ros2.python_files import describes_nothing
 from launchlint.evaluate.ros2.setting_actions import configure
@@ -35,8 +36,10 @@ def include(walk: Walk, action: described.Include) -> None:
         file if isinstance(file, str) else file.text, None, below, {}, False, origin, walk.here.scope, walk.here.conditions,
         pushed if isinstance(pushed, str) or pushed is None else pushed.text, walk.here.deferred,
     )  # fmt: skip
+    way = (*walk.here.way, id(action))
     if isinstance(file, Unknown):
         walk.includes.append(entry)
+        walk.entered.append(Entered(way, walk.here.step, None, (), ""))
         _pass(walk, action)
         _unread(walk)
         return
@@ -49,6 +52,7 @@ def include(walk: Walk, action: described.Include) -> None:
                             reason=known.reason, environment=outside)
         )  # fmt: skip
         walk.includes.append(entry)
+        walk.entered.append(Entered(way, walk.here.step, None, (), ""))
         _pass(walk, action)
         _unread(walk)
         return
@@ -58,18 +62,22 @@ def include(walk: Walk, action: described.Include) -> None:
     step = IncludeStep(action.place, outer.step)
     if known is None:  # Python: what it starts is not looked into
         walk.files.append(file)
+        walk.entered.append(Entered(way, step, None, (), ""))
         walk.includes.append(entry._replace(arguments=_pass(walk, action)))
         if not describes_nothing(walk.session.read(file).data or b""):
             _unread(walk)
         return
     _tell_refusals(walk, known, step)
-    names = [name for name in (walk.value(pair.name) for pair in action.arguments) if isinstance(name, str)]
+    named = [(name, pair.place) for pair in action.arguments if isinstance(name := walk.value(pair.name), str)]
+    names = [name for name, _ in named]
     told = _missing(walk, known.description, names, action)
     at = len(walk.includes)
     walk.includes.append(entry)
     walk.includes[at] = entry._replace(source=known.source, arguments=_pass(walk, action))
     scope = Scope("include", origin, below, outer.scope)
-    way = (*outer.way, id(action))
+    walk.entered.append(
+        Entered(way, step, _names_in(known, file), tuple((name, walk.at(place)) for name, place in named), known.source.path)
+    )
     walk.executed[way] = known.description
     walk.here = Here(
         file, step, (*outer.files, context.file), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way
@@ -95,7 +103,13 @@ def enter(walk: Walk, file: str, known: Reading, given: Mapping[str, str]) -> No
         steer = frozenset() if name in walk.pinned else frozenset((name,))
         context.configurations[name] = Setting(value, None, "given", steer, same=name)
     walk.here = Here(file, None, (context.file,), told=told)
+    walk.entered.append(Entered((), None, _names_in(known, file), (), known.source.path))
     _run(walk, known, file)
+
+
+def _names_in(known: Reading, file: str) -> Description | None:
+    """Where all that the file can read is written: a program may read anything, and so may what launch refuses."""
+    return None if file.endswith(PYTHON) or known.refusal is not None else known.description
 
 
 def _run(walk: Walk, known: Reading, file: str) -> None:

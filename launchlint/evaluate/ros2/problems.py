@@ -85,3 +85,26 @@ class UnsplittablePrefix(Problem):
     """A ``launch-prefix`` with a quote that nothing closes."""
 
     value: str
+
+
+class PassedForNothing(Problem):
+    """An arg that is passed to the included ``file``, and that nothing executed from there on reads.
+
+    ``known`` are those declared there and in what it includes. Not ``certain``: what comes after the include is not all known.
+    """
+
+    name: str
+    file: str
+    known: tuple[str, ...]
+    certain: bool
+
+
+class ArgUnused(Problem):
+    """A declared arg that neither its file reads nor anything that is executed after it; ``description`` is its own.
+
+    ``alone``: the file holds nothing but args.
+    """
+
+    name: str
+    description: str
+    alone: bool

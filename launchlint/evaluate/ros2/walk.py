@@ -25,6 +25,7 @@ from launchlint.syntax.ros2.description import Action, Text
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.evaluate.ros2.judged_keys import Receiver
+    from launchlint.evaluate.ros2.passing import Entered
     from launchlint.evaluate.session import Session
     from launchlint.syntax.ros2.reading import Reading
 
@@ -147,6 +148,7 @@ class Walk:
         self.executed: dict[tuple[int, ...], described.Description] = {}
         self.complete = True
         self.receivers: list[Receiver] = []
+        self.entered: list[Entered] = []
         self._recorded: set[tuple[object, ...]] = set()
         self.waiting: list[Body] = []
 

@@ -13,6 +13,10 @@ a `.test`; where the file holds nothing but args, to keep the place of one that 
 and where the package is a copy of a public one among packages of other people. All args of one file that are never read are told as one,
 and so are those of the same names in several files, which mostly were copied from each other.
 
+In ROS 2 an arg is seen by all that is executed after it, passed on or not. There it is told of only where neither its file reads it
+(`$(var …)`) nor any file that is included by it or executed later; not where one of these is in Python or not
+here, or hangs on a condition that does not hold, or is a parameter file with substitutions.
+
 ## Why it matters
 
 Giving the arg a value, on the command line or in an `<include>`, has no effect, and nobody says so. Often a misspelt name is
@@ -50,17 +54,20 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from launchlint.evaluate.ros2.problems import ArgUnused
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.rules.edits import fix, remove_element, spot
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import FileView
+from launchlint.rules.view import FileView, of_ros2
+from launchlint.source import Origin, Place, Span
 from launchlint.spelling import closest, distance, folded
 from launchlint.syntax.ros1.substitutions import expression_in
 from launchlint.syntax.tree import Comment, Document, Element
 
+_LONGEST_DECLARATION = 2_000
 NO_EFFECT = "a value that is given for it has no effect"
 NO_DEFAULT = "{} has no default; roslaunch asks for it only where it is read, so that the file starts without it"
 NOTHING_ELSE = "the file holds nothing but args: it keeps a place, and takes what it may be given one day"
@@ -88,6 +95,8 @@ ON_PURPOSE = late(
 
 def check(view: FileView) -> Iterator[Finding]:
     """Every arg that the text of this file declares and never reads; silent where the names that are read cannot be told."""
+    if of_ros2(view):
+        return
     document = view.document
     declared: dict[str, list[Element]] = {}
     for element in document.elements:
@@ -136,6 +145,31 @@ def check(view: FileView) -> Iterator[Finding]:
         )
 
 
+def tell(problem: ArgUnused, view: object) -> Iterator[Finding]:
+    """The same in ROS 2, where it takes a whole launch to tell: an arg is seen by all files that are executed after its own."""
+    if ON_PURPOSE.search(problem.description):
+        return
+    name, place = problem.name, problem.place
+    idle = NOTHING_ELSE if problem.alone else "only a comment reads it" if f"$(var {name})" in place.source.text else ""
+    yield RULE.at(
+        Origin(_written(place, name), problem.origin.step),
+        f"the arg {name} is never read",
+        severity=Severity.INFO if idle else None,
+        label="unused",
+        notes=(idle or NO_EFFECT,),
+        help=f"remove it here and in the includes that pass it, or use it as $(var {name})",
+        topic=name,
+        cause=f"{place.source.path} {idle}",
+    )
+
+
+def _written(place: Place, name: str) -> Place:
+    """Where in the declaration the name stands: in YAML the place is the key only."""
+    text, start = place.source.text, place.span.start
+    at = text.find(name, text.find("name", start, start + _LONGEST_DECLARATION) + 4, start + _LONGEST_DECLARATION)
+    return place if at < 0 else Place(place.source, Span(at, at + len(name)))
+
+
 def together(findings: Sequence[Finding]) -> Finding:
     """The args of one cause, by their names."""
     result = joined(findings)
@@ -144,10 +178,11 @@ def together(findings: Sequence[Finding]) -> Finding:
         return result
     more = f" and {len(names) - 4} more" if len(names) > 4 else ""
     bare = sorted({name_of(finding) for finding in findings if lacks_default(finding)})
+    written = "$(var …)" if "$(var " in result.help else "$(arg …)"
     return result._replace(
         message=f"{len(names)} args are never read: {', '.join(names[:4])}{more}",
         notes=(*result.notes[:1], *([_without_default(bare)] if bare else [])),
-        help="remove them here and in the includes that pass them, or use them as $(arg …)",
+        help=f"remove them here and in the includes that pass them, or use them as {written}",
     )
 
 
@@ -167,7 +202,7 @@ def lacks_default(finding: Finding) -> bool:
 
 def name_of(finding: Finding) -> str:
     """The arg that a finding of this rule is about: it stands at the name."""
-    return finding.element
+    return finding.topic or finding.element
 
 
 def _why_idle(name: str, elements: list[Element], in_comments: set[str]) -> str:

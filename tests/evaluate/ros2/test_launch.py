@@ -177,13 +177,16 @@ def test_the_walk_goes_on_and_an_unknown_value_is_no_second_problem(tmp_path: Pa
 
 def test_an_arg_that_is_set_and_not_passed(tmp_path: Path) -> None:
     body = "<let name='r' value='1'/><include file='$(dirname)/inc.launch.xml'/><include file='$(dirname)/inc.launch.xml'/>"
-    launch = Workspace(tmp_path, body, {"inc.launch.xml": "<group><arg name='r'/></group>"}).launch()
+    launch = Workspace(tmp_path, body, {"inc.launch.xml": "<group><arg name='r'/><log message='$(var r)'/></group>"}).launch()
     assert [type(problem) for problem in launch.problems] == [RequiredArgNotPassed, RequiredArgNotPassed]
     assert refusal(launch) == "required-arg-not-passed main.launch.xml:1"
 
 
 def test_an_arg_that_is_neither_is_told_once(tmp_path: Path) -> None:
-    others = {"middle.launch.xml": "<include file='$(find-pkg-share pk)/launch/inc.launch.xml'/>", "inc.launch.xml": "<arg name='r'/>"}
+    others = {
+        "middle.launch.xml": "<include file='$(find-pkg-share pk)/launch/inc.launch.xml'/>",
+        "inc.launch.xml": "<arg name='r'/><log message='$(var r)'/>",
+    }
     launch = Workspace(tmp_path, "<include file='$(dirname)/middle.launch.xml'/>", others).launch()
     assert [type(problem) for problem in launch.problems] == [IncludeMissingArg]
     assert refusal(launch) == "include-missing-arg main.launch.xml:1"
@@ -196,7 +199,7 @@ def test_a_condition_protects_from_the_look_in_advance(tmp_path: Path) -> None:
 
 
 def test_required_args_of_the_entry_file_are_all_told(tmp_path: Path) -> None:
-    launch = Workspace(tmp_path, "<arg name='a'/><arg name='b'/>" + SHOW.format("$(var a)")).launch()
+    launch = Workspace(tmp_path, "<arg name='a'/><arg name='b'/>" + SHOW.format("$(var a) $(var b)")).launch()
     assert [problem.name for problem in launch.problems if isinstance(problem, RequiredArgUnset)] == ["a", "b"]
     assert len(launch.problems) == 2
 

@@ -1,0 +1,87 @@
+"""Which launch configurations a ROS 2 launch file can read, as it is written: whatever its conditions say."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from launchlint.source import Place
+from launchlint.syntax.ros2 import description as described
+from launchlint.syntax.ros2.description import Description, Substitution
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+LATER = 1 << 60
+"""An offset behind everything: what is executed when the rest of the launch has been."""
+OF_LAUNCH = frozenset(
+    (
+        "emulate_tty",
+        "launch-prefix",
+        "launch-prefix-filter",
+        "sigterm_timeout",
+        "sigkill_timeout",
+        "ros_namespace",
+        "ros_remaps",
+        "global_params",
+    )
+)
+"""Those that launch and launch_ros read themselves, whoever sets them."""
+_OPEN = ("file-content",)
+
+
+class Names(NamedTuple):
+    """The configurations of one file, each with the last offset at which it is read (``read``) or declared as an arg (``declared``).
+
+    ``open``: it may read others, too. ``arguments`` and ``includes`` are all of them, wherever they stand;
+    ``alone``: there is nothing else.
+    """
+
+    read: Mapping[str, int]
+    declared: Mapping[str, int]
+    arguments: tuple[described.Argument, ...]
+    includes: tuple[described.Include, ...]
+    open: bool
+    alone: bool
+
+    def last(self, name: str) -> int:
+        """The last offset at which the file reads or declares ``name``, -1 where it does not."""
+        return max(self.read.get(name, -1), self.declared.get(name, -1))
+
+
+def names_of(description: Description) -> Names:
+    """What a file reads (``$(var …)``), declares and includes."""
+    read: dict[str, int] = {}
+    declared: dict[str, int] = {}
+    arguments: list[described.Argument] = []
+    includes: list[described.Include] = []
+    is_open = False
+    waiting: list[tuple[Any, bool]] = [(description.actions, False)]
+    while waiting:
+        each, later = waiting.pop()
+        if isinstance(each, Place) or not isinstance(each, tuple):
+            continue
+        if isinstance(each, Substitution):
+            name = each.arguments[0].literal if each.arguments else None
+            if each.name == "var" and name is not None:
+                at = LATER if later else each.place.span.start
+                read[name] = max(read.get(name, -1), at)
+            is_open = is_open or each.name in _OPEN or (each.name == "var" and name is None)
+        elif isinstance(each, described.Argument):
+            declared[each.name] = max(declared.get(each.name, -1), LATER if later else each.place.span.start)
+            arguments.append(each)
+        elif isinstance(each, described.Include):
+            includes.append(each)
+        elif isinstance(each, described.ParameterFile):
+            is_open = is_open or each.allow_substs is not False
+        later = later or isinstance(each, described.Timer)
+        waiting.extend((part, later) for part in each)
+    return Names(
+        read,
+        declared,
+        tuple(arguments),
+        tuple(includes),
+        is_open,
+        all(isinstance(each, described.Argument) for each in description.actions),
+    )
