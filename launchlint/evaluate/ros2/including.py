@@ -76,7 +76,14 @@ def include(walk: Walk, action: described.Include) -> None:
     walk.includes[at] = entry._replace(source=known.source, arguments=_pass(walk, action))
     scope = Scope("include", origin, below, outer.scope)
     walk.entered.append(
-        Entered(way, step, _names_in(known, file), tuple((name, walk.at(place)) for name, place in named), known.source.path)
+        Entered(
+            way,
+            step,
+            _names_in(known, file),
+            tuple((name, walk.at(place)) for name, place in named),
+            known.source.path,
+            known.refusal is not None,
+        )
     )
     walk.executed[way] = known.description
     walk.here = Here(
@@ -103,13 +110,13 @@ def enter(walk: Walk, file: str, known: Reading, given: Mapping[str, str]) -> No
         steer = frozenset() if name in walk.pinned else frozenset((name,))
         context.configurations[name] = Setting(value, None, "given", steer, same=name)
     walk.here = Here(file, None, (context.file,), told=told)
-    walk.entered.append(Entered((), None, _names_in(known, file), (), known.source.path))
+    walk.entered.append(Entered((), None, _names_in(known, file), (), known.source.path, known.refusal is not None))
     _run(walk, known, file)
 
 
 def _names_in(known: Reading, file: str) -> Description | None:
-    """Where all that the file can read is written: a program may read anything, and so may what launch refuses."""
-    return None if file.endswith(PYTHON) or known.refusal is not None else known.description
+    """Where all that the file can read is written; not so of a program."""
+    return None if file.endswith(PYTHON) else known.description
 
 
 def _run(walk: Walk, known: Reading, file: str) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from launchlint.late import late
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Description, Substitution
@@ -29,6 +30,8 @@ OF_LAUNCH = frozenset(
 )
 """Those that launch and launch_ros read themselves, whoever sets them."""
 _OPEN = ("file-content",)
+_READ = late(r"\$\(var ['\"]?([^\s()'\"$]+)")
+_INCLUDED = late(r"<include\b|(?<![\w-])include['\"]?\s*:")
 
 
 class Names(NamedTuple):
@@ -84,4 +87,13 @@ def names_of(description: Description) -> Names:
         tuple(includes),
         is_open,
         all(isinstance(each, described.Argument) for each in description.actions),
+    )
+
+
+def names_of_refused(description: Description) -> Names:
+    """The same for a file that launch refuses: what could not be understood is in its text only."""
+    names, text = names_of(description), description.place.source.text
+    return names._replace(
+        read={**dict.fromkeys(_READ.findall(text), LATER), **names.read},
+        open=names.open or len(_INCLUDED.findall(text)) > len(names.includes),
     )

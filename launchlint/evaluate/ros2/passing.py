@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from launchlint.evaluate.ros2.names_read import OF_LAUNCH, Names, names_of
+from launchlint.evaluate.ros2.names_read import OF_LAUNCH, Names, names_of, names_of_refused
 from launchlint.evaluate.ros2.problems import ArgUnused, PassedForNothing
 from launchlint.problem import Problem
 from launchlint.source import Origin
@@ -29,7 +29,7 @@ _MOST_WORK = 200_000
 class Entered(NamedTuple):
     """A file that was executed, by the includes that led to it (``way``: each by its identity; ``step``), with what it was ``passed``.
 
-    Without ``description`` it is not known what it reads.
+    ``refused``: launch cannot read it. Without ``description`` it is not known what it reads.
     """
 
     way: tuple[int, ...]
@@ -37,6 +37,7 @@ class Entered(NamedTuple):
     description: Description | None
     passed: tuple[tuple[str, Origin], ...]
     shown: str
+    refused: bool = False
 
 
 def useless(entered: list[Entered], session: Session) -> Iterator[Problem]:
@@ -79,7 +80,9 @@ class _Files:
     def names(self, index: int) -> Names | None:
         """What the file reads."""
         description = self._entered[index].description
-        return None if description is None else self._session.once(description, names_of)
+        return (
+            None if description is None else self._session.once(description, names_of_refused if self._entered[index].refused else names_of)
+        )
 
     def known_below(self, index: int) -> set[str]:
         """The args that the file and those below it declare."""
