@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from launchlint.check.options import EntryRequest
 from launchlint.evaluate.session import Session
-from launchlint.workspace.discovery import is_in_python
+from launchlint.workspace.discovery import holds_python, is_in_python
 
 
 class SortedOut(NamedTuple):
@@ -34,8 +34,11 @@ def sort_out(requests: Sequence[EntryRequest], named: Collection[str], session: 
         if is_in_python(request.at) and session.in_python(request.at) is None:
             python[session.shown(request.at)] = None
             continue
-        data = None if os.path.abspath(request.at) in named or is_in_python(request.at) else session.read(request.file).data
-        root = None if data is None else other_root(data)
+        data = None if is_in_python(request.at) else session.read(request.file).data
+        if data is not None and holds_python(request.at, data):
+            python[session.shown(request.at)] = None
+            continue
+        root = None if data is None or os.path.abspath(request.at) in named else other_root(data)
         if root is not None:
             other[session.shown(request.at)] = root
         else:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from launchlint.check.options import Arguments, EntryRequest, Options
 from launchlint.errors import UsageError
 from launchlint.finding import Severity
-from launchlint.workspace.discovery import is_in_python
+from launchlint.workspace.discovery import holds_python, is_in_python
 
 STANDARD_INPUT = "stdin.launch"
 """What standard input is called where nobody says it."""
@@ -181,12 +181,16 @@ class EntryOptions:
         )
 
 
+def _in_python(request: EntryRequest, session: Session) -> bool:
+    return is_in_python(request.at) or holds_python(request.at, session.read(request.file).data or b"")
+
+
 def leave_others_out(entry: EntryOptions, requests: list[EntryRequest], session: Session) -> tuple[list[EntryRequest], tuple[str, ...]]:
     """``requests`` without those that are no launch files and nobody asked for by name, nor those in Python; and notices of them."""
     named = entry.named
     if entry.entries is not None or entry.standard_input is not None:
         named = frozenset(os.path.abspath(each.at) for each in requests)
-    if named.issuperset(os.path.abspath(each.at) for each in requests) and not any(is_in_python(each.at) for each in requests):
+    if named.issuperset(os.path.abspath(each.at) for each in requests) and not any(_in_python(each, session) for each in requests):
         return requests, ()
     from launchlint.check.dialects import sort_out
 

@@ -13,6 +13,7 @@ _TEST_END = ".test"
 _XML_END = ".xml"
 _YAML_ENDS = (".launch.yaml", ".launch.yml", "_launch.yaml", "_launch.yml")
 _PYTHON_ENDS = (".launch.py", "_launch.py")
+_DESCRIBES = b"def generate_launch_description("
 # Files that are never launch files, and so frequent that looking into each would be felt.
 _OTHER_XML = frozenset(("package.xml", "manifest.xml", "stack.xml", "plugin_description.xml"))
 
@@ -91,6 +92,15 @@ def is_launch_file(path: str) -> bool:
 def is_in_python(path: str) -> bool:
     """Whether a file of this name is a launch file of ROS 2 in Python, which nobody here reads."""
     return path.endswith(_PYTHON_ENDS)
+
+
+def holds_python(path: str, data: bytes) -> bool:
+    """Whether a launch file whose name leaves open what it is written in, ``x.launch``, holds Python, which launch tries after XML and YAML
+    (launch.launch_description_sources.any_launch_file_utilities).
+    """
+    if _DESCRIBES not in data or path.endswith((_XML_END, ".yaml", ".yml")):
+        return False
+    return (data.startswith(_DESCRIBES) or b"\n" + _DESCRIBES in data) and data.lstrip()[:1] != b"<"
 
 
 def may_be_launch_file(path: str) -> bool:

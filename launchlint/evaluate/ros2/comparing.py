@@ -86,5 +86,5 @@ def _compared(text: str, count: int) -> tuple[tuple[int, tuple[str, ...]], ...]:
     for place in reversed(range(count)):
         for quote in ("'", '"'):
             text = text.replace(f"{quote}{_MARK}{place}{quote}", f"{_MARK}{place}")
-    found = compared_literals(text)
+    found = compared_literals(text, parts=False)
     return tuple((place, found[f"{_MARK}{place}"]) for place in range(count) if f"{_MARK}{place}" in found)

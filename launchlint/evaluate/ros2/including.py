@@ -45,7 +45,7 @@ def include(walk: Walk, action: described.Include) -> None:
         return
     if len(walk.here.files) >= DEEPEST_INCLUDE - 1:
         _too_deep(walk, action, file)
-    known = walk.session.in_python(file) if file.endswith(PYTHON) and walk.session.exists(file) else walk.read(file)
+    known = walk.session.in_python(file) if walk.in_python(file) else walk.read(file)
     if isinstance(known, Read):
         walk.record(
             IncludeNotFound(origin=walk.at(action.file.place), refused=True, file=file, written=action.file.place.text,

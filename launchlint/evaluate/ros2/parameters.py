@@ -15,7 +15,7 @@ from launchlint.evaluate.ros2.typed import TypeFault, by_yaml_rules, convert, is
 from launchlint.model import Unknown
 from launchlint.rcl.table import ANY
 from launchlint.source import Source
-from launchlint.syntax.ros2.description import Parameter, ParameterFile, Parameters, Substitution, Text
+from launchlint.syntax.ros2.description import Parameter, ParameterFile, Parameters, Text
 from launchlint.yaml.refusals import YamlError
 from launchlint.yaml.tree import YamlBeyond
 
@@ -35,7 +35,9 @@ LETTERS = ("y", "Y", "n", "N")
 
 
 class Performs(Protocol):
-    """What is asked of the evaluation: what texts stand for at this moment."""
+    """What is asked of the evaluation: what texts stand for at this moment. ``outside`` turns true where one reads the environment."""
+
+    outside: bool
 
     @property
     def session(self) -> Session:
@@ -159,7 +161,10 @@ def node_parameters(
 def parameter_file(source: ParameterFile, asks: Performs, must_exist: bool = False) -> Passed | None:
     """A file of a node, or what launch makes of it; None where there is none, which only warns. Raises where launch stops."""
     origin = asks.where(source.place)
+    outside, asks.outside = asks.outside, False
     file = asks.perform(source.file)
+    environment = asks.outside
+    asks.outside |= outside
     substitute = source.allow_substs
     if isinstance(substitute, Text):
         said = asks.perform(substitute)
@@ -171,7 +176,7 @@ def parameter_file(source: ParameterFile, asks: Performs, must_exist: bool = Fal
     read = _read(file, asks)
     if read is None or read.data is None:
         must_exist = must_exist or substitute
-        problem = missing(file, asks.where(source.file.place), "from", asks, must_exist, _from_environment(source.file))
+        problem = missing(file, asks.where(source.file.place), "from", asks, must_exist, environment)
         if must_exist:
             asks.fail(problem)
         asks.notice(problem)
@@ -217,10 +222,6 @@ def missing(file: str, origin: Origin, attribute: str, asks: Performs, refused: 
 
     reason = asks.session.read(file).reason if posixpath.isabs(file) else ""
     return missing_file(asks.session, origin, attribute, file, reason or NO_SUCH_FILE, environment=environment, refused=refused)
-
-
-def _from_environment(text: Text) -> bool:
-    return any(isinstance(piece, Substitution) and piece.name == "env" for piece in text.pieces)
 
 
 def _read(file: str, asks: Performs) -> Read | None:

@@ -21,6 +21,7 @@ from launchlint.problem import Problem
 from launchlint.source import IncludeStep, Origin, Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action, Text
+from launchlint.workspace.discovery import holds_python
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -160,11 +161,17 @@ class Walk:
 
     def description_of(self, file: str) -> described.Description | None:
         """What a file describes, None where launch cannot load it."""
-        if file.endswith(PYTHON):
+        if file.endswith(PYTHON) or self.in_python(file):
             program = self.session.in_python(file)
             return None if program is None else program.description
         known = self.session.reading(file)
         return None if isinstance(known, Read) or known.refusal is not None else known.description
+
+    def in_python(self, file: str) -> bool:
+        """Whether the launch file ``file``, which is there, is in Python: by its name or, where that leaves it open, by what it holds."""
+        if file.endswith(PYTHON):
+            return self.session.exists(file)
+        return not file.endswith(".xml") and holds_python(file, self.session.read(file).data or b"")
 
     # -- recording ---------------------------------------------------------------------------------------------
 

@@ -120,6 +120,8 @@ def check(view: LaunchView) -> Iterator[Finding]:
         place = shared(view.packages, use.file)
         if place is None or not exists(use.file) or not place.installed.lacks(place.path):
             continue
+        if place.installed.share_paths(use.file) and not _written(place.path, use, view):
+            continue  # found at the place that it is installed to
         build = shown(posixpath.join(place.package.directory, build_file(place.package)), root)
         severity = Severity.WARNING if use.effect == _ARGUMENT or any(each.assumed for each in use.conditions) else RULE.severity
         top = posixpath.dirname(place.path)
@@ -169,6 +171,12 @@ def _by_share(use: _Use, view: LaunchView) -> bool:
         return "dirname" not in text
     texts = [each.source.text for each in view.documents.values()]
     return any("find-pkg-share" in each for each in texts) and not any("dirname" in each or use.file in each for each in texts)
+
+
+def _written(path: str, use: _Use, view: LaunchView) -> bool:
+    """Whether the launch files name the place in the sources, and not the one that the file is installed to."""
+    text = use.origin.place.text
+    return path in text or ("find-pkg-share" not in text and any(path in each.source.text for each in view.documents.values()))
 
 
 def _help(place: Shared) -> str:

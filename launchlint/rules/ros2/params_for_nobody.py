@@ -62,6 +62,7 @@ def tell(problem: ParametersForNobody, view: object) -> Iterator[Finding]:
             related=problem.related,
             notes=(f"its keys: {', '.join(problem.keys)}",),
             help=f"add the key {node} or /**, or do not give the file to this node",
+            cause=f"{problem.file} nobody",
         )
         return
     last = node.rpartition("/")[2]

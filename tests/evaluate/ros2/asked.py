@@ -29,6 +29,7 @@ class Asked:
 
     digits_are_boolean = True
     tags_count = True
+    outside = False
 
     def __init__(self, variables: Mapping[str, str] | None = None, files: Mapping[str, str] | None = None) -> None:
         self.variables = variables or {}

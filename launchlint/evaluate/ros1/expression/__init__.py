@@ -49,16 +49,17 @@ def arguments_read(text: str) -> frozenset[str]:
     return names_read(text)
 
 
-def compared_literals(text: str, *, exact: bool = False) -> Mapping[str, tuple[str, ...]]:
+def compared_literals(text: str, *, exact: bool = False, parts: bool = True) -> Mapping[str, tuple[str, ...]]:
     """Per arg the values that ``text`` tells apart, spelled as a user would pass them, in order of appearance.
 
     They come from ``==``, ``!=``, ``in``, ``startswith``, the keys of a dict that the arg is looked up in, and the like; a number in
     ``<`` or ``>`` gives itself and its two neighbours; an arg used as a condition gives ``true`` and ``false``. With ``exact`` only what
-    an arg may be equal to as a whole: no beginnings, no other parts, no neighbours.
+    an arg may be equal to as a whole: no beginnings, no other parts, no neighbours. Without ``parts`` no text that is looked for in an arg
+    (``'/' in model``): it says nothing of what the whole may be.
     """
     from launchlint.evaluate.ros1.expression.reading import literals_compared
 
-    return literals_compared(text, exact=exact)
+    return literals_compared(text, exact=exact, parts=parts)
 
 
 def never_equal(text: str) -> tuple[tuple[int, int, str, str, bool], ...]:

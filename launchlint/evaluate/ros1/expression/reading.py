@@ -52,14 +52,14 @@ def _names(tree: ast.AST, nested: int) -> Iterator[str]:
 
 
 @lru_cache(maxsize=_MOST_KEPT)
-def literals_compared(text: str, *, exact: bool = False) -> Mapping[str, tuple[str, ...]]:
+def literals_compared(text: str, *, exact: bool = False, parts: bool = True) -> Mapping[str, tuple[str, ...]]:
     """See :func:`launchlint.evaluate.ros1.expression.compared_literals`."""
     try:
         tree = compiled(text).tree
     except (ExpressionError, UnknownValue):
         return {}
     found: dict[str, dict[str, None]] = {}
-    _collect(tree, found, _MOST_NESTED, exact=exact)
+    _collect(tree, found, _MOST_NESTED, exact=exact, parts=parts and not exact)
     return MappingProxyType({name: tuple(values) for name, values in found.items() if values})
 
 
@@ -137,13 +137,13 @@ def _never_equal(text: str) -> Iterator[tuple[int, int, str, str, bool]]:
                 yield (*whole.span(node), name, other.value, isinstance(node.ops[0], ast.NotEq))
 
 
-def _collect(tree: ast.Expression, found: dict[str, dict[str, None]], nested: int, *, exact: bool) -> None:
+def _collect(tree: ast.Expression, found: dict[str, dict[str, None]], nested: int, *, exact: bool, parts: bool) -> None:
     _condition(tree.body, found)
     for node in _in_order(tree):
         if isinstance(node, ast.Compare):
             left = node.left
             for operation, right in zip(node.ops, node.comparators, strict=True):
-                _comparison(left, operation, right, found, exact=exact)
+                _comparison(left, operation, right, found, exact=exact, parts=parts)
                 left = right
         elif isinstance(node, ast.BoolOp):
             for value in node.values:
@@ -162,7 +162,7 @@ def _collect(tree: ast.Expression, found: dict[str, dict[str, None]], nested: in
                     _note(_arg_name(node.func.value), _spelled(node.args[0]), found)
             inner = _nested(node, nested)
             if inner is not None:
-                _collect(inner, found, nested - 1, exact=exact)
+                _collect(inner, found, nested - 1, exact=exact, parts=parts)
 
 
 def _in_order(node: ast.AST) -> Iterator[ast.AST]:
@@ -178,10 +178,12 @@ def _condition(node: ast.expr, found: dict[str, dict[str, None]]) -> None:
     _note(_arg_name(node), ["true", "false"], found)
 
 
-def _comparison(left: ast.expr, operation: ast.cmpop, right: ast.expr, found: dict[str, dict[str, None]], *, exact: bool) -> None:
+def _comparison(
+    left: ast.expr, operation: ast.cmpop, right: ast.expr, found: dict[str, dict[str, None]], *, exact: bool, parts: bool
+) -> None:
     for side, other in ((left, right), (right, left)):
         name = _arg_name(side)
-        if name is None or (exact and side is right and isinstance(operation, (ast.In, ast.NotIn))):
+        if name is None or (not parts and side is right and isinstance(operation, (ast.In, ast.NotIn))):
             continue
         values = _keys(other) or _spelled(other)
         if isinstance(operation, _ORDER) and not exact:
