@@ -221,6 +221,10 @@ class Session:
         except NotUnderstood as reason:
             return reason.reason
 
+    def is_launch_file(self, file: str) -> bool:
+        """Whether ``file`` has been read as a launch file of ROS 2 in XML or YAML."""
+        return os.path.abspath(file) in self._readings
+
     def once(self, of: Given, work: Callable[[Given], Made]) -> Made:
         """What ``work`` makes of something that was read, and is kept for all evaluations; of one thing, always the same work."""
         known = self._made.get(id(of))

@@ -108,3 +108,10 @@ class ArgUnused(Problem):
     name: str
     description: str
     alone: bool
+
+
+class DirectoryOfAnother(Problem):
+    """``$(dirname)`` or ``$(filename)`` that, behind an include, ``means`` (as shown) another file than its own."""
+
+    substitution: str
+    means: str

@@ -15,7 +15,14 @@ from launchlint.evaluate.ros2.comparing import note_equals, note_expression
 from launchlint.evaluate.ros2.context import Setting, Value
 from launchlint.evaluate.ros2.parameters import GlobalParameter
 from launchlint.evaluate.ros2.performing import SHARE, Failure, Perform, Performer
-from launchlint.evaluate.ros2.problems import CommandOption, InvalidPackageName, NoDirectory, NotABoolean, ParameterNotSet
+from launchlint.evaluate.ros2.problems import (
+    CommandOption,
+    DirectoryOfAnother,
+    InvalidPackageName,
+    NoDirectory,
+    NotABoolean,
+    ParameterNotSet,
+)
 from launchlint.late import late
 from launchlint.model import Unknown
 from launchlint.syntax.ros2.description import Substitution
@@ -145,13 +152,22 @@ def _command(performer: Performer, substitution: Substitution) -> Value:
 def _directory(performer: Performer, substitution: Substitution) -> Value:
     if performer.context.directory is None:
         raise Failure(NoDirectory(origin=performer.where(substitution.place), refused=True, substitution=substitution.name))
-    return performer.context.directory
+    own = os.path.dirname(os.path.abspath(substitution.place.source.file))
+    return _judged(performer, substitution, performer.context.directory, own)
 
 
 def _file(performer: Performer, substitution: Substitution) -> Value:
     if performer.context.file is None:
         raise Failure(NoDirectory(origin=performer.where(substitution.place), refused=True, substitution=substitution.name))
-    return performer.context.file
+    return _judged(performer, substitution, performer.context.file, os.path.abspath(substitution.place.source.file))
+
+
+def _judged(performer: Performer, substitution: Substitution, means: str, own: str) -> str:
+    """What it means, which is told where that is not what stands for it in its ``own`` file."""
+    if means != own and performer.session.is_launch_file(substitution.place.source.file):
+        origin = performer.where(substitution.place)
+        performer.notice(DirectoryOfAnother(origin=origin, substitution=substitution.name, means=performer.session.shown(means)))
+    return means
 
 
 def _log_directory(performer: Performer, substitution: Substitution) -> Value:
