@@ -113,10 +113,13 @@ def one_slip(name: str, names: Iterable[str]) -> str | None:
     A name that says something else (:func:`differs_in_meaning`) is no slip.
     """
     bare = folded(name)
+    letters = frozenset(name)
     near = {
         other
         for other in names
-        if other != name and (folded(other) == bare or distance(name, other, 1) == 1) and not differs_in_meaning(name, other)
+        if other != name
+        and (folded(other) == bare or (len(letters.difference(other)) <= 1 and distance(name, other, 1) == 1))
+        and not differs_in_meaning(name, other)
     }
     return near.pop() if len(near) == 1 else None
 

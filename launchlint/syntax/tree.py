@@ -17,6 +17,8 @@ from launchlint.source import Place, Source, Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from launchlint.syntax.parts import Parts
 
 _UNIT = re.compile(r"\r\n|&[^;&<]*;")
@@ -70,7 +72,7 @@ class Attribute:
         self._name_end = name_end
         self._value_start = value_start
         self._value_end = value_end
-        self._offsets: list[int] | None = None
+        self._offsets: Sequence[int] | None = None
         self._written: Place | None = None
         self.parts: Parts | None = None
 
@@ -113,12 +115,14 @@ class Attribute:
         of several entities), the span of the whole value.
         """
         base = self._value_start
-        if len(self.raw) == len(self.value) and "&" not in self.raw and "\r\n" not in self.raw:
-            return Span(base + start, base + end)
         offsets = self._offsets
         if offsets is None:
+            # Looked for once: a value of megabytes may hold a hundred thousand substitutions, each with a span.
+            plain = len(self.raw) == len(self.value) and "&" not in self.raw and "\r\n" not in self.raw
             # An empty list says "cannot be matched": a list that can has at least the end in it.
-            offsets = self._offsets = unit_offsets(self.raw, self.value) or []
+            offsets = self._offsets = range(len(self.value) + 1) if plain else unit_offsets(self.raw, self.value) or []
+        if isinstance(offsets, range):
+            return Span(base + start, base + end)
         if not offsets:
             return self.value_span
         first = offsets[start]

@@ -17,6 +17,7 @@ from launchlint.workspace.package import Package
 from launchlint.workspace.place import Hidden, Place
 from launchlint.workspace.prefixes import Prefix, ament_prefixes, prefixes
 from launchlint.workspace.public_packages import PublicPackages, public_names
+from launchlint.workspace.repository import LONGEST_PATH
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -135,6 +136,8 @@ class Packages:
         """
         path = os.path.abspath(path)
         directory = path if os.path.isdir(path) else os.path.dirname(path)
+        if len(directory) > LONGEST_PATH:
+            directory = directory[: directory.rfind(os.sep, 0, LONGEST_PATH)] or os.sep
         walked: list[str] = []
         while directory not in self._of_directory:
             walked.append(directory)

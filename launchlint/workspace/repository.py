@@ -6,6 +6,8 @@ import os
 from collections.abc import Iterable, Iterator
 
 _MANIFESTS = ("package.xml", "manifest.xml")
+LONGEST_PATH = 4_096
+"""Characters: nothing on disk has a longer path, while a text that substitutions make may have megabytes, of any depth."""
 _WORKSPACE_MARKERS = (".catkin_workspace", ".catkin_tools", ".rosinstall")
 
 
@@ -63,6 +65,8 @@ def _is_source_space(source: str) -> bool:
 
 
 def _upward(directory: str) -> Iterator[str]:
+    if len(directory) > LONGEST_PATH:
+        directory = directory[: directory.rfind(os.sep, 0, LONGEST_PATH)] or os.sep
     while True:
         yield directory
         parent = os.path.dirname(directory)

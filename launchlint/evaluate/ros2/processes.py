@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 OUTPUTS = ("screen", "log", "both", "own_log", "full")
 PREFIX = "launch-prefix"
+VARIABLES_PER_ACTION = 8
+"""How many environment variables that a process is given count as one more action: each process has them all."""
 
 
 class Prepared(NamedTuple):
@@ -67,7 +69,7 @@ def prepare(walk: Walk, process: described.Process, words: Iterable[Value], tag:
     cwd = walk.optional(process.cwd)
     if isinstance(cwd, Unknown):
         unknown.add("cwd")
-    environment = _environment(walk, process)
+    environment = _environment(walk, process, place)
     respawn: bool | None = False
     if isinstance(process.respawn, Text):
         respawn = truth(walk, process.respawn, tag)
@@ -85,9 +87,10 @@ def prepare(walk: Walk, process: described.Process, words: Iterable[Value], tag:
     return Prepared(words, label, cwd, prefix, environment, bool(respawn), output, frozenset(unknown))
 
 
-def _environment(walk: Walk, process: described.Process) -> dict[str, str | None]:
+def _environment(walk: Walk, process: described.Process, place: Place) -> dict[str, str | None]:
     """What differs from the environment that launch was started with."""
     environment = walk.context.environment
+    walk.spend(len(environment.changes) // VARIABLES_PER_ACTION, place)
     after: dict[str, Value | None] = dict(environment.changes)
     for pair in (*process.environment, *process.additional_environment):
         name, value = walk.value(pair.name), walk.value(pair.value)

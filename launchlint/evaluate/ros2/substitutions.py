@@ -33,6 +33,8 @@ _STDERR = ("fail", "ignore", "warn", "capture")
 _LONGEST_NUMBER = 400
 UNREAD = "an included launch file that is not read may set it"
 """Why something that is set nowhere is not known."""
+CHARACTERS_PER_KNOWN = 50
+"""What a name that is set costs where another one is not: it is compared with that, to tell what was meant."""
 
 
 class _Unknown(Exception):
@@ -77,7 +79,7 @@ def _var(performer: Performer, substitution: Substitution) -> Value:
     if performer.context.unread:
         return Unknown(substitution.place.text, UNREAD)
     known = tuple(sorted(performer.context.configurations))
-    performer.spend(4 * len(known), substitution.place)
+    performer.spend(CHARACTERS_PER_KNOWN * len(known), substitution.place)
     origin = performer.where(substitution.place)
     raise Failure(
         UndeclaredArg(origin=origin, refused=True, name=name, known=known, entry=origin.step is None, skipped=(), in_expression=False)
