@@ -10,7 +10,8 @@ from launchlint.workspace.put_aside import is_out_of_use
 
 
 def installed_from(file: str, packages: Packages) -> str | None:
-    """The one file of the same package that bears the name of ``file``, which is not there, in a directory of the same name; else None.
+    """The one file of the same package that bears the name of ``file``, which is not there, in a directory of the same name, where the
+    package installs that one, or may for all that can be read of its build; else None.
 
     ``install(DIRECTORY test/yaml DESTINATION share/pkg)`` in CMakeLists.txt makes ``$(find pkg)/yaml/a.yaml`` right once the package is
     installed.
@@ -25,4 +26,7 @@ def installed_from(file: str, packages: Packages) -> str | None:
         for parent, listed in contents(packages).directories(package)
         if posixpath.basename(parent) == last and name in listed and not is_out_of_use(f"{parent}/{name}", file)
     ]
-    return found[0] if len(found) == 1 else None
+    if len(found) != 1:
+        return None
+    installs = contents(packages).installs(package)
+    return found[0] if installs.covers(found[0]) or not installs.exhaustive else None
