@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from launchlint.late import late
 from launchlint.workspace.looking import note, walk, watched
-from launchlint.workspace.texts import texts
+from launchlint.workspace.texts import parts
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,8 +15,6 @@ if TYPE_CHECKING:
 _LAUNCH_ENDS = (".launch", ".xml", ".test")
 _MOST_DIRECTORIES = 1_000
 _MOST_FILES = 1_000
-# No grammar: comments and what never runs count, too, since a name too many only costs a fix its safety.
-_USES = late(r"""\bpkg\s*=\s*["']\s*([\w.-]+)|\bfind\(\s*["']([\w.-]+)|\bfind\s+([\w.-]+)\s*\)""")
 _BEFORE = ("build", "buildtool", "test")
 _WITH = ("exec", "build_export")
 
@@ -97,8 +94,7 @@ def _used(directory: str) -> frozenset[str] | None:
     if len(places) >= _MOST_DIRECTORIES or sum(len(names) for _, names in places) > _MOST_FILES:
         return None
     looked: set[str] = set()
-    for _, text in texts(places, _MOST_FILES, looked):
-        if "<launch" in text:
-            found.update(one or other or third for one, other, third in _USES.findall(text))
+    for _, named in parts(places, _MOST_FILES, looked, "packages"):
+        found.update(named)
     note(looked)
     return frozenset(found)

@@ -15,6 +15,8 @@ MOST_NAMES = 2_000
 LARGEST_FILE = 1 << 20
 """Bytes: as :data:`launchlint.workspace.reading.LARGEST_FILE`."""
 _ALL_BELOW = "**"
+PART = "//"
+"""Between a file and the part of its text that matters (:func:`launchlint.workspace.texts.parts`): it stands in no absolute path."""
 
 T = TypeVar("T")
 
@@ -122,7 +124,13 @@ def state(path: str) -> str:
 
     from launchlint.workspace.reading import read_bytes
 
+    file, _, part = path.partition(PART)
     try:
+        if file and part:
+            from launchlint.workspace.text_parts import part_of
+
+            listed = "\0".join(part_of(file, part)).encode("utf-8", "surrogateescape")
+            return f"part {sha1(listed, usedforsecurity=False).hexdigest()}"
         if path.endswith(os.sep + _ALL_BELOW):
             return f"tree {sha1(_tree(path[: -len(_ALL_BELOW)]), usedforsecurity=False).hexdigest()}"
         if os.path.isdir(path):

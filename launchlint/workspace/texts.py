@@ -5,10 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Sequence
 
-from launchlint.workspace.looking import content
-
-LARGEST = 200_000
-"""Bytes of a file that are looked through."""
+from launchlint.workspace.looking import PART, content
+from launchlint.workspace.text_parts import LARGEST, part_of
 
 
 def texts(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[str]) -> Iterator[tuple[str, str]]:
@@ -25,3 +23,16 @@ def texts(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[st
             file = os.path.join(directory, name)
             looked.add(file)
             yield file, (content(file) or b"")[:LARGEST].decode("utf-8", "replace")
+
+
+def parts(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[str], part: str) -> Iterator[tuple[str, Sequence[str]]]:
+    """As :func:`texts`, with the ``part`` of each text (see :mod:`launchlint.workspace.text_parts`): what is found hangs on that alone."""
+    for directory, wanted in places:
+        looked.add(directory)
+        for name in wanted:
+            if most <= 0:
+                break
+            most -= 1
+            file = os.path.join(directory, name)
+            looked.add(f"{file}{PART}{part}")
+            yield file, part_of(file, part)

@@ -11,7 +11,7 @@ from launchlint.rules.judging.made_by_node import Word, absolute, handed_over
 from launchlint.syntax.ros1.substitutions import opens
 from launchlint.workspace.looking import note, walk, watched
 from launchlint.workspace.packages import Packages
-from launchlint.workspace.texts import texts
+from launchlint.workspace.texts import parts
 
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
 _MOST_DIRECTORIES = 100
@@ -60,9 +60,10 @@ def _read(directory: str, packages: Packages) -> _Steps:
         (parent, [name for name in sorted(names) if name.endswith(_LAUNCH_ENDS)]) for parent, names in walk(directory, _MOST_DIRECTORIES)
     )
     looked: set[str] = set()
-    for file, text in texts(listed, _MOST_FILES, looked):
-        for key, step in _written(file, text, packages):
-            found.setdefault(key, step)
+    for file, writing in parts(listed, _MOST_FILES, looked, "writing"):
+        for text in writing:
+            for key, step in _written(file, text, packages):
+                found.setdefault(key, step)
     note(looked)
     return found
 

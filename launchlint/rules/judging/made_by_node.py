@@ -15,9 +15,9 @@ from launchlint.syntax.parts import Literal, Malformed, Substitution
 from launchlint.syntax.ros1.substitutions import opens, parse
 from launchlint.workspace.looking import is_file
 from launchlint.workspace.packages import Packages
+from launchlint.workspace.text_parts import WRITES
 
 _MOST_WORDS = 2_000
-_WRITES = late(r"(?:^|[_\-/~])(?:out|output|save|saver|record|recorder|write|writer|dump|export|exporter|generate|generator)(?![a-z])")
 _COMMENT = late(r"<!--.*?-->", re.DOTALL)
 _ELEMENT = late(r"<(node|param|arg)\b[^<>]*")
 _ATTRIBUTE = late(r"""\b(type|name|args|value|default)\s*=\s*("[^"]*"|'[^']*')""")
@@ -86,7 +86,7 @@ def handed_over(text: str) -> Iterator[Word]:
     for element in _ELEMENT.finditer(text):
         for program, before, word in _given(element[0], element[1] == "node"):
             option, _, value = word.rpartition("=")
-            writes = any(map(_WRITES.search, (program, option or before)))
+            writes = any(map(WRITES.search, (program, option or before)))
             yield Word(element[1] == "node", program, value, writes, element.start())
 
 
