@@ -10,7 +10,7 @@ from typing import NamedTuple
 from launchlint.late import late
 from launchlint.rules.judging.package_contents import contents
 from launchlint.syntax.ros1.substitutions import parse_again
-from launchlint.workspace.looking import exists
+from launchlint.workspace.looking import exists, is_file
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
@@ -46,6 +46,25 @@ def own_instead(name: str, text: str, packages: Packages, near: str) -> Package 
     programs = contents(packages).executables(home).names if started else []
     types = [_TYPE.search(tag) for tag in started]
     return home if all(each is not None and each[1] in programs for each in types) else None
+
+
+def own_files_instead(name: str, text: str, home: Package, near: str) -> tuple[str, ...]:
+    """The files that the launch file ``near`` with content ``text`` asks of the package ``name``, if ``home`` has all at the same paths.
+
+    They were meant to be its own: the two packages are of one kind by the last word of their names (``arm_moveit_config``), nothing else
+    is asked of the other one, and it is more than one file, or MoveIt's Setup Assistant wrote ``home`` from a template. A launch file
+    that is one of them wraps the other one. Empty where it is not so.
+    """
+    last, other = home.name.rpartition("_")[2], name.rpartition("_")[2]
+    asked = _asked(text)
+    found = asked.files.get(name, ())
+    if last != other or "_" not in name or not found or asked.started.get(name) or text.count(name) != len(found):
+        return ()
+    files = tuple(dict.fromkeys(file for file, _ in found))
+    paths = [posixpath.join(home.directory, file) for file in files]
+    if any(made for _, made in found) or posixpath.abspath(near) in paths or not all(map(is_file, paths)):
+        return ()
+    return files if len(files) > 1 or is_file(posixpath.join(home.directory, ".setup_assistant")) else ()
 
 
 def lacks_all(package: Package, name: str, text: str) -> str:

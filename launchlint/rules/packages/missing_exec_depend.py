@@ -1,11 +1,12 @@
 """A launch file uses a package that its own package's `package.xml` does not declare.
 
-What it does: for every launch file it collects the packages of its nodes and tests, and those in `$(find …)`, as far as their
-names are written out, and compares them with the run dependencies (`<exec_depend>`, `<depend>`, `<run_depend>`) in the
-`package.xml` above it. Test dependencies count for tests. What a declared package or metapackage itself declares counts too,
-as far as it can be seen here, and so does what roslaunch itself needs. Names that nobody knows are LL210 and LL303, and a file with
-placeholders such as `$(find [PACKAGE])` is a template that is never launched. A dependency that stands in a comment of the
-`package.xml` was left out on purpose. Everything that one `package.xml` lacks is told at once, with the first use of each package.
+What it does: for every launch file it collects the packages of its nodes and tests, and those in `$(find …)`, as far as their names are
+written out, and compares them with the run dependencies (`<exec_depend>`, `<depend>`, `<run_depend>`) in the `package.xml` above it. Test
+dependencies count for tests. What a declared package or metapackage itself declares counts too, as far as it can be seen here, and so does
+what roslaunch itself needs. Names that nobody knows are LL210 and LL303, and a file with placeholders such as `$(find [PACKAGE])` is a
+template that is never launched. A dependency that stands in a comment of the `package.xml` was left out on purpose. Where only files are
+asked of another package of the same kind (`arm_moveit_config`), and the own package has all of them at the same paths, its own name was
+meant. Everything that one `package.xml` lacks is told at once, with the first use of each package.
 
 It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has the
 other; where it is part of every `ros_base`, the smallest installation, and the package is none that was released; where only launch files
@@ -13,9 +14,10 @@ need it by which people try something out (`demo.launch`, `test_arm.launch`, bes
 run); and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse, the
 assistant itself), in a package with its `.setup_assistant`. It is one, without a fix, where a comment of the launch file or a README tells
 people to install the package themselves, where only launch files need it that were put aside (in a directory `old`, `deprecated`, `attic`
-…), and where the package is a copy of a public one, with its `CHANGELOG.rst`, among packages of other people. Packages below a
-`CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Beside a `manifest.xml` of
-rosbuild it is the `package.xml` that counts.
+…), where the launch file lies among the tests and nothing starts it (no `add_rostest`, no `roslaunch_add_file_check`, no other launch
+file, no script that calls roslaunch), and where the package is a copy of a public one, with its `CHANGELOG.rst`, among packages of other
+people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Beside a
+`manifest.xml` of rosbuild it is the `package.xml` that counts.
 
 ## Why it matters
 
@@ -78,12 +80,13 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.late import late
+from launchlint.rules.judging.idle_test import why_idle
 from launchlint.rules.judging.left_out import SETUP_ASSISTANT, is_trial, why_left_out
 from launchlint.rules.judging.metapackages import members
 from launchlint.rules.judging.missing_package import is_placeholder
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
-from launchlint.rules.judging.stale_package import own_instead
+from launchlint.rules.judging.stale_package import own_files_instead, own_instead
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
 from launchlint.source import Place, Source, Span
@@ -157,8 +160,13 @@ def check(view: FileView) -> Iterator[Finding]:
     extra = _GENERATED_EXTRA.fullmatch(posixpath.basename(file)) is not None and is_file(posixpath.join(home.directory, SETUP_ASSISTANT))
     here = any(_is_beside(name, packages, file) for name in missing)
     ways, later = packages.once(_Ways).to(home.name, packages) if here else ({}, {})
+    idle = why_idle(file, home, packages)
     for name in missing:
         where, how = uses[name]
+        own = own_files_instead(name, document.source.text, home, file)
+        if own:
+            yield _foreign(name, own, where, home)
+            continue
         manifest_path = shown(home.manifest_path, root_of(document.source))
         tested = name in home.test_dependencies
         says = f"declares {name} for tests only" if tested else f"does not declare {name}"
@@ -167,7 +175,7 @@ def check(view: FileView) -> Iterator[Finding]:
         way = None if tested else ways.get(name)
         closes = way is not None and (way.built or is_test)
         beside = not tested and home.name not in public_names() and _is_beside(name, packages, file)
-        reason = "" if tested else SETTING_UP if extra else why_left_out(name, document, home, packages)
+        reason = "" if tested else SETTING_UP if extra else why_left_out(name, document, home, packages) or idle
         tried = not (tested or reason) and is_trial(file, home)
         yield RULE.at(
             place if at is None else place._replace(span=at),
@@ -189,6 +197,19 @@ def check(view: FileView) -> Iterator[Finding]:
             if tested or (reason and not extra) or way is not None
             else _fix(place, manifest, line, safe=not _doubts(name, later, manifest, packages)),
         )
+
+
+def _foreign(name: str, files: Sequence[str], where: Place, home: Package) -> Finding:
+    """``home`` has all that it asks of another package of its kind: it is the name that is wrong, and nothing is missing."""
+    have = "has it, too" if len(files) == 1 else "has all of them, too"
+    return RULE.at(
+        where,
+        f"{home.name} asks {name} for {_listed(files)}, and {have}, at the same path{'' if len(files) == 1 else 's'}",
+        label=f"is $(find {home.name}) meant?",
+        notes=(f"{name} is not declared in package.xml, so that it is probably left over from a template",),
+        help=f"write $(find {home.name})",
+        topic=name,
+    )
 
 
 def _doubts(name: str, later: Mapping[str, Way], manifest: Manifest, packages: Packages) -> list[str]:
