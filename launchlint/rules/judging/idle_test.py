@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Mapping
 
 from launchlint.late import late
-from launchlint.workspace.looking import content, note, walk, watched
+from launchlint.workspace.looking import content, is_file, note, walk, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.registered_tests import CMAKE_FILE, TEST_END
@@ -29,11 +29,14 @@ def why_idle(file: str, home: Package, packages: Packages) -> str:
     """Why nothing of package ``home`` starts the launch ``file``, which lies among its tests, for people; empty where something may.
 
     It is started by ``CMakeLists.txt`` (its name, or a directory above it), by a launch file or a document that names it, and by whatever
-    calls roslaunch or rostest and names it. What ends in ``.test`` people start, too.
+    calls roslaunch or rostest and names it. Without a
+    ``CMakeLists.txt`` it cannot be told. What ends in ``.test`` people start, too.
     """
     absolute = posixpath.abspath(file)
     inside = posixpath.relpath(absolute, home.directory)
     name = posixpath.basename(file)
+    if not is_file(posixpath.join(home.directory, CMAKE_FILE)):
+        return ""  # what registers the tests is not here
     if name.endswith(TEST_END) or _TESTS.search(inside) is None or inside.startswith(".."):
         return ""
     if _is_registered(inside, home.directory) or _is_named(name, absolute, home, packages):
