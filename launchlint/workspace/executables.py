@@ -22,6 +22,7 @@ from launchlint.workspace.nodelets import NodeletClass, read_nodelet_classes
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.prefixes import Prefix
+from launchlint.workspace.program_names import packages_having
 
 _MOST_DIRECTORIES = 300
 _SCRIPT_ENDS = (".py", ".sh", ".bash", ".pl", ".rb", ".lua")
@@ -205,7 +206,7 @@ class ExecutableIndex:
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
         self._executables: dict[str, Executables] = {}
-        self._having: dict[str, list[str]] | None = None
+        self._having: Mapping[str, Sequence[str]] | None = None
         self._installs: dict[str, InstalledFiles] = {}
         self._made: dict[str, Made] = {}
         self._walked: dict[str, tuple[Sequence[tuple[str, Sequence[str]]], frozenset[str]]] = {}
@@ -216,16 +217,10 @@ class ExecutableIndex:
             self._executables[package.directory] = executables(package, self._packages.prefixes)
         return self._executables[package.directory]
 
-    def having(self, name: str) -> list[str]:
+    def having(self, name: str) -> Sequence[str]:
         """The packages of the workspaces, by name and sorted, that have a program called just ``name``; all are looked at."""
         if self._having is None:
-            found: dict[str, set[str]] = {}
-            for place in self._packages.places[: len(self._packages.workspaces)]:
-                for copies in place.by_name.values():
-                    for package in copies:
-                        for each in self.executables(package).by_name:
-                            found.setdefault(each, set()).add(package.name)
-            self._having = {each: sorted(names) for each, names in found.items()}
+            self._having = packages_having(self._packages, lambda package: self.executables(package).by_name)
         return self._having.get(name, [])
 
     def installs(self, package: Package) -> InstalledFiles:

@@ -14,25 +14,24 @@ def texts(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[st
 
     ``looked`` gets all directories, and the files that were read: what is found hangs on them. Never raises.
     """
-    for directory, wanted in places:
-        looked.add(directory)
-        for name in wanted:
-            if most <= 0:
-                break
-            most -= 1
-            file = os.path.join(directory, name)
-            looked.add(file)
-            yield file, (content(file) or b"")[:LARGEST].decode("utf-8", "replace")
+    for file in _files(places, most, looked):
+        looked.add(file)
+        yield file, (content(file) or b"")[:LARGEST].decode("utf-8", "replace")
 
 
 def parts(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[str], part: str) -> Iterator[tuple[str, Sequence[str]]]:
     """As :func:`texts`, with the ``part`` of each text (see :mod:`launchlint.workspace.text_parts`): what is found hangs on that alone."""
+    for file in _files(places, most, looked):
+        looked.add(f"{file}{PART}{part}")
+        yield file, part_of(file, part)
+
+
+def _files(places: Iterable[tuple[str, Sequence[str]]], most: int, looked: set[str]) -> Iterator[str]:
+    """The first ``most`` files of ``places``; ``looked`` gets all directories."""
     for directory, wanted in places:
         looked.add(directory)
         for name in wanted:
             if most <= 0:
                 break
             most -= 1
-            file = os.path.join(directory, name)
-            looked.add(f"{file}{PART}{part}")
-            yield file, part_of(file, part)
+            yield os.path.join(directory, name)

@@ -27,7 +27,7 @@ def value(node: Node) -> Any:
 
     constructor = yaml.constructor.SafeConstructor()
     try:
-        return constructor.construct_document(_yaml_node(yaml, node, {}))
+        return constructor.construct_document(as_pyyaml(yaml, node))
     except yaml.constructor.ConstructorError as error:
         place = error.problem_mark.index if error.problem_mark is not None else node.start
         raise YamlError(f"this does not fit its YAML tag (YAML says: {(error.problem or '')[:200]})", place, "value") from None
@@ -38,7 +38,12 @@ def value(node: Node) -> Any:
         raise YamlError(f"this cannot be read as its YAML tag wants it ({said})", node.start, "value") from None
 
 
-def _yaml_node(yaml: Any, node: Node, made: dict[int, Any]) -> Any:
+def as_pyyaml(yaml: Any, node: Node) -> Any:
+    """The node of a tree as one of PyYAML's, for its constructors; ``yaml`` is that module. What several aliases mean is made once."""
+    return _as_pyyaml(yaml, node, {})
+
+
+def _as_pyyaml(yaml: Any, node: Node, made: dict[int, Any]) -> Any:
     known = made.get(id(node))
     if known is not None:
         return known
@@ -46,10 +51,10 @@ def _yaml_node(yaml: Any, node: Node, made: dict[int, Any]) -> Any:
     if node.kind == SCALAR:
         result = yaml.ScalarNode(node.tag, node.value, mark, mark)
     elif node.kind == SEQUENCE:
-        result = yaml.SequenceNode(node.tag, [_yaml_node(yaml, child, made) for child in node.value], mark, mark)
+        result = yaml.SequenceNode(node.tag, [_as_pyyaml(yaml, child, made) for child in node.value], mark, mark)
     else:
         assert node.kind == MAPPING
-        pairs = [(_yaml_node(yaml, key, made), _yaml_node(yaml, each, made)) for key, each in node.value]
+        pairs = [(_as_pyyaml(yaml, key, made), _as_pyyaml(yaml, each, made)) for key, each in node.value]
         result = yaml.MappingNode(node.tag, pairs, mark, mark)
     made[id(node)] = result
     return result

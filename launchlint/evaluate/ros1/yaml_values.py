@@ -184,9 +184,11 @@ def _by_yaml(node: Node) -> Any:
     """The rarer tags are PyYAML's own business: numbers in other bases, dates, binary data, sets, ordered maps, and unknown ones."""
     import yaml
 
+    from launchlint.yaml.values import as_pyyaml  # rare: no file of ROS 1 with plain values loads it
+
     constructor = yaml.constructor.SafeConstructor()
     try:
-        return constructor.construct_document(_yaml_node(yaml, node, {}))
+        return constructor.construct_document(as_pyyaml(yaml, node))
     except yaml.constructor.ConstructorError as error:
         problem = error.problem or ""
         place = error.problem_mark.index if error.problem_mark is not None else node.start
@@ -199,19 +201,3 @@ def _by_yaml(node: Node) -> Any:
         what = shown(node.value) if isinstance(node.value, str) else "this"
         said = f"Python says: {type(error).__name__}: {str(error)[:200]}"
         raise YamlError(f"{what} cannot be read as {node.tag.rsplit(':', 1)[-1][:60]} ({said})", node.start, "value") from None
-
-
-def _yaml_node(yaml: Any, node: Node, made: dict[int, Any]) -> Any:
-    known = made.get(id(node))
-    if known is not None:
-        return known
-    mark = yaml.error.Mark(None, node.start, 0, 0, None, None)
-    if node.kind == SCALAR:
-        result = yaml.ScalarNode(node.tag, node.value, mark, mark)
-    elif node.kind == SEQUENCE:
-        result = yaml.SequenceNode(node.tag, [_yaml_node(yaml, child, made) for child in node.value], mark, mark)
-    else:
-        pairs = [(_yaml_node(yaml, key, made), _yaml_node(yaml, value, made)) for key, value in node.value]
-        result = yaml.MappingNode(node.tag, pairs, mark, mark)
-    made[id(node)] = result
-    return result

@@ -114,13 +114,15 @@ class _Use(NamedTuple):
 def check(view: LaunchView) -> Iterator[Finding]:
     """Yield a finding for each file that is certainly not installed (ament_index_python.packages.get_package_share_directory)."""
     root = root_of(view.launch.entry)
+    texts = [document.source.text for document in view.documents.values()]
+    only_by_share = any("find-pkg-share" in text for text in texts) and not any("dirname" in text for text in texts)
     for use in _uses(view):
-        if not posixpath.isabs(use.file) or not _by_share(use, view):
+        if not posixpath.isabs(use.file) or not _by_share(use, texts, only_by_share):
             continue
         place = shared(view.packages, use.file)
         if place is None or not exists(use.file) or not place.installed.lacks(place.path):
             continue
-        if place.installed.share_paths(use.file) and not _written(place.path, use, view):
+        if place.installed.share_paths(use.file) and not _written(place.path, use, texts):
             continue  # found at the place that it is installed to
         build = shown(posixpath.join(place.package.directory, build_file(place.package)), root)
         severity = Severity.WARNING if use.effect == _ARGUMENT or any(each.assumed for each in use.conditions) else RULE.severity
@@ -162,21 +164,21 @@ def _uses(view: LaunchView) -> Iterator[_Use]:
                 yield _Use(word.rpartition("=")[2], at, node.conditions, _ARGUMENT)
 
 
-def _by_share(use: _Use, view: LaunchView) -> bool:
+def _by_share(use: _Use, texts: Sequence[str], only: bool) -> bool:
     """Whether the path comes from ``$(find-pkg-share …)``: written there; or, where a variable gives it or the place is no more than a key
-    of YAML, somewhere in the files, while none of them uses ``$(dirname)`` or writes the path out.
+    of YAML, ``only`` by that, for all that the ``texts`` of the launch files say: they have one, none of them uses ``$(dirname)``, and none
+    writes the path out.
     """
     text = use.origin.place.text
     if "find-pkg-share" in text:
         return "dirname" not in text
-    texts = [each.source.text for each in view.documents.values()]
-    return any("find-pkg-share" in each for each in texts) and not any("dirname" in each or use.file in each for each in texts)
+    return only and not any(use.file in each for each in texts)
 
 
-def _written(path: str, use: _Use, view: LaunchView) -> bool:
+def _written(path: str, use: _Use, texts: Sequence[str]) -> bool:
     """Whether the launch files name the place in the sources, and not the one that the file is installed to."""
     text = use.origin.place.text
-    return path in text or ("find-pkg-share" not in text and any(path in each.source.text for each in view.documents.values()))
+    return path in text or ("find-pkg-share" not in text and any(path in each for each in texts))
 
 
 def _help(place: Shared) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping, Sequence
 
 from launchlint.workspace.ament.installed import Installed, of_cmake, of_files, of_prefix, unknown
 from launchlint.workspace.ament.scripts import Script, entry_points, read_setup_cfg
@@ -14,6 +15,7 @@ from launchlint.workspace.looking import note, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.prefixes import is_installed
+from launchlint.workspace.program_names import packages_having
 
 ROS2 = {"ROS_VERSION": "2"}
 
@@ -25,7 +27,7 @@ class InstalledIndex:
 
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
-        self._having: dict[str, list[str]] | None = None
+        self._having: Mapping[str, Sequence[str]] | None = None
         self._found: dict[str, tuple[Installed, frozenset[str]]] = {}
 
     def of(self, package: Package) -> Installed:
@@ -36,16 +38,10 @@ class InstalledIndex:
         note(looked)
         return found
 
-    def having(self, name: str) -> list[str]:
+    def having(self, name: str) -> Sequence[str]:
         """The packages of the workspaces, by name and sorted, that have a program called just ``name``; all are looked at."""
         if self._having is None:
-            found: dict[str, set[str]] = {}
-            for place in self._packages.places[: len(self._packages.workspaces)]:
-                for copies in place.by_name.values():
-                    for package in copies:
-                        for program in self.of(package).libexec:
-                            found.setdefault(program, set()).add(package.name)
-            self._having = {each: sorted(names) for each, names in found.items()}
+            self._having = packages_having(self._packages, lambda package: self.of(package).libexec)
         return self._having.get(name, [])
 
 
