@@ -49,6 +49,32 @@ class Unknown:
         return f"Unknown({self.text!r}, {self.reason!r})"
 
 
+class StandIn(Unknown):
+    """A value that is not known, for which its text is taken wherever values are compared: ``$(command …)``."""
+
+    __slots__ = ()
+
+
+class UnknownText(str):
+    """The text of a value that is not known, where a text is wanted; ``reason`` says why it is not known."""
+
+    __slots__ = ("reason",)
+    reason: str
+
+    def __new__(cls, text: str, reason: str) -> UnknownText:
+        """As :class:`Unknown` has them."""
+        made = super().__new__(cls, text)
+        made.reason = reason
+        return made
+
+
+def shown_text(value: str | Unknown) -> str:
+    """A value as a text: what is known of it, and what is written where nothing is."""
+    if isinstance(value, str):
+        return value
+    return value.text if isinstance(value, StandIn) else UnknownText(value.text, value.reason)
+
+
 class Command(NamedTuple):
     """The value of ``<param command=…>``: never run, so only the command line is known."""
 
@@ -77,13 +103,15 @@ class Scope(NamedTuple):
 class Condition(NamedTuple):
     """An ``if`` or ``unless`` that was taken on the way to an item; ``assumed`` where its value is unknown and was taken to be true.
 
-    ``text`` is what it was judged by (ROS 2 only).
+    ``text`` is what it was judged by, ``name`` the launch configuration that it is compared with (ROS 2 only). The attribute ``maybe`` is
+    none of the file's: it says that a program may put there what stands under it.
     """
 
     attribute: str
     place: Place
     assumed: bool = False
     text: str = ""
+    name: str | None = None
 
 
 class Branch(NamedTuple):
@@ -267,12 +295,16 @@ class Argument(NamedTuple):
 
 
 class Declaration(NamedTuple):
-    """An ``<arg>`` that ROS 2 launch executed; ``given``: it had a value before. ``has_default`` and ``choices`` are as declared."""
+    """An ``<arg>`` that ROS 2 launch executed; ``given``: it had a value before. ``has_default`` and ``choices`` are as declared.
+
+    ``maybe``: it is not known whether it is executed.
+    """
 
     argument: Argument
     given: bool
     has_default: bool
     choices: tuple[str, ...] | None
+    maybe: bool = False
 
 
 class ListedArgument(NamedTuple):
@@ -350,7 +382,7 @@ class Launch(NamedTuple):
 
     The rest is of ROS 2: the ``distro`` whose launch this is; ``programs`` that are no nodes; ``declarations``, those of :attr:`declared`
     as launch executed them; ``listed``, the args as people are shown them; ``late``, the first problem of each body that is executed
-    later (a timer's) and fails then: it does not keep the file from being loaded.
+    later (a timer's) and fails then: it does not keep the file from being loaded; ``settled``: whether launch refuses the file can be told.
     """
 
     entry: Source
@@ -378,6 +410,7 @@ class Launch(NamedTuple):
     declarations: tuple[Declaration, ...] = ()
     listed: tuple[ListedArgument, ...] = ()
     late: tuple[Problem, ...] = ()
+    settled: bool = True
 
     def noticed(self, kind: type[Kind]) -> Iterator[Kind]:
         """The problems of one kind."""

@@ -168,7 +168,7 @@ class Calls(Expressions):
             return self.recogniser.method(receiver, str(name), positional, keywords, node, scope)
         if isinstance(receiver, (str, Text, Outside, Seq, Map, Argv)):
             result = builtins.method(self, receiver, str(name), positional, keywords)
-            if result is UNKNOWN:
+            if isinstance(result, Unknown):
                 self.escape([*positional, *keywords.values()], "start")
             return result
         self.escape([*positional, *keywords.values()], "start")
@@ -323,7 +323,7 @@ class Calls(Expressions):
         if word == "hasattr" or not isinstance(positional[1], str):
             return UNKNOWN
         found = self.attribute(positional[0], positional[1], node, scope)
-        return found if found is not UNKNOWN or len(positional) < 3 else choice([("", UNKNOWN), ("", positional[2])])
+        return found if not isinstance(found, Unknown) or len(positional) < 3 else choice([("", UNKNOWN), ("", positional[2])])
 
     def _any_attribute(self, owner: Value, pattern: Value, node: ast.AST, scope: Scope) -> None:
         """An attribute is asked for by a name that is not known."""
@@ -394,7 +394,7 @@ class Calls(Expressions):
         type_ = receiver.type if isinstance(receiver, Instance) else receiver
         order = type_.behind(value.after) if isinstance(type_, Class) else value.after.order[1:]
         found = self._found(order, name, receiver if isinstance(receiver, Instance) else None, type_ if isinstance(type_, Class) else None)
-        return External("builtins.object.__new__") if found is UNKNOWN and name == "__new__" else found
+        return External("builtins.object.__new__") if isinstance(found, Unknown) and name == "__new__" else found
 
     def _of_class(self, type_: Class, name: str, receiver: Instance | None, cls: Class | None) -> Value:
         if name == "__name__":

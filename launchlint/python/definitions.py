@@ -19,6 +19,7 @@ from launchlint.python.values import (
     Scope,
     Seq,
     Text,
+    Unknown,
     Value,
     alternatives,
 )
@@ -93,9 +94,9 @@ class Definitions(Calls):
     def _base(self, node: ast.expr, scope: Scope) -> Value:
         """A base class. What a library that makes no names gives for one makes none either."""
         value = self.evaluate(node, scope)
-        if value is UNKNOWN and isinstance(node, ast.Name) and scope.module.stars:
+        if isinstance(value, Unknown) and isinstance(node, ast.Name) and scope.module.stars:
             return External("builtins.object")  # of a library that makes no names: of another one it would not be unknown
-        if value is UNKNOWN and isinstance(node, (ast.Call, ast.Subscript)):
+        if isinstance(value, Unknown) and isinstance(node, (ast.Call, ast.Subscript)):
             maker = self.evaluate(node.func if isinstance(node, ast.Call) else node.value, scope)
             if isinstance(maker, External) and self.recogniser.is_silent(maker.name):
                 return External("builtins.object")

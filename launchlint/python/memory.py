@@ -12,8 +12,8 @@ from launchlint.python.values import (
     ITEMS,
     MISSING,
     MOST_ITEMS,
-    UNKNOWN,
     Choice,
+    Unknown,
     Value,
     choice,
     same,
@@ -101,7 +101,7 @@ class Memory:
             if outcomes:
                 merged = _merged(key, outcomes)
                 self.store(mapping, key, merged)
-                if merged is UNKNOWN:
+                if isinstance(merged, Unknown):
                     self.lost([value for _, value in outcomes])
 
     def lost(self, values: list[Value]) -> None:

@@ -29,6 +29,7 @@ from launchlint.python.values import (
     Scope,
     Seq,
     Super,
+    Unknown,
     Value,
     alternatives,
 )
@@ -120,7 +121,7 @@ class Statements(Definitions):
             self.store(owner.state, ("attribute", name), value)
         elif isinstance(owner, Function):
             self.store(self.function_attributes.setdefault(id(owner.node), {}), name, value)
-        elif value is not UNKNOWN:
+        elif not isinstance(value, Unknown):
             self.escape([value], "start")
 
     def _set_item(self, owner: Value, index: Value, value: Value) -> None:
@@ -138,7 +139,7 @@ class Statements(Definitions):
             else:
                 self.store(owner.content, COMPLETE, False)
                 self.escape([value], "start")
-        elif value is not UNKNOWN:
+        elif not isinstance(value, Unknown):
             self.escape([value], "start")
 
     def _unpack(self, targets: Sequence[ast.expr], value: Value, scope: Scope) -> None:
@@ -281,7 +282,7 @@ class Statements(Definitions):
         self._widen(node.body, scope)
         said = " ".join(f"for {ast.unparse(node.target)} in {written(node.iter)}".split())
         for item in items:
-            with self.branch(said if item is UNKNOWN else "") as branch:
+            with self.branch(said if isinstance(item, Unknown) else "") as branch:
                 self.assign(node.target, item, scope)
                 branch.flow = self.execute(node.body, scope)
                 if branch.flow in (BROKEN, CONTINUED):

@@ -39,9 +39,16 @@ class Text(NamedTuple):
 
 
 class Unknown:
-    """Any value at all."""
+    """Any value at all; ``reason`` says why it is not known, where somebody asks for that, and ``place`` where it came to be.
 
-    __slots__ = ()
+    Two of them are never told apart by what they say: ask with ``isinstance``.
+    """
+
+    __slots__ = ("place", "reason")
+
+    def __init__(self, reason: str = "", place: Any = None) -> None:
+        self.reason = reason
+        self.place = place
 
     def __repr__(self) -> str:
         return "UNKNOWN"
@@ -295,7 +302,7 @@ def choice(options: list[tuple[str, Value]]) -> Value:
 
 def same(one: Value, other: Value) -> bool:
     """Whether two values are the same thing."""
-    if one is other:
+    if one is other or (isinstance(one, Unknown) and isinstance(other, Unknown)):
         return True
     simple = (str, int, float, bool, bytes, type(None), Text, External, Thing, Argv)
     return type(one) is type(other) and isinstance(one, simple) and bool(one == other)

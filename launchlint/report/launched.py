@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from itertools import dropwhile
 from typing import Any
 
-from launchlint.model import Condition, Executable, Include, Launch, Node, ParameterSource, Unknown
+from launchlint.model import Condition, Executable, Include, Launch, Node, ParameterSource, StandIn, Unknown, UnknownText
 from launchlint.verdict import LOADS, Verdict
 
 
@@ -19,7 +19,7 @@ def as_object(launch: Launch, file: str, error: tuple[str, str] | None, verdict:
     return {
         "file": file,
         "distro": launch.distro,
-        "verdict": "ok" if error is None else "error",
+        "verdict": "error" if error is not None else "ok" if launch.settled else "unknown",
         "error": None if error is None else {"rule": error[0], "message": error[1]},
         "outcome": verdict.as_object(),
         "complete": launch.complete,
@@ -27,11 +27,12 @@ def as_object(launch: Launch, file: str, error: tuple[str, str] | None, verdict:
             _terse(
                 {
                     "name": each.argument.name,
-                    "value": _text(each.argument.value),
+                    "value": _plain(each.argument.value),
                     "given": each.given,
                     "has_default": each.has_default,
                     "choices": each.choices,
                     "file": each.argument.origin.place.source.file,
+                    "maybe": each.maybe,
                 }
             )
             for each in launch.declarations
@@ -49,16 +50,13 @@ def _terse(item: Mapping[str, Any]) -> dict[str, Any]:
     return {key: value for key, value in item.items() if value not in (None, False, "", (), [], {}) or (value == 0 and value is not False)}
 
 
-def _text(value: Any) -> Any:
-    return value.text if isinstance(value, Unknown) else value
-
-
 def _plain(value: Any) -> Any:
     """A value of a parameter as JSON can hold it."""
-    if isinstance(value, Unknown):
-        return value.text
+    if isinstance(value, (Unknown, UnknownText)):
+        return value.text if isinstance(value, StandIn) else {"unknown": value.reason}
     if isinstance(value, Mapping):
-        return {str(_text(key)): _plain(item) for key, item in value.items()}
+        unknown = next((key for key in value if isinstance(key, UnknownText)), None)
+        return {str(key): _plain(item) for key, item in value.items()} if unknown is None else {"unknown": unknown.reason}
     if isinstance(value, (list, tuple)):
         return [_plain(item) for item in value]
     if isinstance(value, float) and (value != value or abs(value) == float("inf")):
@@ -66,19 +64,33 @@ def _plain(value: Any) -> Any:
     return value if value is None or isinstance(value, (str, bool, int, float)) else str(value)
 
 
-def _conditions(conditions: tuple[Condition, ...]) -> list[list[str]]:
-    return [[each.attribute, each.text] for each in conditions]
+def _words(values: Iterable[str]) -> Any:
+    """Words of a command line: how many there are is not known where one of them is not."""
+    words = list(values)
+    unknown = next((each for each in words if isinstance(each, UnknownText)), None)
+    return words if unknown is None else {"unknown": unknown.reason}
+
+
+def _conditions(conditions: tuple[Condition, ...]) -> list[list[Any]]:
+    return [
+        [each.attribute, *([] if each.name is None else [each.name]), _plain(each.text)] for each in conditions if each.attribute != "maybe"
+    ]
+
+
+def _maybe(conditions: tuple[Condition, ...]) -> bool:
+    return any(each.assumed for each in conditions)
 
 
 def _include(include: Include) -> dict[str, Any]:
     return _terse(
         {
-            "file": include.file,
+            "file": _plain(include.file),
             "from": include.origin.place.source.file,
-            "args": {name: _text(value) for name, value in include.arguments.items()},
-            "ns": include.pushed,
+            "args": _plain(include.arguments),
+            "ns": _plain(include.pushed),
             "conditions": _conditions(include.conditions),
             "deferred": include.deferred,
+            "maybe": _maybe(include.conditions),
         }
     )
 
@@ -87,15 +99,28 @@ def _given(node: Node) -> dict[str, Any]:
     """What every node has."""
     return {
         "kind": node.kind,
-        "package": node.package,
-        "name": node.name,
-        "namespace": (node.namespace.rstrip("/") or "/") if node.has_namespace else None,
-        "remaps": _remaps(node),
+        "package": _plain(node.package),
+        "name": _plain(node.name),
+        "namespace": _namespace(node.namespace) if node.has_namespace else None,
+        "remaps": {"unknown": "not all remaps are known"} if node.open_remaps else _remaps(node),
         "file": node.file,
         "conditions": _conditions(node.conditions),
         "deferred": node.deferred,
-        "parameters": None if node.own is None else {name: _typed(pair) for name, pair in node.own.items()},
+        "parameters": _own(node),
+        "maybe": _maybe(node.conditions),
     }
+
+
+def _namespace(namespace: str) -> Any:
+    return _plain(namespace if isinstance(namespace, UnknownText) else namespace.rstrip("/") or "/")
+
+
+def _own(node: Node) -> Any:
+    """What it ends up with: nothing can be said of a node whose name launch does not give."""
+    if node.own is None:
+        return {"unknown": "not all of its params are known"} if (node.name or node.kind == "composable") and not node.fatal else None
+    unknown = next((name for name in node.own if isinstance(name, UnknownText)), None)
+    return {name: _typed(pair) for name, pair in node.own.items()} if unknown is None else {"unknown": unknown.reason}
 
 
 def _remaps(node: Node) -> list[list[str]]:
@@ -116,18 +141,18 @@ def _node(node: Node) -> dict[str, Any]:
     return _terse(
         {
             **_given(node),
-            "executable": node.executable,
-            "arguments": process.arguments,
-            "ros_arguments": process.ros_arguments,
-            "env": process.environment,
-            "cwd": node.cwd,
-            "output": node.output,
-            "prefix": node.launch_prefix,
+            "executable": _plain(node.executable),
+            "arguments": _words(process.arguments),
+            "ros_arguments": _words(process.ros_arguments),
+            "env": _plain(process.environment),
+            "cwd": _plain(node.cwd),
+            "output": _plain(node.output),
+            "prefix": _plain(node.launch_prefix),
             "respawn": node.respawn,
             "respawn_delay": process.respawn_delay,
             "on_exit": process.on_exit,
             "shell": process.shell,
-            "exec_name": process.label,
+            "exec_name": _plain(process.label),
             "params": [_source(each) for each in node.sources],
             "rcl_error": node.fatal,
         }
@@ -136,9 +161,9 @@ def _node(node: Node) -> dict[str, Any]:
 
 def _source(source: ParameterSource) -> dict[str, Any]:
     if source.rule is not None:
-        return {"rule": source.rule.strip()}
+        return {"rule": _plain(source.rule) if isinstance(source.rule, UnknownText) else source.rule.strip()}
     if source.file is not None:
-        return {"file": source.file}
+        return _plain(source.file) if isinstance(source.file, UnknownText) else {"file": source.file}
     return {"content": _plain(source.content), "of": source.of}
 
 
@@ -146,8 +171,8 @@ def _component(node: Node) -> dict[str, Any]:
     return _terse(
         {
             **_given(node),
-            "plugin": node.plugin,
-            "container": node.container,
+            "plugin": _plain(node.plugin),
+            "container": _plain(node.container),
             "extra_arguments": {name: _typed(pair) for name, pair in node.extra_arguments.items()},
             "condition_ignored": node.condition_ignored,
         }
@@ -158,12 +183,12 @@ def _executable(program: Executable) -> dict[str, Any]:
     process = program.process
     return _terse(
         {
-            "cmd": program.command,
-            "name": process.label,
-            "cwd": program.cwd,
-            "env": process.environment,
-            "output": program.output,
-            "prefix": program.launch_prefix,
+            "cmd": _words(program.command),
+            "name": _plain(process.label),
+            "cwd": _plain(program.cwd),
+            "env": _plain(process.environment),
+            "output": _plain(program.output),
+            "prefix": _plain(program.launch_prefix),
             "respawn": program.respawn,
             "respawn_delay": process.respawn_delay,
             "on_exit": process.on_exit,
@@ -171,5 +196,6 @@ def _executable(program: Executable) -> dict[str, Any]:
             "file": program.file,
             "conditions": _conditions(program.conditions),
             "deferred": program.deferred,
+            "maybe": _maybe(program.conditions),
         }
     )

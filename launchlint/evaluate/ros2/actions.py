@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from launchlint.evaluate.ros2 import components, including, nodes, processes, setting_actions
+from launchlint.evaluate.ros2 import components, including, nodes, processes, programs, setting_actions
 from launchlint.evaluate.ros2.walk import Walk
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action
@@ -34,6 +34,11 @@ _EXECUTE: dict[type, Callable[[Walk, Any], None]] = {
     described.Log: setting_actions.log,
     described.Shutdown: setting_actions.shutdown,
     described.Timer: setting_actions.timer,
+    described.Handler: programs.handler,
+    described.Opaque: programs.opaque,
+    described.Maybe: programs.maybe,
+    described.Open: programs.opened,
+    described.Fails: programs.fails,
 }
 
 

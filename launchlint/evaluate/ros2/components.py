@@ -137,13 +137,15 @@ def _parameters(walk: Walk, component: described.Component, name: Value | None, 
         return None
     passed: list[Passed] = []
     try:
-        own, _ = component_parameters.component_parameters(component.parameters, in_force, name or "", namespace, walk.performer, passed)
+        own, complete = component_parameters.component_parameters(
+            component.parameters, in_force, name or "", namespace, walk.performer, passed
+        )
         if name:
             full = full_name(namespace or "/", name)
             walk.receivers.append(Receiver(full, False, tuple(passed), composable=True))
             for problem in judged_component(passed, full, walk.performer):
                 walk.record_once(problem)
-        return own
+        return own if complete else None
     except Failure as failure:
         walk.record(failure.problem)
         return None

@@ -12,7 +12,7 @@ from launchlint.evaluate.ros2.python_files import describes_nothing
 from launchlint.evaluate.ros2.setting_actions import configure
 from launchlint.evaluate.ros2.walk import DEEPEST_INCLUDE, PYTHON, STARTING, Exhausted, Here, Told, Walk
 from launchlint.evaluate.session import Read
-from launchlint.model import Include, Scope, Unknown
+from launchlint.model import Include, Scope, Unknown, shown_text
 from launchlint.source import IncludeStep, Origin
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Description
@@ -33,8 +33,8 @@ def include(walk: Walk, action: described.Include) -> None:
     pushed = context.namespace
     below = pushed.rstrip("/") + "/" if isinstance(pushed, str) else "/"
     entry = Include(
-        file if isinstance(file, str) else file.text, None, below, {}, False, origin, walk.here.scope, walk.here.conditions,
-        pushed if isinstance(pushed, str) or pushed is None else pushed.text, walk.here.deferred,
+        shown_text(file), None, below, {}, False, origin, walk.here.scope, walk.here.conditions,
+        None if pushed is None else shown_text(pushed), walk.here.deferred,
     )  # fmt: skip
     way = (*walk.here.way, id(action))
     if isinstance(file, Unknown):

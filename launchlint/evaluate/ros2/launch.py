@@ -87,6 +87,7 @@ def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...]) 
             for shown in walk.lister.list_executed(known.description, walk.executed).values()
         ),
         late=tuple(walk.late),
+        settled=walk.settled,
     )
     documents = {path: reading.document for path, reading in walk.readings.items() if reading.document is not None}
     compared = {name: tuple(values) for name, values in walk.performer.compared.items()}

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from launchlint.evaluate.ros2.performing import Failure, Performer
 from launchlint.model import Unknown
-from launchlint.syntax.ros2.description import Action, Argument, Description, Group, Include, Reset, Timer
+from launchlint.syntax.ros2.description import Action, Argument, Description, Group, Handler, Include, Maybe, Reset, Timer
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -149,5 +149,7 @@ def _reached(actions: tuple[Action, ...], *, conditional: bool) -> Iterator[tupl
         elif isinstance(action, Group):
             if action.scoped is False or action.forwarding is not False:
                 yield from _reached(action.actions, conditional=action.condition is not None)
-        elif isinstance(action, Timer):
+        elif isinstance(action, (Timer, Maybe)):
+            yield from _reached(action.actions, conditional=True)
+        elif isinstance(action, Handler) and isinstance(action.actions, tuple):
             yield from _reached(action.actions, conditional=True)

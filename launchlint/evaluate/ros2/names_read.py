@@ -29,7 +29,8 @@ OF_LAUNCH = frozenset(
     )
 )
 """Those that launch and launch_ros read themselves, whoever sets them."""
-_OPEN = ("file-content",)
+_OPEN = ("file-content", described.NOT_KNOWN)
+_UNREAD = (described.Opaque, described.Open)
 _READ = late(r"\$\(var ['\"]?([^\s()'\"$]+)")
 _INCLUDED = late(r"<include\b|(?<![\w-])include['\"]?\s*:")
 
@@ -78,7 +79,9 @@ def names_of(description: Description) -> Names:
             includes.append(each)
         elif isinstance(each, described.ParameterFile):
             is_open = is_open or each.allow_substs is not False
-        later = later or isinstance(each, described.Timer)
+        elif isinstance(each, _UNREAD) or (isinstance(each, described.Handler) and not isinstance(each.actions, tuple)):
+            is_open = True
+        later = later or isinstance(each, (described.Timer, described.Handler))
         waiting.extend((part, later) for part in each)
     return Names(
         read,

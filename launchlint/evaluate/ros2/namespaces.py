@@ -6,7 +6,7 @@ from launchlint.evaluate.ros2.context import Value
 from launchlint.evaluate.ros2.names import absolute, prefixed
 from launchlint.evaluate.ros2.processes import text_of
 from launchlint.evaluate.ros2.walk import Walk
-from launchlint.model import Unknown
+from launchlint.model import Unknown, shown_text
 from launchlint.syntax.ros2.description import Text
 
 
@@ -25,4 +25,6 @@ def namespace_of(walk: Walk, written: Text | None) -> Value | None:
 
 def namespace_with_slash(namespace: Value | None) -> str:
     """As the model has it: with a slash at its end, ``/`` where launch gives none."""
-    return "/" if namespace is None else text_of(namespace).rstrip("/") + "/"
+    if isinstance(namespace, Unknown):
+        return shown_text(Unknown(namespace.text.rstrip("/") + "/", namespace.reason))
+    return "/" if namespace is None else namespace.rstrip("/") + "/"

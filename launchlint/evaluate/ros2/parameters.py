@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, Protocol
 
 from launchlint.evaluate.ros2.parameter_problems import ContentNoYaml, ParameterValueType
 from launchlint.evaluate.ros2.typed import TypeFault, by_yaml_rules, convert, is_uniform, load_file
-from launchlint.model import Unknown
+from launchlint.model import StandIn, Unknown, UnknownText, shown_text
 from launchlint.rcl.table import ANY
 from launchlint.source import Source
 from launchlint.syntax.ros2.description import Parameter, ParameterFile, Parameters, Text
@@ -144,9 +144,10 @@ def node_parameters(
         if isinstance(each, GlobalParameter):
             unknown = isinstance(each.name, Unknown) or isinstance(each.value, Unknown)
             name = each.name.text if isinstance(each.name, Unknown) else each.name
-            passed.append(Passed(each.origin, rule=f"{name}:={each.text}", unknown=unknown, given=each))
+            rule = f"{name}:={each.text}"
+            passed.append(Passed(each.origin, rule=_unless_known(rule, each), unknown=unknown, given=each))
         elif isinstance(each.file, Unknown):
-            passed.append(Passed(each.origin, file=each.file.text, unknown=True))
+            passed.append(Passed(each.origin, file=shown_text(each.file), unknown=True))
         else:
             if not posixpath.isabs(each.file) or not asks.session.exists(each.file):
                 asks.fail(missing(each.file, each.origin, "filename", asks))
@@ -156,6 +157,12 @@ def node_parameters(
         if given is not None:
             passed.append(given)
     return passed
+
+
+def _unless_known(rule: str, given: GlobalParameter) -> str:
+    """A rule as text, which is not one to be compared where a part of it is not known."""
+    unknown = next((each for each in (given.name, given.value) if isinstance(each, Unknown) and not isinstance(each, StandIn)), None)
+    return rule if unknown is None else UnknownText(rule, unknown.reason)
 
 
 def parameter_file(source: ParameterFile, asks: Performs, must_exist: bool = False) -> Passed | None:
@@ -169,10 +176,10 @@ def parameter_file(source: ParameterFile, asks: Performs, must_exist: bool = Fal
     if isinstance(substitute, Text):
         said = asks.perform(substitute)
         if isinstance(said, Unknown):
-            return Passed(origin, file=source.file.place.text, unknown=True)
+            return Passed(origin, file=UnknownText(source.file.place.text, said.reason), unknown=True)
         substitute = _boolean(said, substitute, asks)
     if isinstance(file, Unknown):
-        return Passed(origin, file=file.text, unknown=True)
+        return Passed(origin, file=shown_text(file), unknown=True)
     read = _read(file, asks)
     if read is None or read.data is None:
         must_exist = must_exist or substitute
@@ -231,17 +238,24 @@ def _read(file: str, asks: Performs) -> Read | None:
 def _content(source: Parameter | Parameters, full_name: str | Unknown | None, asks: Performs) -> Passed:
     texts: list[TextValue] = []
     found = values(source, asks, texts)
+    unnamed = next((name for name in found if isinstance(name, UnknownText)), None)
+    if unnamed is not None:
+        return Passed(asks.where(source.place), file=unnamed, unknown=True, texts=tuple(texts))
     unknown = isinstance(full_name, Unknown) or any(isinstance(each, Unknown) for each in found.values())
-    key = ANY if full_name is None else full_name.text if isinstance(full_name, Unknown) else full_name
+    key = ANY if full_name is None else shown_text(full_name)
     return Passed(asks.where(source.place), content={key: {PARAMETERS: found}}, unknown=unknown, texts=tuple(texts))
 
 
 def _collect(source: Parameter, before: str, found: dict[str, Any], texts: list[TextValue], asks: Performs) -> None:
     name = asks.perform(source.name)
     full = f"{before}{name.text if isinstance(name, Unknown) else name}"
+    hidden = name if isinstance(name, Unknown) else before if isinstance(before, UnknownText) else None
+    if hidden is not None:
+        full = UnknownText(full, hidden.reason)
     if source.value is None:
         for inner in source.nested:
-            _collect(inner, f"{full}.", found, texts, asks)
+            below = f"{full}."
+            _collect(inner, UnknownText(below, full.reason) if isinstance(full, UnknownText) else below, found, texts, asks)
         return
     value = _value(full, source.value, asks)
     written = source.value.value if isinstance(source.value.value, Text) else source.value.value[0] if source.value.value else source.name

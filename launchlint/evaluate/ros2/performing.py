@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from launchlint.evaluate.ros2.context import Context, Value
 from launchlint.late import late
-from launchlint.model import Unknown
+from launchlint.model import StandIn, Unknown
 from launchlint.problem import Problem
 from launchlint.source import Origin, Place, Source
 from launchlint.syntax.ros2.description import Substitution, Text
@@ -166,5 +166,9 @@ def joined(values: list[Value], place: Place, spend: Callable[[int, Place], None
         spend(len(text), place)
     if unknown is None:
         return text
+    if all(isinstance(value, (str, StandIn)) for value in values):
+        return StandIn(
+            text, unknown.reason, _SEVERAL.sub("*", "".join(value if isinstance(value, str) else value.pattern for value in values))
+        )
     pattern = "".join(value if isinstance(value, str) else value.pattern for value in values)
     return Unknown(text, unknown.reason, _SEVERAL.sub("*", pattern))

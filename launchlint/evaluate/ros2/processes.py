@@ -10,7 +10,7 @@ from launchlint.evaluate.ros2.context import Value
 from launchlint.evaluate.ros2.problems import UnsplittablePrefix
 from launchlint.evaluate.ros2.setting_actions import truth
 from launchlint.evaluate.ros2.walk import Walk
-from launchlint.model import Executable, Process, Unknown
+from launchlint.model import Executable, Process, Unknown, shown_text
 from launchlint.source import Place
 from launchlint.syntax.problems import InvalidValue
 from launchlint.syntax.ros2 import description as described
@@ -99,13 +99,13 @@ def _environment(walk: Walk, process: described.Process, place: Place) -> dict[s
     changed: dict[str, str | None] = {}
     for name, given in after.items():
         if given != environment.session.variable(name):
-            changed[name] = given.text if isinstance(given, Unknown) else given
+            changed[name] = given if given is None else text_of(given)
     return changed
 
 
 def text_of(value: Value) -> str:
     """A value as it is shown: what is known of it, and what is written where nothing is."""
-    return value if isinstance(value, str) else value.text
+    return shown_text(value)
 
 
 def process_of(prepared: Prepared, process: described.Process, arguments: Iterable[Value], ros_arguments: Iterable[Value]) -> Process:

@@ -40,7 +40,9 @@ def argument(walk: Walk, action: described.Argument) -> None:
     default = None if action.default is None else written if written is not None else Unknown(action.default.place.text, "it is computed")
     in_group = walk.here.scope is not None and walk.here.scope.kind == "group"
     walk.declared.append(
-        Declaration(Declared(name, value, default, origin, False, in_group), given, action.default is not None, action.choices)
+        Declaration(
+            Declared(name, value, default, origin, False, in_group), given, action.default is not None, action.choices, walk.here.assumed
+        )
     )
     note_choices(walk.performer, name, action.choices)
     if action.choices is not None and isinstance(value, str) and value not in action.choices:

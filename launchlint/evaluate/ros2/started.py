@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from launchlint.evaluate.ros2.parameters import PARAMETERS
 from launchlint.evaluate.ros2.rcl_files import add_file
-from launchlint.model import Unknown
+from launchlint.model import Unknown, UnknownText
 from launchlint.rcl import arguments, parameter_files
 from launchlint.rcl.names import Names
 from launchlint.rcl.refused import Refused
@@ -68,9 +68,10 @@ def started(
         remaps: its remaps, in order.
         asks: whose files these are.
     """
-    words = list(own_words)
-    if ros_words is not None:
-        words += [arguments.ROS_ARGUMENTS, *ros_words]
+    given = [*own_words, *([] if ros_words is None else [arguments.ROS_ARGUMENTS, *ros_words])]
+    words = [word for word in given if not isinstance(word, UnknownText)]
+    if len(words) < len(given) and arguments.ROS_ARGUMENTS in words:
+        return Started(None, None, None if name is None else Names(name, namespace or "/").full_name)
     words.append(arguments.ROS_ARGUMENTS)
     if name is not None:
         words += ["-r", f"__node:={name}"]
@@ -80,7 +81,7 @@ def started(
     contents: dict[str, tuple[Source, Passed]] = {}
     for place, each in enumerate(passed):
         if each.rule is not None:
-            words += ["-p", each.rule]
+            words += [] if isinstance(each.rule, UnknownText) else ["-p", each.rule]
             known = known and not each.unknown
         elif isinstance(each.content, Mapping) and not isinstance(each.content, Unknown):
             file = f"{_CONTENT}{place}"
@@ -151,5 +152,5 @@ def dumped(content: Any) -> str:
 
 def _plain(content: Any) -> Any:
     if isinstance(content, Mapping):
-        return {key: _plain(value) for key, value in content.items()}
+        return {str(key) if isinstance(key, str) else key: _plain(value) for key, value in content.items()}
     return content.text if isinstance(content, Unknown) else content

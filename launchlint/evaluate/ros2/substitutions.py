@@ -24,8 +24,8 @@ from launchlint.evaluate.ros2.problems import (
     ParameterNotSet,
 )
 from launchlint.late import late
-from launchlint.model import Unknown
-from launchlint.syntax.ros2.description import Substitution
+from launchlint.model import StandIn, Unknown
+from launchlint.syntax.ros2.description import NOT_KNOWN, Substitution
 
 _FOLD = str.maketrans(".-:", "___")
 _PACKAGE = late(r"[a-zA-Z0-9][a-zA-Z0-9_-]+")
@@ -148,7 +148,8 @@ def _command(performer: Performer, substitution: Substitution) -> Value:
         option = _known(performer, substitution, 1)
         if option not in _STDERR:
             raise Failure(CommandOption(origin=performer.where(substitution.place), refused=True, value=option, known=_STDERR))
-    return Unknown(f"$(command {line if isinstance(line, str) else line.text})", "it is the output of a command, which is not run")
+    made = Unknown if isinstance(line, Unknown) and not isinstance(line, StandIn) else StandIn
+    return made(f"$(command {line if isinstance(line, str) else line.text})", "it is the output of a command, which is not run")
 
 
 def _directory(performer: Performer, substitution: Substitution) -> Value:
@@ -309,6 +310,11 @@ def _modules(performer: Performer, substitution: Substitution) -> tuple[str, ...
     return tuple(name.strip() for name in _known(performer, substitution, 1).split(",") if name.strip())
 
 
+def _not_known(performer: Performer, substitution: Substitution) -> Value:
+    """What a program has put there, nobody knows."""
+    return Unknown(substitution.place.text, _known(performer, substitution, 0))
+
+
 PERFORM: dict[str, Perform] = {
     name: _of_known(perform)
     for name, perform in {
@@ -334,5 +340,6 @@ PERFORM: dict[str, Perform] = {
         "file-content": _content,
         "eval": _eval,
         "path-join": _path,
+        NOT_KNOWN: _not_known,
     }.items()
 }

@@ -7,6 +7,7 @@ After a problem for which launch would stop, the walk goes on with an unknown va
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import NamedTuple
 
 from launchlint.evaluate.problems import ConditionNotBoolean, EvaluationBound
@@ -16,7 +17,7 @@ from launchlint.evaluate.ros2.listing import Lister
 from launchlint.evaluate.ros2.performing import Failure, Performer, Rules
 from launchlint.evaluate.ros2.substitutions import PERFORM
 from launchlint.evaluate.session import Read
-from launchlint.model import Branch, Condition, Declaration, Executable, Include, Node, Scope, Unknown
+from launchlint.model import Branch, Condition, Declaration, Executable, Include, Node, Scope, Unknown, shown_text
 from launchlint.problem import Problem
 from launchlint.source import IncludeStep, Origin, Place
 from launchlint.syntax.ros2 import description as described
@@ -45,6 +46,7 @@ DEEPEST_INCLUDE = 200
 """Includes inside includes: launch itself overflows Python's stack a little above this."""
 MOST_DEFERRED = 500
 
+UNSURE = "it is set under a condition that is not known"
 _TRUE = ("true", "1")
 _FALSE = ("false", "0")
 _TAGS: dict[type, str] = {
@@ -70,6 +72,11 @@ _TAGS: dict[type, str] = {
     described.Log: "log",
     described.Shutdown: "shutdown",
     described.Timer: "timer",
+    described.Handler: "RegisterEventHandler",
+    described.Opaque: "OpaqueFunction",
+    described.Maybe: "maybe",
+    described.Open: "open",
+    described.Fails: "fails",
 }
 _CONTAINERS = {"container": "node_container", "lifecycle": "lifecycle_node"}
 
@@ -90,6 +97,27 @@ class Known(NamedTuple):
     value: Value
     steer: frozenset[str]
     outside: bool
+
+
+class Weighed(NamedTuple):
+    """A condition: by what it was judged, whether it holds (None: not known), the configuration that is compared, what it depends on."""
+
+    value: Value | None
+    taken: bool | None
+    name: str | None
+    steer: frozenset[str]
+    outside: bool
+
+
+class Absent(NamedTuple):
+    """As :class:`Known`, of what a configuration is compared with where it is not to be set."""
+
+    value: None
+    steer: frozenset[str]
+    outside: bool
+
+
+_NOT_SET = Absent(None, frozenset(), False)
 
 
 class Here(NamedTuple):
@@ -148,6 +176,7 @@ class Walk:
         self.readings: dict[str, Reading] = {}
         self.executed: dict[tuple[int, ...], described.Description] = {}
         self.complete = True
+        self.settled = True
         self.receivers: list[Receiver] = []
         self.entered: list[Entered] = []
         self._recorded: set[tuple[object, ...]] = set()
@@ -236,6 +265,13 @@ class Walk:
 
     def known(self, text: Text) -> Known:
         """The same, with what the value depends on."""
+        return self._tracked(text, self.value)
+
+    def performed(self, text: Text) -> Known:
+        """The same; raises Failure where launch stops."""
+        return self._tracked(text, self.performer.perform)
+
+    def _tracked(self, text: Text, work: Callable[[Text], Value]) -> Known:
         literal = text.literal
         if literal is not None:
             return Known(literal, frozenset(), False)
@@ -243,7 +279,7 @@ class Walk:
         steer, outside = performer.steer, performer.outside
         performer.steer, performer.outside = set(), False
         try:
-            value = self.value(text)
+            value = work(text)
             return Known(value, frozenset(performer.steer), performer.outside)
         finally:
             performer.steer |= steer
@@ -263,32 +299,74 @@ class Walk:
                 continue
             outer = self.here
             self.here = outer._replace(conditions=(*outer.conditions, met), assumed=outer.assumed or met.assumed)
-            self.handle(self, action)
+            if met.assumed:
+                self.doubtfully(partial(self.handle, self, action), UNSURE)
+            else:
+                self.handle(self, action)
             self.here = self.here._replace(conditions=outer.conditions, assumed=outer.assumed)
+
+    def doubtfully(self, work: Callable[[], None], reason: str) -> None:
+        """Do what may not be done in a launch: what it sets is not known behind it."""
+        context = self.context
+        configurations, environment = dict(context.configurations), dict(context.environment.changes)
+        work()
+        for name, setting in context.configurations.items():
+            if configurations.get(name) is not setting:
+                unknown = Unknown(name, reason)
+                context.configurations[name] = setting._replace(value=unknown, steer=setting.steer, same=None)
+        for name in context.environment.changes:
+            if name not in environment or environment[name] != context.environment.changes[name]:
+                context.environment.set(name, Unknown(name, reason))
 
     def judge(self, condition: described.Condition, tag: str, element: Place) -> Condition | None:
         """The condition as one that was met, None where it does not hold. One of unknown value is taken to hold."""
-        value, steer, outside = self.known(condition.operands[0])
-        note_truth(self.performer, condition.operands[0])
-        origin = self.at(condition.place)
+        if condition.kind in ("if", "unless"):
+            note_truth(self.performer, condition.operands[0])
+        try:
+            value, taken, name, steer, outside = self.weigh(condition)
+        except Failure as failure:
+            self.record(failure.problem)
+            return None
         if isinstance(value, Told):
             return None
-        taken: bool | None = None
-        if isinstance(value, str):
-            word = value.strip().lower()
-            if word not in _TRUE and word not in _FALSE:
-                written, reason = condition.operands[0].place.text, "it is none of true, 1, false and 0"
-                self.record(
-                    ConditionNotBoolean(origin=origin, refused=True, attribute=condition.kind, value=value, text=written, reason=reason)
-                )
-                return None
-            taken = (word in _TRUE) is (condition.kind == "if")
-        text = condition.operands[0].place.text
+        text = condition.operands[-1].place.text
         steered = steer - self.pinned
+        origin = self.at(condition.place)
         self.branches.append(Branch(origin, element, tag, condition.kind, text, taken, steered, outside or bool(steer)))
         if taken is False:
             return None
-        return Condition(condition.kind, condition.place, taken is None, value if isinstance(value, str) else value.text)
+        shown = "" if value is None else shown_text(value)
+        return Condition(condition.kind, condition.place, taken is None, shown, name)
+
+    def weigh(self, condition: described.Condition) -> Weighed:
+        """Whether a condition holds now. Raises Failure where launch stops."""
+        if condition.kind in ("equals", "not-equals"):
+            return self._compare(condition)
+        value, steer, outside = self.performed(condition.operands[0])
+        if isinstance(value, Unknown):
+            return Weighed(value, None, None, steer, outside)
+        word = value.strip().lower()
+        if word not in _TRUE and word not in _FALSE:
+            written, reason = condition.operands[0].place.text, "it is none of true, 1, false and 0"
+            origin = self.at(condition.place)
+            raise Failure(
+                ConditionNotBoolean(origin=origin, refused=True, attribute=condition.kind, value=value, text=written, reason=reason)
+            )
+        return Weighed(value, (word in _TRUE) is (condition.kind == "if"), None, steer, outside)
+
+    def _compare(self, condition: described.Condition) -> Weighed:
+        """A configuration with a value, or, without one, with not being set (launch.conditions.LaunchConfigurationEquals)."""
+        name = condition.operands[0].literal or ""
+        expected, steer, outside = self.performed(condition.operands[1]) if len(condition.operands) > 1 else _NOT_SET
+        setting = self.context.configurations.get(name)
+        if setting is None:
+            unset, steer = not self.context.unread, steer | {name}
+            found: Value | None = None if unset else Unknown(name, "an included file may set it")
+        else:
+            found, steer, outside = setting.value, steer | setting.steer, outside or setting.outside
+        if isinstance(found, Unknown) or isinstance(expected, Unknown):
+            return Weighed(found if isinstance(found, Unknown) else expected, None, name, steer, outside)
+        return Weighed(expected, (found == expected) is (condition.kind == "equals"), name, steer, outside)
 
     def defer(self, kind: str, actions: tuple[Action, ...]) -> None:
         """Execute ``actions`` after everything else, with the context as it is then."""

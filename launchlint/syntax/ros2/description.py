@@ -10,11 +10,21 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from launchlint.problem import Problem
 from launchlint.source import Place
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Literal, TypeAlias
+
+    from launchlint.syntax.ros2.live import LiveContext
+
+    Call: TypeAlias = Callable[[LiveContext], tuple["Action", ...]]
+    """What is called when its action is executed, and gives further actions. Raises whatever the live context raises."""
+
+NOT_KNOWN = "?"
+"""The name of a substitution whose value is not known; its only argument says why. No front end can write it."""
 
 
 class Substitution(NamedTuple):
@@ -41,6 +51,11 @@ class Text(NamedTuple):
         if not self.pieces:
             return ""
         return self.pieces[0] if len(self.pieces) == 1 and isinstance(self.pieces[0], str) else None
+
+
+def unknown(reason: str, place: Place) -> Text:
+    """A text of which nothing is known."""
+    return Text((Substitution(NOT_KNOWN, (Text((reason,), place),), place),), place)
 
 
 class Condition(NamedTuple):
@@ -344,10 +359,55 @@ class Timer(NamedTuple):
     cancel_on_shutdown: Text | bool | None = None
 
 
+class Handler(NamedTuple):
+    """``RegisterEventHandler`` (Python only): what is executed when something happens, later; ``event`` is the class of the handler.
+
+    ``actions`` are what it executes, or a function that gives them then.
+    """
+
+    event: str
+    actions: tuple[Action, ...] | Call
+    place: Place
+    condition: Condition | None = None
+
+
+class Opaque(NamedTuple):
+    """``OpaqueFunction`` (Python only): a function that is called when it is executed, with the context of that moment."""
+
+    call: Call
+    place: Place
+    condition: Condition | None = None
+
+
+class Maybe(NamedTuple):
+    """Actions of a program of which it is not known whether they are there, and why."""
+
+    actions: tuple[Action, ...]
+    reason: str
+    place: Place
+    condition: Condition | None = None
+
+
+class Open(NamedTuple):
+    """Here a program may have put any other actions, for a ``reason``."""
+
+    reason: str
+    place: Place
+    condition: Condition | None = None
+
+
+class Fails(NamedTuple):
+    """Here launch stops when it comes to it: ``problem`` is what it stops for (Python only)."""
+
+    problem: Problem
+    place: Place
+    condition: Condition | None = None
+
+
 Action: TypeAlias = (
     "Argument | Let | Include | Group | Executable | Node | LoadComponents | PushNamespace | SetRemap | SetParameter"
     " | SetParametersFromFile | SetUseSimTime | SetEnvironment | UnsetEnvironment | AppendEnvironment | ResetEnvironment"
-    " | Reset | SetLogDirectory | Log | Shutdown | Timer"
+    " | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Opaque | Maybe | Open | Fails"
 )
 
 

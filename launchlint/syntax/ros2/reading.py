@@ -30,6 +30,13 @@ _ENCODING = re.compile(rb"""(\s*<\?xml[^>]*?\bencoding\s*=\s*)(["'])([A-Za-z][\w
 _LAUNCH = "launch"
 
 
+class Unresolved(NamedTuple):
+    """What could not be told of a launch file in Python, and why."""
+
+    place: Place
+    reason: str
+
+
 class Reading(NamedTuple):
     """What was read.
 
@@ -37,13 +44,16 @@ class Reading(NamedTuple):
     ``refused`` are each enough for launch to refuse the file, and the first of them is the one that it names; after a problem the reading
     goes on, so that ``description`` holds whatever could be understood.
 
-    ``document`` is the tree of an XML file, None for YAML.
+    ``document`` is the tree of an XML file, None for YAML and Python.
+
+    ``unresolved`` says what of a program could not be told without running it, in the order in which it was met.
     """
 
     description: Description
     problems: tuple[Problem, ...]
     source: Source
     document: Document | None = None
+    unresolved: tuple[Unresolved, ...] = ()
 
     @property
     def refusal(self) -> Problem | None:
