@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
+import ast
 import posixpath
 from collections.abc import Callable, Mapping, Sequence
 
 from launchlint.python import builtins, standard
 from launchlint.python.call import Call
-from launchlint.python.interpreter import Interpreter
-from launchlint.python.values import COMPLETE, ITEMS, MISSING, MORE, UNKNOWN, External, Handle, Instance, Map, Scope, Seq, Value
+from launchlint.python.values import COMPLETE, ITEMS, MISSING, UNKNOWN, External, Handle, Instance, Map, Scope, Seq, Value
 from launchlint.python.values import Text as Open
 from launchlint.source import Place
+from launchlint.syntax.ros2.python.arguments import wrong_action, wrong_values
+from launchlint.syntax.ros2.python.constructors import Given, wrong_shape
+from launchlint.syntax.ros2.python.noticing import Noticing
 from launchlint.syntax.ros2.python.tables import Signature, is_of_launch, signature
 from launchlint.syntax.ros2.python.texts import NotUnderstood, share
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    import ast
 
 _OUTSIDE = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
 _SHARE = ("ament_index_python.packages.get_package_share_directory", "ament_index_python.get_package_share_directory")
@@ -41,7 +40,7 @@ class Outside:
 class LaunchRecogniser:
     """Recognises for one launch file (a :class:`~launchlint.python.recogniser.Recogniser`). All methods raise NotUnderstood."""
 
-    def __init__(self, run: Interpreter, outside: Outside, place: Callable[[ast.AST, Scope], Place]) -> None:
+    def __init__(self, run: Noticing, outside: Outside, place: Callable[[ast.AST, Scope], Place]) -> None:
         self._run = run
         self._outside = outside
         self._place = place
@@ -51,7 +50,7 @@ class LaunchRecogniser:
         """An object of launch, a directory, a path, or something that is not known."""
         known = signature(name, self._outside.distro)
         if known is not None:
-            return self._object(known, positional, keywords, self._place(node, scope))
+            return self._object(known, Given(known, positional, keywords, node, lambda each: self._place(each, scope)))
         place = self._place(node, scope)
         if is_of_launch(name):
             raise NotUnderstood(f"{name} is not known", place)
@@ -72,23 +71,21 @@ class LaunchRecogniser:
             return UNKNOWN
         raise NotUnderstood(f"{name} is not known", place)
 
-    def _object(self, known: Signature, positional: list[Value], keywords: dict[str, Value], place: Place) -> Handle:
-        if MORE in keywords or len(positional) > known.positional:
-            raise NotUnderstood(f"arguments of {known.name} that are not known, or too many", place)
-        given = {**dict(zip(known.arguments, positional, strict=False)), **keywords}
-        stray = given.keys() - set(known.arguments)
-        lacking = known.required - given.keys()
-        if stray or lacking or len(given) < len(positional) + len(keywords):
-            names = ", ".join(sorted(stray or lacking)) or "twice"
-            raise NotUnderstood(f"{known.name} is not made with these arguments: {names}", place)
+    def _object(self, known: Signature, given: Given) -> Handle:
+        """An object of a class of launch, as it is now; what its constructor would not take is noted, and left out."""
+        for problem in (*wrong_shape(given, self._outside.distro), *wrong_values(given)):
+            self._run.record(problem)
+        if given.open:
+            raise NotUnderstood(f"arguments of {known.name} that are not known", given.whole)
+        values = {name: given.values.get(name, UNKNOWN) for name in known.arguments if name in given.values or name in known.required}
         kind = known.name.rpartition(".")[2]
         if kind not in _MADE_LATER:
-            given = {key: snapshot(value) for key, value in given.items()}
-        if kind == "LaunchDescription" and not isinstance(given.get("initial_entities"), Seq):
-            if given.get("initial_entities") is not None:
-                raise NotUnderstood("a launch description of which the actions are not known", place)
-            given["initial_entities"] = Seq([])
-        return Handle(kind, {**given, "place": place})
+            values = {key: snapshot(value) for key, value in values.items()}
+        if kind == "LaunchDescription" and not isinstance(values.get("initial_entities"), Seq):
+            if values.get("initial_entities") is not None:
+                raise NotUnderstood("a launch description of which the actions are not known", given.whole)
+            values["initial_entities"] = Seq([])
+        return Handle(kind, {**values, "place": given.whole})
 
     def _directory(self, kind: str, positional: list[Value], keywords: dict[str, Value], place: Place) -> Value:
         package = positional[0] if positional else keywords.get("package_name", UNKNOWN)
@@ -115,6 +112,9 @@ class LaunchRecogniser:
         if receiver.kind == "LaunchDescription" and name in ("add_action", "add_entity") and len([*positional, *keywords]) == 1:
             actions: Seq = receiver.state["initial_entities"]
             added = positional[0] if positional else next(iter(keywords.values()))
+            argument = node.args[0] if isinstance(node, ast.Call) and node.args else node
+            for problem in wrong_action("LaunchDescription", added, self._place(argument, scope)):
+                self._run.record(problem)
             self._run.store(actions.content, ITEMS, [*actions.items, added])
             self._run.store(actions.content, COMPLETE, actions.complete and len(actions.items) < 250)
             return None

@@ -6,13 +6,13 @@ import ast
 from collections.abc import Sequence
 
 from launchlint.python.calls import DEEPEST_CALL, MOST_SPENT
-from launchlint.python.interpreter import Interpreter
 from launchlint.python.memory import ENDED, Branch
 from launchlint.python.modules import ModuleFinder
 from launchlint.python.source import Source
 from launchlint.python.values import UNKNOWN, Function, Handle, Map, Scope, Seq, Value, alternatives
 from launchlint.source import Place, Span
 from launchlint.source import Source as Written
+from launchlint.syntax.ros2.python.noticing import Noticing
 from launchlint.syntax.ros2.python.recogniser import LaunchRecogniser, Outside
 from launchlint.syntax.ros2.python.texts import NotUnderstood
 from launchlint.workspace import looking
@@ -64,13 +64,14 @@ class StrictModules(ModuleFinder):
         return source
 
 
-class Strict(Interpreter):
+class Strict(Noticing):
     """Follows one launch file. All methods raise NotUnderstood."""
 
     def __init__(self, written: Written, outside: Outside, root: str, package: str, finder: ModuleFinder) -> None:
         recogniser = LaunchRecogniser(self, outside, self.place)
         super().__init__(recogniser, root, package, finder, package or "\0")
         self.environment: Map = recogniser.environment
+        self.outside = outside
         self._written: dict[str, Written] = {self.shown(written.file): written}
 
     def place(self, node: ast.AST, scope: Scope) -> Place:
@@ -83,6 +84,15 @@ class Strict(Interpreter):
         line, end = getattr(node, "lineno", 1), getattr(node, "end_lineno", None)
         start = _offset(source, line, getattr(node, "col_offset", 0))
         return Place(source, Span(start, start if end is None else _offset(source, end, getattr(node, "end_col_offset", 0))))
+
+    def name_place(self, function: Function) -> Place:
+        """Where the name of a function stands in its definition."""
+        node = function.node
+        source, span = self.place(node, function.scope)
+        if isinstance(node, ast.Lambda):
+            return Place(source, span)
+        start = source.text.find(node.name, span.start)
+        return Place(source, Span(start, start + len(node.name))) if start >= 0 else Place(source, span)
 
     def doubt(self, reason: str, path: str, line: int) -> None:
         """Doubts are what is not understood."""

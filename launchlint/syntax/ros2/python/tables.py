@@ -17,7 +17,7 @@ launch.actions.SetLaunchConfiguration name value +
 launch.actions.UnsetLaunchConfiguration name +
 launch.actions.GroupAction actions * scoped= forwarding= launch_configurations= +
 launch.actions.IncludeLaunchDescription launch_description_source * launch_arguments= +
-launch.actions.ExecuteProcess * cmd +process
+launch.actions.ExecuteProcess * cmd name= +process
 launch.actions.LogInfo * msg +
 launch.actions.SetEnvironmentVariable name value +
 launch.actions.UnsetEnvironmentVariable name +
@@ -71,7 +71,7 @@ launch_ros.substitutions.ExecutableInPackage executable package
 launch_ros.substitutions.Parameter name * default=
 """
 _PROCESS = """prefix= cwd= env= additional_env= output= shell= sigterm_timeout= sigkill_timeout= emulate_tty= respawn= respawn_delay=
-    respawn_max_retries= on_exit= condition="""
+    respawn_max_retries= on_exit= output_format= cached_output= log_cmd= condition="""
 _GROUPS = {
     "+": "condition=",
     "+process": _PROCESS,
@@ -87,11 +87,14 @@ _NEW_SINCE_HUMBLE = {
     },
 }
 """What humble does not know: of a class these arguments, or (None) the class itself."""
+_LATER = {"launch_ros.actions.LifecycleNode": ("autostart",)}
+"""Arguments that came after all distributions that are known here; updates have brought them to some of these."""
 _RENAMED = {
     "launch_ros.actions.PushRosNamespace": "launch_ros.actions.PushROSNamespace",
     "launch_ros.actions.ROSTimer": "launch_ros.actions.RosTimer",
     "launch.substitutions.LaunchLogDirectory": "launch.substitutions.LaunchLogDir",
 }
+LATER = "later"
 _PACKAGES = ("launch", "launch_ros", "launch_xml", "launch_yaml")
 
 
@@ -107,6 +110,18 @@ class Signature(NamedTuple):
 def signature(name: str, distro: str) -> Signature | None:
     """What is known of the class of a full name, as a distribution has it; None where there is no such class."""
     return _signatures(distro).get(_canonical(name))
+
+
+def class_of_kind(kind: str) -> str | None:
+    """The full name of a class of launch by its last word, the same in all distributions; None where there is none."""
+    return _kinds().get(kind)
+
+
+def newer(name: str, argument: str, distro: str) -> tuple[str, bool] | None:
+    """Since which distribution a class has an argument that ``distro`` does not know, and whether that is certain; None where none has."""
+    if argument in _LATER.get(name, ()):
+        return LATER, False
+    return ("jazzy", True) if distro == "humble" and argument in (_NEW_SINCE_HUMBLE.get(name) or ()) else None
 
 
 def is_of_launch(name: str) -> bool:
@@ -134,8 +149,15 @@ def _signatures(distro: str) -> dict[str, Signature]:
             continue
         plain = [each for word in words for each in _GROUPS.get(word, word).split()]
         starts = next((at for at, word in enumerate(words) if word == "*" or word in _GROUPS), len(words))
-        named = [word for word in plain if word != "*" and word.removesuffix("=") not in new]
+        unknown = (*new, *_LATER.get(name, ()))
+        named = [word for word in plain if word != "*" and word.removesuffix("=") not in unknown]
         arguments = tuple(word.removesuffix("=") for word in named)
         required = frozenset(word for word in named if not word.endswith("="))
         found[name] = Signature(name, arguments, starts, required)
     return found
+
+
+@lru_cache(maxsize=1)
+def _kinds() -> dict[str, str]:
+    names = (line.split()[0] for line in _CLASSES.strip().splitlines())
+    return {name.rpartition(".")[2]: name for name in names}

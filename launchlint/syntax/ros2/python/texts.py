@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 
+from launchlint.problem import Problem
 from launchlint.python.values import SIGNS, Handle, Map, Seq, Value
 from launchlint.python.values import Text as Open
 from launchlint.source import Place
@@ -42,7 +43,12 @@ PATH_JOIN = "path-join"
 
 
 class NotUnderstood(Exception):
-    """What a launch file in Python does cannot be told with certainty; says why, and where."""
+    """What a launch file in Python does cannot be told with certainty; says why, and where.
+
+    ``problems`` are those that were noticed before, where it is that of a whole file.
+    """
+
+    problems: tuple[Problem, ...] = ()
 
     def __init__(self, reason: str, place: Place | None = None) -> None:
         super().__init__(reason)

@@ -1,0 +1,88 @@
+"""The interpreter that keeps account of what a launch file does wrong on the way, and whether Python gets there for certain."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+
+from launchlint.problem import Problem
+from launchlint.python.interpreter import Interpreter
+from launchlint.python.recogniser import Recogniser
+from launchlint.python.values import Handle, Scope, Value
+from launchlint.source import Origin, Place
+from launchlint.syntax.ros2.python.problems import ConfigurationAsPythonValue
+from launchlint.syntax.ros2.python.texts import SUBSTITUTIONS
+from launchlint.syntax.ros2.python.uses import STOPS, uses
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.python.modules import ModuleFinder
+    from launchlint.syntax.ros2.python.problems import Use
+
+_CATCHES_ALL = ("Exception", "BaseException", "TypeError", "AttributeError", "ValueError")
+
+
+class Noticing(Interpreter):
+    """Follows a program, and notes problems: each once, in the order in which Python meets them."""
+
+    def __init__(self, recogniser: Recogniser, root: str, package: str, finder: ModuleFinder, beside: str) -> None:
+        super().__init__(recogniser, root, package, finder, beside)
+        self.problems: list[Problem] = []
+        self._told: set[tuple[type, tuple[str, int], str]] = set()
+        self._caught = 0
+        self._catching: set[int] = set()
+        self._uses: dict[int, tuple[Use, ast.expr]] = {}
+
+    def place(self, node: ast.AST, scope: Scope) -> Place:
+        """Where something stands."""
+        raise NotImplementedError
+
+    def record(self, problem: Problem) -> None:
+        """Note ``problem``; where it is not certain that the program gets there, or gets no further, it is assumed."""
+        words = " ".join(str(value) for name, value in sorted(vars(problem).items()) if isinstance(value, str))
+        key = (type(problem), problem.place.key, words)
+        if key in self._told:
+            return
+        self._told.add(key)
+        if self.conditions or self._logs or self._caught:
+            problem = problem.but(refused=False, assumed=True)
+        self.problems.append(problem)
+
+    def look_at(self, tree: ast.Module) -> None:
+        """Notice how a module uses what may turn out to be substitutions, and where it catches errors."""
+        self._uses.update(uses(tree))
+        tries = (node for node in ast.walk(tree) if isinstance(node, ast.Try))
+        self._catching.update(id(node.body) for node in tries if any(_catches(handler.type) for handler in node.handlers))
+
+    def evaluate(self, node: ast.expr | None, scope: Scope) -> Value:
+        """The value of an expression; that of a substitution is none that Python could work with."""
+        value = super().evaluate(node, scope)
+        if type(value) is Handle and value.kind in SUBSTITUTIONS and id(node) in self._uses:
+            self._used(value, node, scope)
+        return value
+
+    def _used(self, value: Handle, node: ast.expr | None, scope: Scope) -> None:
+        use, whole = self._uses[id(node)]
+        of = value.state.get("variable_name")
+        self.record(
+            ConfigurationAsPythonValue(
+                origin=Origin(self.place(whole, scope)), refused=use in STOPS, use=use, name=value.kind,
+                of=of if isinstance(of, str) and value.kind == "LaunchConfiguration" else "",
+            )
+        )  # fmt: skip
+
+    def execute(self, body: Sequence[ast.stmt], scope: Scope) -> int:
+        """Go through statements; in a ``try`` that catches what launch raises, nothing is certain to stop the program."""
+        caught = id(body) in self._catching
+        self._caught += caught
+        try:
+            return super().execute(body, scope)
+        finally:
+            self._caught -= caught
+
+
+def _catches(type_: ast.expr | None) -> bool:
+    """Whether a handler catches what launch raises."""
+    if type_ is None:
+        return True
+    return any(isinstance(each, (ast.Name, ast.Attribute)) and ast.unparse(each).endswith(_CATCHES_ALL) for each in ast.walk(type_))
