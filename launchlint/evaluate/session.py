@@ -90,7 +90,7 @@ class Session:
         self._reads: dict[str, Read] = {}
         self._documents: dict[str, Document | Read] = {}
         self._readings: dict[str, Reading | Read] = {}
-        self._made: dict[int, tuple[object, Any]] = {}
+        self._made: dict[tuple[int, object], tuple[object, Any]] = {}
 
     def with_text(self, file: str, data: bytes) -> Session:
         """A session in which ``file`` holds ``data``; what has been read of other files is shared, evaluated blocks are not."""
@@ -226,10 +226,10 @@ class Session:
         return os.path.abspath(file) in self._readings
 
     def once(self, of: Given, work: Callable[[Given], Made]) -> Made:
-        """What ``work`` makes of something that was read, and is kept for all evaluations; of one thing, always the same work."""
-        known = self._made.get(id(of))
+        """What ``work`` makes of something that was read, and is kept for all evaluations."""
+        known = self._made.get((id(of), work))
         if known is None:
-            known = self._made[id(of)] = (of, work(of))
+            known = self._made[id(of), work] = (of, work(of))
         made: Made = known[1]
         return made
 

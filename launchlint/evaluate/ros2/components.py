@@ -7,6 +7,7 @@ from typing import NamedTuple
 from launchlint.evaluate.ros2 import component_parameters
 from launchlint.evaluate.ros2.context import Value
 from launchlint.evaluate.ros2.judged_keys import Receiver, judged_component
+from launchlint.evaluate.ros2.leaving import note_leaks
 from launchlint.evaluate.ros2.namespaces import namespace_of, namespace_with_slash
 from launchlint.evaluate.ros2.performing import Failure
 from launchlint.evaluate.ros2.processes import text_of
@@ -85,10 +86,11 @@ def _load(walk: Walk, met: Met, container: Value) -> None:
     walk.spend(STARTING, component.place)
     walk.spend_on_inherited(component.place)
     package, plugin, name = walk.value(component.package), walk.value(component.plugin), walk.optional(component.name)
-    namespace = namespace_of(walk, component.namespace)
+    namespace = namespace_of(walk, component.namespace, component.place)
     remaps = [*(walk.context.remaps or ()), *(remapping(walk, remap) for remap in component.remaps)]
     own = _parameters(walk, component, name, namespace)
     extra = _extra(walk, component)
+    note_leaks(walk, component.place, text_of(name) if name else text_of(plugin))
     values: dict[Role, Value | None] = {"name": name, "namespace": namespace, "package": package, "executable": plugin}
     unknown = {role: value for role, value in values.items() if isinstance(value, Unknown)}
     roles = frozenset(unknown) if all(remap.patterns is None for remap in remaps) else frozenset((*unknown, "remaps"))

@@ -32,6 +32,7 @@ class Setting(NamedTuple):
 
     ``steer`` are the names that would have to be given another value for this one to change; ``outside``: it is made from an environment
     variable. ``missing``: an arg without a value, which has been told. ``same`` is the name whose value it is as a whole, if it is.
+    ``way`` are the includes on the way to the file that set it or, where it was passed, was meant to get it, each by its identity.
     """
 
     value: Value
@@ -40,6 +41,11 @@ class Setting(NamedTuple):
     steer: frozenset[str] = frozenset()
     outside: bool = False
     same: str | None = None
+    way: tuple[int, ...] = ()
+
+    def is_left_at(self, way: tuple[int, ...]) -> bool:
+        """Whether it was set for a file that has been executed to its end when one that ``way`` leads to is."""
+        return way[: len(self.way)] != self.way
 
 
 class Environment:
@@ -74,16 +80,30 @@ class _Saved(NamedTuple):
     parameters: list[GlobalSource] | None
     environment: dict[str, Value | None]
     unread: bool
+    remaps_count: int
+    parameters_count: int
 
 
 class Context:
     """See the module. ``directory`` and ``file`` are what ``$(dirname)`` and ``$(filename)`` say.
 
     ``unread``: a launch file was included that is not read, and may have set configurations and variables of names that are not known; a
-    group puts that back, too. ``unread_parameters`` says the same of params, which leak out of groups.
+    group puts that back, too. ``unread_parameters`` says the same of params, which leak out of groups. ``leaked`` are the remaps and params
+    that were set in a group whose end is passed, and are still in the lists, each by its identity.
     """
 
-    __slots__ = ("configurations", "directory", "environment", "file", "parameters", "remaps", "stack", "unread", "unread_parameters")
+    __slots__ = (
+        "configurations",
+        "directory",
+        "environment",
+        "file",
+        "leaked",
+        "parameters",
+        "remaps",
+        "stack",
+        "unread",
+        "unread_parameters",
+    )
 
     def __init__(self, session: Session) -> None:
         self.configurations: dict[str, Setting] = {}
@@ -95,6 +115,7 @@ class Context:
         self.stack: list[_Saved] = []
         self.unread = False
         self.unread_parameters = False
+        self.leaked: dict[int, Remap | GlobalSource] = {}
 
     def include_unread(self) -> None:
         """A launch file is included that is not read: whatever is not set here may be set by it."""
@@ -102,12 +123,24 @@ class Context:
 
     def push(self) -> None:
         """Begin a scope: everything is inherited (PushLaunchConfigurations, PushEnvironment)."""
-        self.stack.append(_Saved(dict(self.configurations), self.remaps, self.parameters, dict(self.environment.changes), self.unread))
+        self.stack.append(
+            _Saved(
+                dict(self.configurations),
+                self.remaps,
+                self.parameters,
+                dict(self.environment.changes),
+                self.unread,
+                len(self.remaps or ()),
+                len(self.parameters or ()),
+            )
+        )
 
     def pop(self) -> None:
         """End a scope. The lists of remaps and params are the ones of before, with whatever was added to them inside."""
         saved = self.stack.pop()
         self.configurations, self.remaps, self.parameters = saved.configurations, saved.remaps, saved.parameters
+        self.leaked.update((id(each), each) for each in (self.remaps or ())[saved.remaps_count :])
+        self.leaked.update((id(each), each) for each in (self.parameters or ())[saved.parameters_count :])
         self.environment.restore(saved.environment)
         self.unread = saved.unread
 

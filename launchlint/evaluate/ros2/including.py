@@ -40,7 +40,7 @@ def include(walk: Walk, action: described.Include) -> None:
     if isinstance(file, Unknown):
         walk.includes.append(entry)
         walk.entered.append(Entered(way, walk.here.step, None, (), ""))
-        _pass(walk, action)
+        _pass(walk, action, way)
         _unread(walk)
         return
     if len(walk.here.files) >= DEEPEST_INCLUDE - 1:
@@ -53,7 +53,7 @@ def include(walk: Walk, action: described.Include) -> None:
         )  # fmt: skip
         walk.includes.append(entry)
         walk.entered.append(Entered(way, walk.here.step, None, (), ""))
-        _pass(walk, action)
+        _pass(walk, action, way)
         _unread(walk)
         return
     context.file = os.path.abspath(file)
@@ -63,7 +63,7 @@ def include(walk: Walk, action: described.Include) -> None:
     if known is None:  # Python: what it starts is not looked into
         walk.files.append(file)
         walk.entered.append(Entered(way, step, None, (), ""))
-        walk.includes.append(entry._replace(arguments=_pass(walk, action)))
+        walk.includes.append(entry._replace(arguments=_pass(walk, action, way)))
         if not describes_nothing(walk.session.read(file).data or b""):
             _unread(walk)
         return
@@ -73,7 +73,7 @@ def include(walk: Walk, action: described.Include) -> None:
     told = _missing(walk, known.description, names, action)
     at = len(walk.includes)
     walk.includes.append(entry)
-    walk.includes[at] = entry._replace(source=known.source, arguments=_pass(walk, action))
+    walk.includes[at] = entry._replace(source=known.source, arguments=_pass(walk, action, way))
     scope = Scope("include", origin, below, outer.scope)
     walk.entered.append(
         Entered(
@@ -89,8 +89,9 @@ def include(walk: Walk, action: described.Include) -> None:
     walk.here = Here(
         file, step, (*outer.files, context.file), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way
     )
+    walk.performer.way = way
     _run(walk, known, file)
-    walk.here = outer
+    walk.here, walk.performer.way = outer, outer.way
 
 
 def _unread(walk: Walk) -> None:
@@ -125,11 +126,11 @@ def _run(walk: Walk, known: Reading, file: str) -> None:
     walk.execute(known.description.actions)
 
 
-def _pass(walk: Walk, action: described.Include) -> dict[str, str | Unknown]:
+def _pass(walk: Walk, action: described.Include, way: tuple[int, ...]) -> dict[str, str | Unknown]:
     """Set the args: each of them before the next one is evaluated, so that later ones see earlier ones."""
     passed: dict[str, str | Unknown] = {}
     for pair in action.arguments:
-        done = configure(walk, pair, passed=True)
+        done = configure(walk, pair, passed=way)
         if done is not None:
             passed[done[0]] = done[1]
     return passed

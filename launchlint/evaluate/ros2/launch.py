@@ -8,6 +8,7 @@ from launchlint.evaluate.assemble import Evaluation, not_loadable
 from launchlint.evaluate.ros2.actions import execute
 from launchlint.evaluate.ros2.including import enter
 from launchlint.evaluate.ros2.judged_keys import for_nobody
+from launchlint.evaluate.ros2.leaving import undeclared
 from launchlint.evaluate.ros2.passing import useless
 from launchlint.evaluate.ros2.performing import rules_of
 from launchlint.evaluate.ros2.walk import Exhausted, Walk
@@ -50,6 +51,8 @@ def evaluate(
         walk.here = walk.here._replace(assumed=False)
         for told in for_nobody(walk.receivers, walk.performer):
             walk.record_once(told)
+        for told in undeclared(walk):
+            walk.record(told)
         for told in useless(walk.entered, session):
             walk.record(told)
     except Exhausted as exhausted:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from launchlint.late import late
@@ -39,7 +39,7 @@ class Names(NamedTuple):
     """The configurations of one file, each with the last offset at which it is read (``read``) or declared as an arg (``declared``).
 
     ``open``: it may read others, too. ``arguments`` and ``includes`` are all of them, wherever they stand;
-    ``alone``: there is nothing else.
+    ``alone``: there is nothing else. ``set`` are those that a ``<let>`` sets.
     """
 
     read: Mapping[str, int]
@@ -48,6 +48,7 @@ class Names(NamedTuple):
     includes: tuple[described.Include, ...]
     open: bool
     alone: bool
+    set: frozenset[str] = frozenset()
 
     def last(self, name: str) -> int:
         """The last offset at which the file reads or declares ``name``, -1 where it does not."""
@@ -60,12 +61,9 @@ def names_of(description: Description) -> Names:
     declared: dict[str, int] = {}
     arguments: list[described.Argument] = []
     includes: list[described.Include] = []
+    lets: set[str] = set()
     is_open = False
-    waiting: list[tuple[Any, bool]] = [(description.actions, False)]
-    while waiting:
-        each, later = waiting.pop()
-        if isinstance(each, Place) or not isinstance(each, tuple):
-            continue
+    for each, later in parts_of(description.actions):
         if isinstance(each, Substitution):
             name = each.arguments[0].literal if each.arguments else None
             if each.name == "var" and name is not None:
@@ -81,8 +79,8 @@ def names_of(description: Description) -> Names:
             is_open = is_open or each.allow_substs is not False
         elif isinstance(each, _UNREAD) or (isinstance(each, described.Handler) and not isinstance(each.actions, tuple)):
             is_open = True
-        later = later or isinstance(each, (described.Timer, described.Handler))
-        waiting.extend((part, later) for part in each)
+        elif isinstance(each, described.Let) and each.name.literal is not None:
+            lets.add(each.name.literal)
     return Names(
         read,
         declared,
@@ -90,7 +88,20 @@ def names_of(description: Description) -> Names:
         tuple(includes),
         is_open,
         all(isinstance(each, described.Argument) for each in description.actions),
+        frozenset(lets),
     )
+
+
+def parts_of(part: tuple[Any, ...]) -> Iterator[tuple[Any, bool]]:
+    """All parts of a description or text that are no places and no plain values, each with whether it is executed later."""
+    waiting: list[tuple[Any, bool]] = [(part, False)]
+    while waiting:
+        each, later = waiting.pop()
+        if isinstance(each, Place) or not isinstance(each, tuple):
+            continue
+        yield each, later
+        later = later or isinstance(each, (described.Timer, described.Handler))
+        waiting.extend((inner, later) for inner in reversed(each))
 
 
 def names_of_refused(description: Description) -> Names:

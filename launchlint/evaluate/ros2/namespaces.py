@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from launchlint.evaluate.ros2.context import Value
+from launchlint.evaluate.ros2.leaving import note_namespace
 from launchlint.evaluate.ros2.names import absolute, prefixed
 from launchlint.evaluate.ros2.processes import text_of
 from launchlint.evaluate.ros2.walk import Walk
 from launchlint.model import Unknown, shown_text
+from launchlint.source import Place
 from launchlint.syntax.ros2.description import Text
 
 
-def namespace_of(walk: Walk, written: Text | None) -> Value | None:
-    """The namespace that something gets: its own one below the pushed one, with a slash in front; None where there is none of both."""
+def namespace_of(walk: Walk, written: Text | None, place: Place) -> Value | None:
+    """The namespace that something at ``place`` gets: below the pushed one, with a slash in front; None where there is none."""
     own, base = walk.optional(written), walk.context.namespace
+    note_namespace(walk, own, place)
     if isinstance(own, str) and own.startswith("/"):
         base = None
     if isinstance(own, Unknown) or isinstance(base, Unknown):

@@ -10,6 +10,7 @@ from launchlint.evaluate.ros2.components import load, met_components
 from launchlint.evaluate.ros2.context import Value
 from launchlint.evaluate.ros2.judged_keys import Receiver
 from launchlint.evaluate.ros2.judged_parameters import judged
+from launchlint.evaluate.ros2.leaving import note_leaks
 from launchlint.evaluate.ros2.names import name_fault, namespace_fault, prefixed
 from launchlint.evaluate.ros2.namespaces import namespace_of, namespace_with_slash
 from launchlint.evaluate.ros2.parameters import Passed, node_parameters
@@ -77,6 +78,7 @@ def node(walk: Walk, action: described.Node) -> None:
         unknown.add("remaps")
     here, origin = walk.here, walk.at(action.place)
     process = process_of(prepared, action.process, arguments, ros_arguments)
+    note_leaks(walk, action.place, text_of(named.name) if named.name else text_of(executable))
     walk.nodes.append(
         Node(
             name=_shown(named.name),
@@ -121,7 +123,7 @@ def _named(walk: Walk, action: described.Node) -> Named:
     name = walk.optional(action.name)
     if isinstance(name, str) and action.name is not None:
         name = _checked_name(walk, name, action.name)
-    namespace = namespace_of(walk, action.namespace)
+    namespace = namespace_of(walk, action.namespace, action.place)
     if isinstance(namespace, str) and namespace_fault(namespace):
         at = action.place if action.namespace is None else action.namespace.place
         walk.record(InvalidNamespace(origin=walk.at(at), refused=True, namespace=namespace, private=False))

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-from launchlint.evaluate.ros2.context import Context, Value
+from launchlint.evaluate.ros2.context import Context, Setting, Value
 from launchlint.late import late
 from launchlint.model import StandIn, Unknown
 from launchlint.problem import Problem
@@ -69,10 +69,26 @@ class Performer:
     ``steer`` and ``outside`` collect what the texts performed since they were emptied depend on: configurations that can be given another
     value, and whether an environment variable is read. ``where`` makes an origin of a place, ``spend`` counts characters, ``notice`` takes
     what is worth knowing and keeps nothing from going on. ``table`` says what is put in place of each substitution.
-    ``compared`` collects what launch configurations that can be given from outside are compared with.
+    ``compared`` collects what launch configurations that can be given from outside are compared with. ``way`` leads to the file that is
+    executed; ``foreign`` collects what files read that was set outside of them: each name in each file, by its first place and its setting.
     """
 
-    __slots__ = ("anonymous", "compared", "context", "entry", "notice", "outside", "rules", "session", "spend", "steer", "table", "where")
+    __slots__ = (
+        "anonymous",
+        "compared",
+        "context",
+        "entry",
+        "foreign",
+        "notice",
+        "outside",
+        "rules",
+        "session",
+        "spend",
+        "steer",
+        "table",
+        "way",
+        "where",
+    )
 
     def __init__(
         self,
@@ -97,6 +113,8 @@ class Performer:
         self.compared: dict[str, dict[str, None]] = {}
         self.steer: set[str] = set()
         self.outside = False
+        self.way: tuple[int, ...] = ()
+        self.foreign: dict[tuple[tuple[int, ...], str], tuple[Origin, Setting]] = {}
 
     def perform(self, text: Text) -> Value:
         """The string that a text stands for now. Raises Failure where launch stops."""

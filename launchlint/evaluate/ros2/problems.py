@@ -110,6 +110,59 @@ class ArgUnused(Problem):
     alone: bool
 
 
+class DefaultOverruled(Problem):
+    """The ``default`` of an arg that does not count: the configuration has another ``value``.
+
+    ``left``: an included file that has been executed to its end left it, by how it was set (``default``, ``passed``, ``let``); else it is
+    the default of another declaration: of a file around this one or, where it is the ``same_file``, of this one.
+    """
+
+    name: str
+    default: str
+    value: str
+    how: str
+    left: bool
+    same_file: bool
+    setter: str
+
+
+class UndeclaredRead(Problem):
+    """A configuration that a file reads and does not declare, and that has a value here; ``setter`` is the file that set it.
+
+    ``left``: that file has been executed to its end, and is none of those around.
+    """
+
+    name: str
+    setter: str
+    left: bool
+
+
+class LeaksFromGroup(Problem):
+    """A remap or param that a group sets, and that acts on ``node`` behind the group as well; ``tag`` is its own."""
+
+    tag: str
+    node: str
+
+
+class NamespaceLeft(Problem):
+    """A ``namespace`` that an included ``file`` pushes, and that is still there for what is started behind the include."""
+
+    namespace: str
+    file: str
+
+
+class ScopeLost(Problem):
+    """What is executed ``later`` reads ``name``, whose ``value`` in the group around is forgotten by then: it gets ``instead``, if any.
+
+    ``name`` is empty for the namespace that the group has pushed.
+    """
+
+    name: str
+    value: str
+    instead: str | None
+    later: str
+
+
 class DirectoryOfAnother(Problem):
     """``$(dirname)`` or ``$(filename)`` that, behind an include, ``means`` (as shown) another file than its own."""
 

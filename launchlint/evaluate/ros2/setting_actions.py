@@ -8,6 +8,7 @@ from launchlint.evaluate.problems import InvalidNamespace, RequiredArgUnset
 from launchlint.evaluate.ros2 import parameters
 from launchlint.evaluate.ros2.comparing import note_choices, same_as
 from launchlint.evaluate.ros2.context import NAMESPACE, Setting, Value
+from launchlint.evaluate.ros2.leaving import note_namespace, note_overruled
 from launchlint.evaluate.ros2.names import absolute, namespace_fault, prefixed
 from launchlint.evaluate.ros2.performing import Failure
 from launchlint.evaluate.ros2.problems import ChoiceRefused, NeverWorks, NotABoolean
@@ -16,6 +17,11 @@ from launchlint.model import Argument as Declared
 from launchlint.model import Declaration, Remap, Scope, Unknown
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Pair, Text
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.ros2.context import How
+    from launchlint.source import Origin
 
 ENVIRONMENT_SEPARATOR = os.pathsep
 
@@ -26,14 +32,16 @@ def argument(walk: Walk, action: described.Argument) -> None:
     configurations = walk.context.configurations
     setting = configurations.get(name)
     given = setting is not None
-    if setting is None:
+    if setting is not None:
+        note_overruled(walk, action, setting)
+    else:
         if action.default is None:
             if (name, action.place.key) not in walk.here.told:
                 walk.record(RequiredArgUnset(origin=origin, refused=True, name=name))
-            setting = Setting(Told("", f"the arg {name} has no value"), origin, "missing", frozenset((name,)), same=name)
+            setting = Setting(Told("", f"the arg {name} has no value"), origin, "missing", frozenset((name,)), same=name, way=walk.here.way)
         else:
             value, steer, outside = walk.known(action.default)
-            setting = Setting(value, origin, "default", steer | {name}, outside, name)
+            setting = Setting(value, origin, "default", steer | {name}, outside, name, walk.here.way)
         configurations[name] = setting
     value = setting.value
     written = None if action.default is None else action.default.literal
@@ -54,15 +62,22 @@ def let(walk: Walk, action: described.Let) -> None:
     configure(walk, Pair(action.name, action.value, action.place))
 
 
-def configure(walk: Walk, pair: Pair, *, passed: bool = False) -> tuple[str, Value] | None:
-    """Set a launch configuration (launch.actions.SetLaunchConfiguration); its name and value, None where the name is not known."""
+def configure(walk: Walk, pair: Pair, *, passed: tuple[int, ...] | None = None) -> tuple[str, Value] | None:
+    """Set a launch configuration (launch.actions.SetLaunchConfiguration); its name and value, None where the name is not known.
+
+    ``passed`` is the way to the file that it is passed to, if it is.
+    """
     value, steer, outside = walk.known(pair.value)
     name = walk.value(pair.name)
     if isinstance(name, Unknown):
         return None
-    walk.context.configurations[name] = Setting(
-        value, walk.at(pair.place), "passed" if passed else "let", steer, outside, same_as(walk.performer, pair.value)
-    )
+    how: How = "let" if passed is None else "passed"
+    origin: Origin | None = walk.at(pair.place)
+    way = walk.here.way if passed is None else passed
+    before = walk.context.configurations.get(name)
+    if passed is not None and before is not None and before.value == value and not before.is_left_at(walk.here.way):
+        origin, way = before.origin, before.way  # it would have it anyway
+    walk.context.configurations[name] = Setting(value, origin, how, steer, outside, same_as(walk.performer, pair.value), way)
     return name, value
 
 
@@ -100,7 +115,7 @@ def forget(walk: Walk, keep: tuple[Pair, ...]) -> None:
         name = walk.value(pair.name)
         value, steer, outside = walk.known(pair.value)
         if isinstance(name, str):
-            kept[name] = Setting(value, walk.at(pair.place), "kept", steer, outside)
+            kept[name] = Setting(value, walk.at(pair.place), "kept", steer, outside, way=walk.here.way)
     walk.context.forget(kept)
 
 
@@ -108,6 +123,7 @@ def push_namespace(walk: Walk, action: described.PushNamespace) -> None:
     """``<push_ros_namespace>``: there is no way to pop it but the end of a group (launch_ros.actions.PushROSNamespace)."""
     pushed, steer, outside = walk.known(action.namespace)
     before = walk.context.namespace
+    note_namespace(walk, pushed, action.place)
     after: Value
     if isinstance(pushed, Unknown) or isinstance(before, Unknown):
         unknown = pushed if isinstance(pushed, Unknown) else before
@@ -118,7 +134,8 @@ def push_namespace(walk: Walk, action: described.PushNamespace) -> None:
         if namespace_fault(joined):
             walk.record(InvalidNamespace(origin=walk.at(action.namespace.place), refused=True, namespace=pushed, private=False))
             after = Told(pushed, "it is no namespace")
-    walk.context.configurations[NAMESPACE] = Setting(after, walk.at(action.place), "namespace", steer, outside)
+    setting = Setting(after, walk.at(action.place), "namespace", steer, outside, way=walk.here.way)
+    walk.context.configurations[NAMESPACE] = setting
     scope = walk.here.scope
     if scope is not None and isinstance(after, str):
         walk.here = walk.here._replace(scope=scope._replace(namespace=after.rstrip("/") + "/"))

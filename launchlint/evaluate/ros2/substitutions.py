@@ -72,6 +72,9 @@ def _var(performer: Performer, substitution: Substitution) -> Value:
     if setting is not None:
         performer.steer |= setting.steer
         performer.outside |= setting.outside
+        way = performer.way
+        if way and (setting.way[: len(way)] != way or (setting.how == "passed" and setting.way == way)):
+            performer.foreign.setdefault((way, name), (performer.where(substitution.place), setting))
         return setting.value
     performer.steer.add(name)  # giving it a value would be enough
     if len(substitution.arguments) > 1:

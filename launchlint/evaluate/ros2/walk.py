@@ -6,13 +6,14 @@ After a problem for which launch would stop, the walk goes on with an unknown va
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import NamedTuple
 
 from launchlint.evaluate.problems import ConditionNotBoolean, EvaluationBound
 from launchlint.evaluate.ros2.comparing import note_truth
-from launchlint.evaluate.ros2.context import Context, Value
+from launchlint.evaluate.ros2.context import Context, Setting, Value
+from launchlint.evaluate.ros2.leaving import lost_in
 from launchlint.evaluate.ros2.listing import Lister
 from launchlint.evaluate.ros2.performing import Failure, Performer, Rules
 from launchlint.evaluate.ros2.substitutions import PERFORM
@@ -139,13 +140,17 @@ class Here(NamedTuple):
 
 
 class Body(NamedTuple):
-    """Actions to be executed later, from ``here``; ``directory``, ``launch_file``: what ``$(dirname)`` and ``$(filename)`` say then."""
+    """Actions to be executed later, from ``here``; ``directory``, ``launch_file``: what ``$(dirname)`` and ``$(filename)`` say then.
+
+    ``configurations`` are those of the group around.
+    """
 
     kind: str
     actions: tuple[Action, ...]
     here: Here
     directory: str | None
     launch_file: str | None
+    configurations: Mapping[str, Setting]
 
 
 class Walk:
@@ -370,7 +375,7 @@ class Walk:
 
     def defer(self, kind: str, actions: tuple[Action, ...]) -> None:
         """Execute ``actions`` after everything else, with the context as it is then."""
-        self.waiting.append(Body(kind, actions, self.here, self.context.directory, self.context.file))
+        self.waiting.append(Body(kind, actions, self.here, self.context.directory, self.context.file, self.context.configurations))
 
     def finish(self) -> None:
         """Execute what was deferred, in the order in which it was."""
@@ -381,6 +386,9 @@ class Walk:
             self.late = []
             self.here = body.here._replace(deferred=body.kind)
             self.context.directory, self.context.file = body.directory, body.launch_file
+            self.performer.way = body.here.way
+            for problem in lost_in(body.actions, body.configurations, self.context.configurations, body.kind, self.at):
+                self.record(problem)
             self.execute(body.actions)
             late += self.late[:1]
         self.late = late

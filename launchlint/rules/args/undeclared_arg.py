@@ -40,7 +40,7 @@ that may be on the day of the demonstration. And nobody who reads `roslaunch --r
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import starmap
 
 from launchlint.evaluate.problems import UndeclaredArg
@@ -48,7 +48,8 @@ from launchlint.evaluate.ros1.values import automatic, shown
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.late import late
 from launchlint.rules.edits import LOADS, fix, replace, spot
-from launchlint.rules.judging.never_declared import never_declared
+from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.never_declared import all_undeclared, never_declared
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Place
@@ -107,6 +108,11 @@ def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         shared_cause=never_declared(problem.place.source.path, name),
         fix=None if near is None or severity is Severity.INFO or help_ != f"did you mean {near}?" else _fix(problem, view, name, near),
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """Those of one cause: in ROS 2 all that the file gets from those who include it."""
+    return all_undeclared(findings) if len({each.topic for each in findings}) > 1 else joined(findings)
 
 
 def _switches(problem: UndeclaredArg, view: LaunchView) -> tuple[str, ...]:

@@ -1,8 +1,32 @@
-"""What two rules tell of from two sides: an arg is read under a name that nothing declares, and declared under one that nothing reads."""
+"""What several rules tell of from their sides: an arg is read under a name that nothing declares, and declared under one nothing reads."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 
-def never_declared(path: str, name: str) -> str:
-    """The cause that LL201 and LL206 share: the launch file at ``path`` reads the arg ``name``, and does not declare it."""
+from launchlint.finding import Finding
+from launchlint.rules.judging.joined import joined
+
+_MOST_NAMED = 6
+
+
+def never_declared(path: str, name: str = "") -> str:
+    """The cause that LL201, LL206, LL914 and LL919 share: the launch file at ``path`` reads the arg ``name``, and does not declare it.
+
+    Without ``name``: it reads several, which all come from those who include it.
+    """
     return f"undeclared {path} {name}"
+
+
+def all_undeclared(findings: Sequence[Finding]) -> Finding:
+    """What one file reads and does not declare, by the names of the args: their findings have them as topics."""
+    told = joined(findings)
+    names = list(dict.fromkeys(each.topic for each in findings if each.topic))
+    if len(names) < 2:
+        return told
+    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    listed, first = f"{', '.join(names[:_MOST_NAMED])}{more}", names[0]
+    return told._replace(
+        message=f"{listed} are not declared in {told.location.path}: only what includes it, or the command line, can give them",
+        help=f'declare them: <arg name="{first}"/> …, and pass them in the include',
+    )

@@ -18,6 +18,7 @@ from launchlint.evaluate.problems import (
 )
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.broken_call import broken_call
+from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
@@ -42,7 +43,7 @@ def undeclared(problem: UndeclaredArg, rule: Rule, view: LaunchView) -> Iterator
         notes=(f"{'' if certain else 'without it '}ros2 launch stops here with: launch configuration '{name}' does not exist",),
         help=f"did you mean {near}?" if near is not None else f"declare it above, or write $(var {name} DEFAULT)",
         topic=name,
-        cause=f"{problem.place.source.path} {name}",
+        shared_cause=never_declared(problem.place.source.path, name if certain or near is not None else ""),
     )
 
 

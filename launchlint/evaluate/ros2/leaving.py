@@ -1,0 +1,201 @@
+"""What outlives the file or group that set it, and what is gone when it is read: ROS 2 launch has one context for all files.
+
+An include puts nothing back, a group puts back all but two lists, and what waits for a timer is executed with what is in force at the end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+
+from launchlint.evaluate.ros2.context import NAMESPACE, Setting, Value
+from launchlint.evaluate.ros2.names_read import OF_LAUNCH, names_of, parts_of
+from launchlint.evaluate.ros2.parameters import GlobalParameter
+from launchlint.evaluate.ros2.performing import Failure, Performer
+from launchlint.evaluate.ros2.problems import DefaultOverruled, LeaksFromGroup, NamespaceLeft, ScopeLost, UndeclaredRead
+from launchlint.model import Remap
+from launchlint.source import Origin, Place
+from launchlint.syntax.ros2 import description as described
+from launchlint.syntax.ros2.description import Action, Description, Substitution, Text
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.evaluate.ros2.walk import Walk
+    from launchlint.problem import Problem
+
+_MOST_WORK = 200_000
+_PYTHON = ".py"
+_FROM_FILE = "set_parameters_from_file"
+_STARTS = (described.Node, described.Include, described.LoadComponents, described.Executable)
+
+
+def note_overruled(walk: Walk, action: described.Argument, setting: Setting) -> None:
+    """Record that the default of an arg does not count, where nobody may know: see :class:`DefaultOverruled`.
+
+    What a file was passed, or a file around it, is meant; so is a ``<let>`` of a file around.
+    """
+    way, origin = walk.here.way, setting.origin
+    left = setting.is_left_at(way)
+    if action.default is None or origin is None or origin.place.key == action.place.key:
+        return
+    if setting.how != "default" and not (left and setting.how in ("passed", "let")):
+        return
+    if left and not _starts_something(walk, setting.way):
+        return  # it is there for what it sets
+    default = _quietly(walk, action.default)
+    if isinstance(default, str) and isinstance(setting.value, str) and default != setting.value:
+        walk.record(
+            DefaultOverruled(
+                origin=walk.at(action.place),
+                related=((origin.place, "this counts"),),
+                name=action.name,
+                default=default,
+                value=setting.value,
+                how=setting.how,
+                left=left,
+                same_file=setting.way == way,
+                setter=origin.place.source.path,
+            )
+        )
+
+
+def _quietly(walk: Walk, text: Text) -> Value | None:
+    """What a text stands for, where nothing comes of working that out: nothing is recorded, and no name is made."""
+    literal = text.literal
+    if literal is not None:
+        return literal
+    if any(isinstance(part, Substitution) and part.name == "anon" for part, _ in parts_of(text)):
+        return None
+    mine = walk.performer
+    quiet = Performer(mine.session, mine.context, mine.entry, mine.rules, mine.where, mine.spend, _nothing, mine.table)
+    try:
+        return quiet.perform(text)
+    except Failure:
+        return None
+
+
+def _nothing(problem: Problem) -> None:
+    """Nobody is told."""
+
+
+def undeclared(walk: Walk) -> Iterator[Problem]:
+    """What included files read and neither declare nor set, nor any file that they include: only who includes them does."""
+    foreign, executed = walk.performer.foreign, walk.executed
+    if len(foreign) * len(executed) > _MOST_WORK:
+        return
+    for (way, name), (origin, setting) in foreign.items():
+        description = executed.get(way)
+        if description is None or setting.origin is None or name in OF_LAUNCH or name.startswith("anon"):
+            continue
+        if _is_python(description) or _is_set_below(walk, way, name):
+            continue
+        yield UndeclaredRead(
+            origin=origin,
+            related=((setting.origin.place, "set here"),),
+            name=name,
+            setter=setting.origin.place.source.path,
+            left=setting.is_left_at(way) and _starts_something(walk, setting.way),
+        )
+
+
+def _is_set_below(walk: Walk, way: tuple[int, ...], name: str) -> bool:
+    """Whether a file, or one that it includes, declares ``name`` or sets it, under whatever condition."""
+    if any(each.description is None and each.way[: len(way)] == way for each in walk.entered):
+        return True
+    for other, description in walk.executed.items():
+        if other[: len(way)] == way:
+            names = walk.session.once(description, names_of)
+            if name in names.declared or name in names.set or (names.open and _is_python(description)):
+                return True
+    return False
+
+
+def _is_python(description: Description) -> bool:
+    return description.place.source.file.endswith(_PYTHON)
+
+
+def note_leaks(walk: Walk, place: Place, node: str) -> None:
+    """Record what a group has set that is closed already, and that acts on the ``node`` at ``place``."""
+    context = walk.context
+    for each in (*(context.remaps or ()), *(context.parameters or ())) if context.leaked else ():
+        if id(each) in context.leaked:
+            tag = "set_remap" if isinstance(each, Remap) else "set_parameter" if isinstance(each, GlobalParameter) else _FROM_FILE
+            walk.record_once(LeaksFromGroup(origin=each.origin, related=((place, "and so acts on this, too"),), tag=tag, node=node))
+
+
+def note_namespace(walk: Walk, own: Value | None, place: Place) -> None:
+    """Record that something gets a namespace that an included file has pushed, and left when its end was reached."""
+    setting = walk.context.configurations.get(NAMESPACE)
+    if setting is None or setting.origin is None or not setting.is_left_at(walk.here.way) or not isinstance(setting.value, str):
+        return
+    absolute = own is not None and (not isinstance(own, str) or own.startswith("/"))
+    if not absolute and _starts_something(walk, setting.way):
+        walk.record_once(
+            NamespaceLeft(
+                origin=setting.origin,
+                related=((place, "this gets it, too"),),
+                namespace=setting.value,
+                file=setting.origin.place.source.path,
+            )
+        )
+
+
+def _starts_something(walk: Walk, way: tuple[int, ...]) -> bool:
+    """Whether the file that ``way`` leads to is known to start anything, in whatever branch."""
+    description = walk.executed.get(way)
+    return description is not None and walk.session.once(description, _starts)
+
+
+def _starts(description: Description) -> bool:
+    """Whether anything is started by a file; else it is there for what it sets."""
+    return any(isinstance(part, _STARTS) for part, _ in parts_of(description.actions))
+
+
+def lost_in(
+    actions: tuple[Action, ...],
+    inside: Mapping[str, Setting],
+    at_the_end: Mapping[str, Setting],
+    kind: str,
+    at: Callable[[Place], Origin],
+) -> Iterator[Problem]:
+    """What ``actions`` read that has a value in the group around them, and another one, or none, when they are executed."""
+    if inside is at_the_end:
+        return
+    told: set[str] = set()
+    own = set(_set_in(actions))
+    for part, _ in parts_of(actions):
+        name, place = _read_by(part)
+        if name is None or place is None or name in told or name in own:
+            continue
+        meant, found = inside.get(name), at_the_end.get(name)
+        if meant is None or not isinstance(meant.value, str) or (found is not None and not isinstance(found.value, str)):
+            continue
+        if found is None or found.value != meant.value:
+            told.add(name)
+            related = () if meant.origin is None else ((meant.origin.place, "its value in the group"),)
+            yield ScopeLost(
+                origin=at(place),
+                related=related,
+                name="" if name == NAMESPACE else name,
+                value=meant.value,
+                instead=None if found is None or not isinstance(found.value, str) else found.value,
+                later=kind,
+            )
+
+
+def _read_by(part: object) -> tuple[str | None, Place | None]:
+    """The configuration that a part of a description reads, and where."""
+    if isinstance(part, Substitution):
+        return (part.arguments[0].literal if part.name == "var" and len(part.arguments) == 1 else None), part.place
+    if isinstance(part, (described.Node, described.Component)):
+        namespace = part.namespace
+        absolute = namespace is not None and bool(namespace.pieces) and str(namespace.pieces[0]).startswith("/")
+        return (None if absolute else NAMESPACE), part.place
+    return (NAMESPACE, part.place) if isinstance(part, described.Include) else (None, None)
+
+
+def _set_in(actions: Iterable[Action]) -> Iterator[str]:
+    for part, _ in parts_of(tuple(actions)):
+        if isinstance(part, described.Argument):
+            yield part.name
+        elif isinstance(part, described.Let) and part.name.literal is not None:
+            yield part.name.literal

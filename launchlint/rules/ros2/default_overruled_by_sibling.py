@@ -1,0 +1,103 @@
+"""The default of an arg does not count: an included file that came before has left another value.
+
+What it does: it looks for args with a default that get their value from what another include was passed, or from what the file of another
+include declares or sets, though neither this file nor one that includes it has anything to do with that include.
+
+## Why it matters
+
+ROS 2 launch has one set of launch configurations for all files, and an include puts nothing back when it ends. So the order of includes
+decides what a file starts, and the second of two includes that look alike goes on with the values of the first one. Nobody says so.
+
+## Example
+
+```xml main.launch.xml
+<launch>
+  <include file="$(dirname)/camera.launch.xml">
+    <arg name="rate" value="30"/>
+  </include>
+  <include file="$(dirname)/lidar.launch.xml"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="driver"/>
+</launch>
+```
+
+```xml camera.launch.xml
+<launch>
+  <arg name="rate" default="15"/>
+  <node pkg="demo_nodes_cpp" exec="talker" args="$(var rate)"/>
+</launch>
+```
+
+```xml lidar.launch.xml
+<launch>
+  <arg name="rate" default="10"/>
+  <node pkg="demo_nodes_cpp" exec="listener" args="$(var rate)"/>
+</launch>
+```
+
+## Use instead
+
+```xml main.launch.xml
+<launch>
+  <group>
+    <include file="$(dirname)/camera.launch.xml">
+      <arg name="rate" value="30"/>
+    </include>
+  </group>
+  <include file="$(dirname)/lidar.launch.xml"/>
+  <node pkg="demo_nodes_cpp" exec="talker" name="driver"/>
+</launch>
+```
+
+```xml camera.launch.xml
+<launch>
+  <arg name="rate" default="15"/>
+  <node pkg="demo_nodes_cpp" exec="talker" args="$(var rate)"/>
+</launch>
+```
+
+```xml lidar.launch.xml
+<launch>
+  <arg name="rate" default="10"/>
+  <node pkg="demo_nodes_cpp" exec="listener" args="$(var rate)"/>
+</launch>
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from launchlint.evaluate.ros2.problems import DefaultOverruled
+from launchlint.finding import Finding, Severity
+from launchlint.rules.judging.joined import joined
+from launchlint.rules.rule import Rule, shortened
+
+RULE = Rule("LL911", "default-overruled-by-sibling", Severity.WARNING)
+_HOW = {"passed": "was passed to another include", "default": "is the default of another file", "let": "was set in another file"}
+
+
+def tell(problem: DefaultOverruled, view: object) -> Iterator[Finding]:
+    """Say where the value comes from (launch.actions.DeclareLaunchArgument sets a default only where nothing is set)."""
+    if not problem.left:
+        return
+    name = problem.name
+    yield RULE.at(
+        problem.origin,
+        f"the default of {name} does not count: it is {problem.value} here, which {_HOW[problem.how]} before",
+        label=f"{problem.default} does not count",
+        related=problem.related,
+        notes=("an include leaves behind whatever it was passed and whatever its file has set",),
+        help=f"put that include into a <group>, or pass {name} in the include of {problem.place.source.path}",
+        topic=name,
+        cause=f"{problem.setter} {problem.place.source.path}",
+    )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """All that one file leaves to another one, by the names of the args."""
+    told = joined(findings)
+    names = list(dict.fromkeys(each.topic for each in findings))
+    if len(names) < 2:
+        return told
+    message = f"the defaults of {shortened(', '.join(names))} do not count: an include before has left other values"
+    return told._replace(message=message, help=told.help.replace(f"pass {findings[0].topic} in", "pass them in"))
