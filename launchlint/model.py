@@ -175,7 +175,8 @@ class Process(NamedTuple):
     """What ROS 2 launch says of a process that it starts, beyond what every dialect says of a node.
 
     ``arguments`` and ``ros_arguments`` are words; ``label`` is what its output is marked with; ``environment`` is what differs from the
-    environment that launch itself has (None: not set). ``on_exit`` says what its end leads to: ``shutdown``, or ``actions``.
+    environment that launch itself has (None: not set); ``open_environment``: there may be more. ``on_exit`` says what its end leads to:
+    ``shutdown``, or ``actions``.
     """
 
     arguments: tuple[str, ...] = ()
@@ -185,6 +186,7 @@ class Process(NamedTuple):
     shell: bool = False
     on_exit: str | None = None
     respawn_delay: float | None = None
+    open_environment: bool = False
 
 
 class Node(NamedTuple):

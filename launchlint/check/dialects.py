@@ -36,6 +36,9 @@ def sort_out(requests: Sequence[EntryRequest], named: Collection[str], session: 
             continue
         data = None if is_in_python(request.at) else session.read(request.file).data
         if data is not None and holds_python(request.at, data):
+            if session.in_python(request.at) is not None:
+                kept.append(request)
+                continue
             python[session.shown(request.at)] = None
             continue
         root = None if data is None or os.path.abspath(request.at) in named else other_root(data)

@@ -198,9 +198,7 @@ def leave_others_out(entry: EntryOptions, requests: list[EntryRequest], session:
     notices = []
     if python:
         files = f"{len(python)} launch files in Python such as {python[0]}" if len(python) > 1 else f"the launch file {python[0]}"
-        reason = session.not_understood(os.path.join(session.root, python[0]))
-        why = f"what it does cannot be told without running it ({reason})" if len(python) == 1 else "what they do cannot be told"
-        notices.append(f"left out {files}: {why if reason else 'of ROS 2, those in XML and YAML are read, and none in Python'}")
+        notices.append(f"left out {files}: of ROS 2, those in XML and YAML are read, and none in Python")
     if other:
         path, root = other[0]
         many = f"{len(other)} files such as {path}: their roots are others than <launch>, so that they are no launch files"

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 
 from launchlint.source import Source, Span
 from launchlint.syntax.parse import parse
+from launchlint.workspace.discovery import holds_python
 from launchlint.workspace.looking import exists
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.ros2_distributions import distribution
@@ -73,7 +74,7 @@ class Session:
         self.root = os.getcwd() if root is None else root
         self.asked_distro = distro
         self.reads_python = False
-        self._in_python: dict[str, Reading | str] = {}
+        self._in_python: dict[str, Reading | None] = {}
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
         self.variants: dict[Any, Block] = {}
@@ -191,35 +192,25 @@ class Session:
         return known
 
     def in_python(self, file: str) -> Reading | None:
-        """A launch file of ROS 2 that is a program, where all it describes can be told without running it, and where that is asked for."""
-        if not file.endswith(".py") or not self.reads_python:
+        """A launch file of ROS 2 that is a program, as far as what it describes can be told without running it, where that is asked for."""
+        if not self.reads_python or not (file.endswith(".py") or holds_python(file, self.read(file).data or b"")):
             return None
         absolute = os.path.abspath(file)
         if absolute not in self._in_python:
             self._in_python[absolute] = self._understood(absolute)
-        known = self._in_python[absolute]
-        return None if isinstance(known, str) else known
+        return self._in_python[absolute]
 
-    def not_understood(self, file: str) -> str:
-        """Why what a launch file in Python describes cannot be told; empty where it can, or nobody has asked for it."""
-        known = self._in_python.get(os.path.abspath(file))
-        return known if isinstance(known, str) else ""
-
-    def _understood(self, file: str) -> Reading | str:
-        """What a launch file in Python describes, or why that cannot be told."""
+    def _understood(self, file: str) -> Reading | None:
         from launchlint.syntax.ros2.python.reading import read
         from launchlint.syntax.ros2.python.recogniser import Outside
-        from launchlint.syntax.ros2.python.texts import NotUnderstood
 
         content = self.read(file)
         if content.data is None:
-            return content.reason
+            return None
         package = self.packages.package_of(file)
-        outside = Outside(self.distro, lambda name: self.packages.colcon.find(name, file) is not None, self.environment)
-        try:
-            return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
-        except NotUnderstood as reason:
-            return reason.reason
+        colcon = self.packages.colcon
+        outside = Outside(self.distro, lambda name: colcon.find(name, file), self.environment, lambda name: self.variables.add(name))
+        return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
 
     def is_launch_file(self, file: str) -> bool:
         """Whether ``file`` has been read as a launch file of ROS 2 in XML or YAML."""

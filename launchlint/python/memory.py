@@ -52,6 +52,7 @@ class Memory:
         self.outcome = 0  # how much has come of the program, in whatever the recogniser counts
         self.steps = 0
         self._logs: list[Log] = []
+        self.kept = 0
 
     def step(self) -> None:
         """Count one piece of work. Raises :class:`Exhausted` where it is too much."""
@@ -67,6 +68,15 @@ class Memory:
             mapping.pop(key, None)
         else:
             mapping[key] = value
+
+    def keeps(self, log: Log) -> bool:
+        """Whether what is written is noted in ``log``."""
+        return any(each is log for each in self._logs)
+
+    def keep(self, log: Log) -> None:
+        """Note from now on in ``log`` what stood where something is written, until the end."""
+        self.kept += 1
+        self._logs.insert(0, log)
 
     @contextmanager
     def branch(self, condition: str) -> Iterator[Branch]:
@@ -99,10 +109,14 @@ class Memory:
                 if way.flow < RETURNED or (mapping is not local and way.flow != ENDED):
                     outcomes.append((condition, way.written[place][2] if place in way.written else before))
             if outcomes:
-                merged = _merged(key, outcomes)
+                merged = self.merged(key, outcomes)
                 self.store(mapping, key, merged)
                 if isinstance(merged, Unknown):
                     self.lost([value for _, value in outcomes])
+
+    def merged(self, key: Any, outcomes: list[tuple[str, Any]]) -> Any:
+        """What stands under ``key`` behind several ways, each with its condition and what it has written there."""
+        return _merged(key, outcomes)
 
     def lost(self, values: list[Value]) -> None:
         """Values that can be one of too many to be told apart any more."""

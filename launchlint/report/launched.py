@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from itertools import dropwhile
 from typing import Any
 
-from launchlint.model import Condition, Executable, Include, Launch, Node, ParameterSource, StandIn, Unknown, UnknownText
+from launchlint.model import Condition, Executable, Include, Launch, Node, ParameterSource, Process, StandIn, Unknown, UnknownText
 from launchlint.verdict import LOADS, Verdict
 
 
@@ -16,13 +16,14 @@ def as_object(launch: Launch, file: str, error: tuple[str, str] | None, verdict:
     ``verdict`` is what people are told of that: it sets apart what only this machine lacks. Keys that say nothing are left out below the
     first level.
     """
+    complete = launch.complete and not any(_maybe(each.conditions) for each in launch.includes)
     return {
         "file": file,
         "distro": launch.distro,
         "verdict": "error" if error is not None else "ok" if launch.settled else "unknown",
         "error": None if error is None else {"rule": error[0], "message": error[1]},
         "outcome": verdict.as_object(),
-        "complete": launch.complete,
+        "complete": complete,
         "args": [
             _terse(
                 {
@@ -37,7 +38,7 @@ def as_object(launch: Launch, file: str, error: tuple[str, str] | None, verdict:
             )
             for each in launch.declarations
         ],
-        "declared": [[each.name, each.required, each.conditional] for each in launch.listed],
+        "declared": [[each.name, each.required, each.conditional] for each in launch.listed] if complete else None,
         "includes": [_include(each) for each in launch.includes],
         "nodes": [_component(each) if each.kind == "composable" else _node(each) for each in launch.nodes],
         "executables": [_executable(each) for each in launch.programs],
@@ -144,7 +145,7 @@ def _node(node: Node) -> dict[str, Any]:
             "executable": _plain(node.executable),
             "arguments": _words(process.arguments),
             "ros_arguments": _words(process.ros_arguments),
-            "env": _plain(process.environment),
+            "env": _environment(process),
             "cwd": _plain(node.cwd),
             "output": _plain(node.output),
             "prefix": _plain(node.launch_prefix),
@@ -159,12 +160,30 @@ def _node(node: Node) -> dict[str, Any]:
     )
 
 
+def _environment(process: Process) -> Any:
+    return {"unknown": "what was executed before may have set variables"} if process.open_environment else _plain(process.environment)
+
+
 def _source(source: ParameterSource) -> dict[str, Any]:
     if source.rule is not None:
         return {"rule": _plain(source.rule) if isinstance(source.rule, UnknownText) else source.rule.strip()}
     if source.file is not None:
         return _plain(source.file) if isinstance(source.file, UnknownText) else {"file": source.file}
-    return {"content": _plain(source.content), "of": source.of}
+    content = _plain(source.content)
+    if source.of is None and _holds_unknown(content) and not _says_something(content):
+        return {"unknown": "a value of a param is not known"}
+    return {"content": content, "of": source.of}
+
+
+def _holds_unknown(value: Any) -> bool:
+    return isinstance(value, dict) and ("unknown" in value or any(map(_holds_unknown, value.values())))
+
+
+def _says_something(value: Any) -> bool:
+    """Whether something is in it but what is not known, and what may be left out since it is false or empty."""
+    if isinstance(value, dict):
+        return "unknown" not in value and any(map(_says_something, value.values()))
+    return bool(value)
 
 
 def _component(node: Node) -> dict[str, Any]:
@@ -186,7 +205,7 @@ def _executable(program: Executable) -> dict[str, Any]:
             "cmd": _words(program.command),
             "name": _plain(process.label),
             "cwd": _plain(program.cwd),
-            "env": _plain(process.environment),
+            "env": _environment(process),
             "output": _plain(program.output),
             "prefix": _plain(program.launch_prefix),
             "respawn": program.respawn,

@@ -36,6 +36,7 @@ _EXECUTE: dict[type, Callable[[Walk, Any], None]] = {
     described.Timer: setting_actions.timer,
     described.Handler: programs.handler,
     described.Opaque: programs.opaque,
+    described.Unset: programs.unset,
     described.Maybe: programs.maybe,
     described.Open: programs.opened,
     described.Fails: programs.fails,

@@ -149,7 +149,7 @@ def _reached(actions: tuple[Action, ...], *, conditional: bool) -> Iterator[tupl
         elif isinstance(action, Group):
             if action.scoped is False or action.forwarding is not False:
                 yield from _reached(action.actions, conditional=action.condition is not None)
-        elif isinstance(action, (Timer, Maybe)):
-            yield from _reached(action.actions, conditional=True)
-        elif isinstance(action, Handler) and isinstance(action.actions, tuple):
-            yield from _reached(action.actions, conditional=True)
+        else:
+            later = action.actions if isinstance(action, (Timer, Maybe, Handler)) else ()
+            if isinstance(later, tuple):
+                yield from _reached(later, conditional=True)

@@ -114,6 +114,8 @@ def node(walk: Walk, action: described.Node) -> None:
             fatal="" if fate is None or fate.refused is None else fate.refused.reason,
         )
     )  # fmt: skip
+    if action.kind == "container" and named.full is not None:
+        walk.performer.containers[action.place.key] = named.full
     if components:
         load(walk, components, named.full if named.full is not None else Told("", "the container has no name"), None)
     exits(walk, action.process)

@@ -69,6 +69,7 @@ class Performer:
     ``steer`` and ``outside`` collect what the texts performed since they were emptied depend on: configurations that can be given another
     value, and whether an environment variable is read. ``where`` makes an origin of a place, ``spend`` counts characters, ``notice`` takes
     what is worth knowing and keeps nothing from going on. ``table`` says what is put in place of each substitution.
+    ``containers`` are the full names of those that were executed, by their places.
     ``compared`` collects what launch configurations that can be given from outside are compared with. ``way`` leads to the file that is
     executed; ``foreign`` collects what files read that was set outside of them: each name in each file, by its first place and its setting.
     """
@@ -76,6 +77,7 @@ class Performer:
     __slots__ = (
         "anonymous",
         "compared",
+        "containers",
         "context",
         "entry",
         "foreign",
@@ -111,6 +113,7 @@ class Performer:
         self.table = table
         self.anonymous = 0
         self.compared: dict[str, dict[str, None]] = {}
+        self.containers: dict[tuple[str, int], Value] = {}
         self.steer: set[str] = set()
         self.outside = False
         self.way: tuple[int, ...] = ()

@@ -37,6 +37,7 @@ class Prepared(NamedTuple):
     respawn: bool
     output: Value
     unknown: frozenset[Role]
+    open_environment: bool = False
 
 
 def prepare(walk: Walk, process: described.Process, words: Iterable[Value], tag: str, place: Place) -> Prepared:
@@ -84,7 +85,7 @@ def prepare(walk: Walk, process: described.Process, words: Iterable[Value], tag:
             InvalidValue(origin=walk.at(at), refused=True, tag=tag, attribute="output", value=output,
                          expected="one of " + ", ".join(OUTPUTS), choices=OUTPUTS)
         )  # fmt: skip
-    return Prepared(words, label, cwd, prefix, environment, bool(respawn), output, frozenset(unknown))
+    return Prepared(words, label, cwd, prefix, environment, bool(respawn), output, frozenset(unknown), walk.context.unread)
 
 
 def _environment(walk: Walk, process: described.Process, place: Place) -> dict[str, str | None]:
@@ -92,6 +93,8 @@ def _environment(walk: Walk, process: described.Process, place: Place) -> dict[s
     environment = walk.context.environment
     walk.spend(len(environment.changes) // VARIABLES_PER_ACTION, place)
     after: dict[str, Value | None] = dict(environment.changes)
+    if process.replaces_environment:
+        after = dict.fromkeys((*environment.session.environment, *environment.changes))
     for pair in (*process.environment, *process.additional_environment):
         name, value = walk.value(pair.name), walk.value(pair.value)
         if isinstance(name, str):
@@ -119,6 +122,7 @@ def process_of(prepared: Prepared, process: described.Process, arguments: Iterab
         bool(process.shell),
         on_exit,
         process.respawn_delay,
+        prepared.open_environment,
     )
 
 

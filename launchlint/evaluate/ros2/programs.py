@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from launchlint.source import Place
     from launchlint.syntax.ros2.description import Call, Text
 
+STEPS_PER_ACTION = 30
 MOST_GIVEN = 2_000
 """Actions that one function may give."""
 
@@ -28,6 +29,15 @@ class Live:
     def __init__(self, walk: Walk, place: Place) -> None:
         self._walk = walk
         self._place = place
+
+    @property
+    def launch(self) -> object:
+        """The walk."""
+        return self._walk.launch
+
+    def spend(self, steps: int) -> None:
+        """Count work. Raises Exhausted."""
+        self._walk.spend(steps // STEPS_PER_ACTION, self._place)
 
     def perform(self, text: Text) -> Value:
         """The string that a text stands for now. Raises Stopped."""
@@ -106,6 +116,13 @@ def maybe(walk: Walk, action: described.Maybe) -> None:
     walk.here = outer._replace(conditions=(*outer.conditions, met), assumed=True)
     walk.doubtfully(lambda: walk.execute(action.actions), action.reason)
     walk.here = walk.here._replace(conditions=outer.conditions, assumed=outer.assumed)
+
+
+def unset(walk: Walk, action: described.Unset) -> None:
+    """A launch configuration is forgotten."""
+    name = walk.value(action.name)
+    if isinstance(name, str):
+        walk.context.configurations.pop(name, None)
 
 
 def opened(walk: Walk, action: described.Open) -> None:

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from launchlint.evaluate.problems import EnvUnset, PackageNotFound, UndeclaredArg
 from launchlint.evaluate.ros2.comparing import note_equals, note_expression
 from launchlint.evaluate.ros2.context import Setting, Value
+from launchlint.evaluate.ros2.names import absolute, prefixed
 from launchlint.evaluate.ros2.parameters import GlobalParameter
 from launchlint.evaluate.ros2.performing import SHARE, Failure, Perform, Performer
 from launchlint.evaluate.ros2.problems import (
@@ -25,7 +26,7 @@ from launchlint.evaluate.ros2.problems import (
 )
 from launchlint.late import late
 from launchlint.model import StandIn, Unknown
-from launchlint.syntax.ros2.description import NOT_KNOWN, Substitution
+from launchlint.syntax.ros2.description import FULL_NAME, NOT_KNOWN, Substitution
 
 _FOLD = str.maketrans(".-:", "___")
 _PACKAGE = late(r"[a-zA-Z0-9][a-zA-Z0-9_-]+")
@@ -315,7 +316,22 @@ def _modules(performer: Performer, substitution: Substitution) -> tuple[str, ...
 
 def _not_known(performer: Performer, substitution: Substitution) -> Value:
     """What a program has put there, nobody knows."""
-    return Unknown(substitution.place.text, _known(performer, substitution, 0))
+    reason = _known(performer, substitution, 0)
+    if len(substitution.arguments) > 1:
+        return StandIn(_known(performer, substitution, 1), reason)
+    return Unknown(substitution.place.text, reason)
+
+
+def _full_name(performer: Performer, substitution: Substitution) -> Value:
+    """The full name of a container: as it was when that was executed, or else as it would be now."""
+    known = performer.containers.get(substitution.place.key)
+    if known is not None:
+        return known
+    namespace, name = _known(performer, substitution, 0), _known(performer, substitution, 1)
+    base = performer.context.namespace
+    if isinstance(base, Unknown):
+        return Unknown(substitution.place.text, base.reason)
+    return prefixed(absolute(prefixed(base, namespace)) or "/", name) or name
 
 
 PERFORM: dict[str, Perform] = {
@@ -344,5 +360,6 @@ PERFORM: dict[str, Perform] = {
         "eval": _eval,
         "path-join": _path,
         NOT_KNOWN: _not_known,
+        FULL_NAME: _full_name,
     }.items()
 }

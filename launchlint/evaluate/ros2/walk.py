@@ -75,6 +75,7 @@ _TAGS: dict[type, str] = {
     described.Timer: "timer",
     described.Handler: "RegisterEventHandler",
     described.Opaque: "OpaqueFunction",
+    described.Unset: "UnsetLaunchConfiguration",
     described.Maybe: "maybe",
     described.Open: "open",
     described.Fails: "fails",
@@ -180,6 +181,7 @@ class Walk:
         self.files: list[str] = []
         self.readings: dict[str, Reading] = {}
         self.executed: dict[tuple[int, ...], described.Description] = {}
+        self.launch = object()
         self.complete = True
         self.settled = True
         self.receivers: list[Receiver] = []

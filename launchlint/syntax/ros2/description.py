@@ -24,7 +24,10 @@ if TYPE_CHECKING:
     """What is called when its action is executed, and gives further actions. Raises whatever the live context raises."""
 
 NOT_KNOWN = "?"
-"""The name of a substitution whose value is not known; its only argument says why. No front end can write it."""
+"""The name of a substitution whose value is not known; its argument says why. No front end can write it. A second argument is a text that
+stands for the value where values are compared."""
+FULL_NAME = "?name"
+"""The name of a substitution that gives the full name of a container, by its namespace and name, as the container was given it."""
 
 
 class Substitution(NamedTuple):
@@ -167,7 +170,8 @@ class Process(NamedTuple):
     """What every started process has. Fields that the file does not give are None.
 
     ``command`` is the ``cmd`` of ``<executable>`` as words of texts; ``arguments`` the ``args``, split as launch splits them (see
-    ``ExecuteProcess._parse_cmdline``), ``ros_arguments`` likewise.
+    ``ExecuteProcess._parse_cmdline``), ``ros_arguments`` likewise. ``replaces_environment``: ``environment`` is all that it is given
+    (Python only).
     """
 
     name: Text | None = None
@@ -184,6 +188,7 @@ class Process(NamedTuple):
     on_exit: Literal["shutdown"] | tuple[Action, ...] | None = None
     environment: tuple[Pair, ...] = ()
     additional_environment: tuple[Pair, ...] = ()
+    replaces_environment: bool = False
 
 
 class Executable(NamedTuple):
@@ -379,6 +384,14 @@ class Opaque(NamedTuple):
     condition: Condition | None = None
 
 
+class Unset(NamedTuple):
+    """``UnsetLaunchConfiguration`` (Python only)."""
+
+    name: Text
+    place: Place
+    condition: Condition | None = None
+
+
 class Maybe(NamedTuple):
     """Actions of a program of which it is not known whether they are there, and why."""
 
@@ -407,7 +420,7 @@ class Fails(NamedTuple):
 Action: TypeAlias = (
     "Argument | Let | Include | Group | Executable | Node | LoadComponents | PushNamespace | SetRemap | SetParameter"
     " | SetParametersFromFile | SetUseSimTime | SetEnvironment | UnsetEnvironment | AppendEnvironment | ResetEnvironment"
-    " | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Opaque | Maybe | Open | Fails"
+    " | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Opaque | Unset | Maybe | Open | Fails"
 )
 
 

@@ -20,6 +20,13 @@ class LiveContext(Protocol):
     ``perform`` and ``holds`` raise :class:`Stopped` where launch stops.
     """
 
+    @property
+    def launch(self) -> object:
+        """One for all calls in one launch, and another one for another launch."""
+
+    def spend(self, steps: int) -> None:
+        """Count work. Raises what ends the evaluation, at its bound."""
+
     def perform(self, text: Text) -> str | Unknown:
         """The string that a text stands for now."""
 

@@ -1,280 +1,382 @@
-"""Objects that a launch file in Python has made as the actions of a description."""
+"""Objects that a launch file in Python has made as the actions of a description; what is not known of them is said where it stands."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from launchlint.python.values import Handle, Map, Seq, Value
+from launchlint.python.values import Bound, Choice, Class, Function, Handle, Instance, Partial, Seq, Unknown, Value, alternatives
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
-from launchlint.syntax.ros2.description import Action, Component, Condition, Pair, Process, Remap, Text
-from launchlint.syntax.ros2.python.parameters import extra_arguments, number, parameters, set_value
-from launchlint.syntax.ros2.python.texts import NotUnderstood, known, pairs, text
+from launchlint.syntax.ros2.description import Action, Component, Pair, Process, Remap, Substitution, Text, unknown
+from launchlint.syntax.ros2.python.conditions import condition
+from launchlint.syntax.ros2.python.parameters import extra_arguments, parameters, set_value
+from launchlint.syntax.ros2.python.texts import Texts, pairs, why
 
-_SOURCES = {
-    "PythonLaunchDescriptionSource": (".py",),
-    "XMLLaunchDescriptionSource": (".xml", ".launch"),
-    "YAMLLaunchDescriptionSource": (".yaml", ".yml"),
-    "AnyLaunchDescriptionSource": ("",),
-    "FrontendLaunchDescriptionSource": (".xml", ".launch", ".yaml", ".yml"),
-}
-"""What includes load, and how the names of those files end."""
-_CONDITIONS: Mapping[str, Any] = {"IfCondition": "if", "UnlessCondition": "unless"}
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+    Given: TypeAlias = Mapping[Any, Value]
+    Calls: TypeAlias = Callable[[Value, list[Value], dict[str, Value], Place], described.Call]
+    """Makes of a function and what it is called with what launch calls."""
+
+DEEPEST = 50
+SOURCES = (
+    "PythonLaunchDescriptionSource",
+    "XMLLaunchDescriptionSource",
+    "YAMLLaunchDescriptionSource",
+    "AnyLaunchDescriptionSource",
+    "FrontendLaunchDescriptionSource",
+)
+"""What includes load."""
+_CONTEXT = Handle("context", {})
+"""Stands among the arguments of a call for the context."""
+_EVENT = Unknown("what the event holds is known only when it happens")
+_CALLABLE = (Function, Bound, Partial, Class, Instance)
 
 
 class Maker:
-    """Makes actions of objects, each once: one object in two places is executed twice, which launch does not allow."""
+    """Makes actions of objects, each once: one object in two places gives the same action in both."""
 
-    def __init__(self) -> None:
-        self._made: set[int] = set()
+    def __init__(self, texts: Texts, calls: Calls) -> None:
+        self.texts = texts
+        self.calls = calls
+        self._made: dict[int, tuple[Handle, Action]] = {}
+        self._depth = 0
 
     def actions(self, value: Value, place: Place) -> tuple[Action, ...]:
-        """The actions of a list, or of a LaunchDescription in it. Raises NotUnderstood."""
+        """The actions of a list, or of a LaunchDescription in it."""
+        if value is None:
+            return ()
+        if self._depth > DEEPEST:
+            return (described.Open("actions stand in actions without end", place),)
+        self._depth += 1
+        try:
+            return self._actions(value, place)
+        finally:
+            self._depth -= 1
+
+    def _actions(self, value: Value, place: Place) -> tuple[Action, ...]:
         found: list[Action] = []
-        for each in _listed(value, place):
-            if isinstance(each, Handle) and each.kind == "LaunchDescription":
-                self.once(each)
-                found += self.actions(each.state["initial_entities"], each.state["place"])
-            else:
-                found.append(self.action(each, place))
+        if isinstance(value, Seq):
+            for each in value.items:
+                found += self.actions(each, place)
+            if not value.complete:
+                found.append(described.Open("not all actions of a list are known", place))
+        elif isinstance(value, Choice):
+            for said, each in value.alternatives:
+                inner = self.actions(each, place)
+                if inner:
+                    found.append(described.Maybe(inner, said or "it is not known which one it is", inner[0].place))
+        elif isinstance(value, Handle) and value.kind == "LaunchDescription":
+            found += self.actions(value.state["initial_entities"], value.state["place"])
+        elif isinstance(value, Handle) and value.kind in _MAKE:
+            found.append(self.action(value))
+        elif isinstance(value, Handle) and value.kind in NOTHING:
+            pass
+        else:
+            at = value.place if isinstance(value, Unknown) and value.place is not None else place
+            found.append(described.Open(why(value, "an action that is not known"), at))
         return tuple(found)
 
-    def action(self, value: Value, place: Place) -> Action:
-        """One action. Raises NotUnderstood."""
-        if not isinstance(value, Handle) or value.kind not in _MAKE:
-            raise NotUnderstood("an action that is not known", place)
-        self.once(value)
-        return _MAKE[value.kind](self, value.state, value.state["place"])
-
-    def once(self, value: Handle) -> None:
-        """Note that an object is used: what is used twice is executed twice. Raises NotUnderstood."""
-        if id(value) in self._made:
-            raise NotUnderstood("one object that is executed twice", value.state["place"])
-        self._made.add(id(value))
+    def action(self, value: Handle) -> Action:
+        """One action."""
+        known = self._made.get(id(value))
+        if known is None:
+            made = _MAKE[value.kind](self, value.state, value.state["place"])
+            known = self._made[id(value)] = (value, made)
+        return known[1]
 
     # -- parts ---------------------------------------------------------------------------------------------------------
 
     def components(self, value: Value, place: Place) -> tuple[Component, ...]:
-        """Composable nodes."""
-        return tuple(_component(each, place) for each in _listed(value, place))
+        """Composable nodes that are known."""
+        found: list[Component] = []
+        for each in value.items if isinstance(value, Seq) else []:
+            sure = not isinstance(each, Choice)
+            for said, one in alternatives(each):
+                if isinstance(one, Handle) and one.kind == "ComposableNode":
+                    made = self._component(one)
+                    found.append(made if sure else made._replace(condition=described.Condition("if", (unknown(said, place),), place)))
+        return tuple(found)
 
-    def process(self, given: Mapping[Any, Value], place: Place) -> Process:
+    def more_components(self, value: Value, place: Place) -> tuple[Action, ...]:
+        """What says that there are composable nodes that are not known."""
+        if value is None:
+            return ()
+        if not isinstance(value, Seq):
+            return (described.Open(why(value, "composable nodes that are not known"), place),)
+        odd = next((one for each in value.items for _, one in alternatives(each) if not isinstance(one, Handle)), None)
+        if odd is None and value.complete:
+            return ()
+        return (described.Open("not all composable nodes are known" if odd is None else why(odd, "it is no composable node"), place),)
+
+    def process(self, given: Given, place: Place) -> Process:
         """What all processes have."""
-        on_exit = given.get("on_exit")
-        after: Any = None
-        if on_exit is not None:
-            one = on_exit.items[0] if isinstance(on_exit, Seq) and on_exit.complete and len(on_exit.items) == 1 else on_exit
-            after = "shutdown" if isinstance(one, Handle) and one.kind == "Shutdown" else self.actions(on_exit, place)
+        optional = self.texts.optional
         return Process(
-            name=_optional(given.get("exec_name"), place),
-            cwd=_optional(given.get("cwd"), place),
-            prefix=_optional(given.get("prefix"), place),
-            output=_optional(given.get("output"), place),
-            respawn=_flag(given.get("respawn"), place),
-            respawn_delay=_number(given.get("respawn_delay"), place),
-            respawn_max_retries=_whole(given.get("respawn_max_retries"), place),
-            sigterm_timeout=_optional(given.get("sigterm_timeout"), place),
-            sigkill_timeout=_optional(given.get("sigkill_timeout"), place),
-            emulate_tty=_flag(given.get("emulate_tty"), place),
-            shell=_plain_flag(given.get("shell"), place),
-            on_exit=after,
-            environment=_given_environment(given, place),
-            additional_environment=_pairs(given.get("additional_env"), place),
+            name=optional(given.get("exec_name", given.get("name") if "cmd" in given else None), place),
+            cwd=optional(given.get("cwd"), place),
+            prefix=optional(given.get("prefix"), place),
+            output=optional(given.get("output"), place),
+            respawn=self.flag(given.get("respawn"), place),
+            respawn_delay=_number(given.get("respawn_delay")),
+            respawn_max_retries=_whole(given.get("respawn_max_retries")),
+            sigterm_timeout=optional(given.get("sigterm_timeout"), place),
+            sigkill_timeout=optional(given.get("sigkill_timeout"), place),
+            emulate_tty=self.flag(given.get("emulate_tty"), place),
+            shell=given["shell"] if isinstance(given.get("shell"), bool) else None,
+            on_exit=self.on_exit(given.get("on_exit"), place),
+            environment=self.pairs(given.get("env"), place),
+            additional_environment=self.pairs(given.get("additional_env"), place),
+            replaces_environment=given.get("env") is not None,
+        )
+
+    def on_exit(self, value: Value, place: Place) -> Any:
+        """What is done when a process ends."""
+        if value is None:
+            return None
+        one = value.items[0] if isinstance(value, Seq) and value.complete and len(value.items) == 1 else value
+        if isinstance(one, Handle) and one.kind == "Shutdown":
+            return "shutdown"
+        if isinstance(value, _CALLABLE):
+            return (described.Opaque(self.calls(value, [_EVENT, _CONTEXT], {}, place), place),)
+        return self.actions(value, place)
+
+    def flag(self, value: Value, place: Place) -> Text | bool | None:
+        """A truth value, or what is one when it is performed."""
+        return value if value is None or isinstance(value, bool) else self.texts.text(value, place)
+
+    def pairs(self, value: Value, place: Place) -> tuple[Pair, ...]:
+        """Names with values, as far as they are known."""
+        if value is None:
+            return ()
+        found, complete = pairs(value)
+        made = tuple(Pair(self.texts.text(name, place), self.texts.text(each, place), place) for name, each in found)
+        if complete:
+            return made
+        reason = why(value, "not all of them are known")
+        return (*made, Pair(unknown(reason, place), unknown(reason, place), place))
+
+    def remaps(self, value: Value, place: Place) -> tuple[Remap, ...]:
+        """Remaps, as far as they are known; one that is not known stands for those that are not."""
+        if value is None:
+            return ()
+        found, complete = pairs(value)
+        made = tuple(Remap(self.texts.text(source, place), self.texts.text(target, place), place) for source, target in found)
+        if complete:
+            return made
+        reason = why(value, "not all remaps are known")
+        return (*made, Remap(unknown(reason, place), unknown(reason, place), place))
+
+    def _component(self, value: Handle) -> Component:
+        given, place = value.state, value.state["place"]
+        texts = self.texts
+        return Component(
+            texts.text(given["package"], place),
+            texts.text(given["plugin"], place),
+            texts.optional(given.get("name"), place),
+            texts.optional(given.get("namespace"), place),
+            self.remaps(given.get("remappings"), place),
+            parameters(given.get("parameters"), place, texts),
+            extra_arguments(given.get("extra_arguments"), place, texts),
+            place,
+            condition(given, texts),
         )
 
 
-def _given_environment(given: Mapping[Any, Value], place: Place) -> tuple[Pair, ...]:
-    if given.get("env") is not None:
-        raise NotUnderstood("an environment of its own", place)
-    return ()
+def _number(value: Value) -> float | None:
+    return float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e15 else None
 
 
-def _listed(value: Value, place: Place) -> list[Value]:
-    if value is None:
-        return []
-    if not isinstance(value, Seq) or not value.complete:
-        raise NotUnderstood("a list of which not all items are known", place)
-    return value.items
+def _whole(value: Value) -> int | None:
+    return value if isinstance(value, int) and not isinstance(value, bool) and abs(value) < 1 << 31 else None
 
 
-def _texts(value: Value, place: Place) -> tuple[Text, ...]:
-    return tuple(text(each, place) for each in _listed(value, place))
+def _node(maker: Maker, given: Given, place: Place) -> Action:
+    return _any_node(maker, given, place, "node", None)
 
 
-def _optional(value: Value, place: Place) -> Text | None:
-    return None if value is None else text(value, place)
+def _container(maker: Maker, given: Given, place: Place) -> Action:
+    return _any_node(maker, given, place, "container", given.get("composable_node_descriptions"))
 
 
-def _flag(value: Value, place: Place) -> Text | bool | None:
-    return value if value is None or isinstance(value, bool) else text(value, place)
+def _lifecycle(maker: Maker, given: Given, place: Place) -> Action:
+    return _any_node(maker, given, place, "lifecycle", None)
 
 
-def _plain_flag(value: Value, place: Place) -> bool | None:
-    if value is None or isinstance(value, bool):
-        return value
-    raise NotUnderstood("a value that is neither True nor False", place)
-
-
-def _number(value: Value, place: Place) -> float | None:
-    if value is None:
-        return None
-    if isinstance(value, (int, float)) and not isinstance(value, bool):
-        return float(number(value, place))
-    raise NotUnderstood("a number that is not known", place)
-
-
-def _whole(value: Value, place: Place) -> int | None:
-    if value is None or (isinstance(value, int) and not isinstance(value, bool)):
-        return None if value is None else int(number(value, place))
-    raise NotUnderstood("a number that is not known", place)
-
-
-def _pairs(value: Value, place: Place) -> tuple[Pair, ...]:
-    if value is None:
-        return ()
-    return tuple(Pair(text(name, place), text(each, place), place) for name, each in pairs(value, place))
-
-
-def _remaps(value: Value, place: Place) -> tuple[Remap, ...]:
-    if value is None:
-        return ()
-    if not isinstance(value, Seq) or not all(isinstance(each, Seq) and each.is_tuple for each in value.items):
-        raise NotUnderstood("remappings that are no tuples", place)
-    return tuple(Remap(text(source, place), text(target, place), place) for source, target in pairs(value, place))
-
-
-def condition(given: Mapping[Any, Value]) -> Condition | None:
-    """The condition of an action. Raises NotUnderstood."""
-    value = given.get("condition")
-    if value is None:
-        return None
-    if isinstance(value, Handle) and value.kind in _CONDITIONS:
-        place = value.state["place"]
-        return Condition(_CONDITIONS[value.kind], (text(value.state["predicate_expression"], place),), place)
-    raise NotUnderstood("a condition of another kind", given["place"])
-
-
-def _component(value: Value, place: Place) -> Component:
-    if not isinstance(value, Handle) or value.kind != "ComposableNode":
-        raise NotUnderstood("a composable node that is not known", place)
-    given, place = value.state, value.state["place"]
-    return Component(
-        text(given["package"], place),
-        text(given["plugin"], place),
-        _optional(given.get("name"), place),
-        _optional(given.get("namespace"), place),
-        _remaps(given.get("remappings"), place),
-        parameters(given.get("parameters"), place),
-        extra_arguments(given.get("extra_arguments"), place),
-        place,
-        condition(given),
-    )
-
-
-def _node(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
-    return _any_node(maker, given, place, "node", ())
-
-
-def _container(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
-    return _any_node(maker, given, place, "container", maker.components(given.get("composable_node_descriptions"), place))
-
-
-def _lifecycle(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
-    return _any_node(maker, given, place, "lifecycle", ())
-
-
-def _any_node(maker: Maker, given: Mapping[Any, Value], place: Place, kind: Any, components: tuple[Component, ...]) -> Action:
-    return described.Node(
+def _any_node(maker: Maker, given: Given, place: Place, kind: Any, components: Value) -> Action:
+    texts = maker.texts
+    made = described.Node(
         kind,
-        _optional(given.get("package"), place),
-        text(given["executable"], place),
-        _optional(given.get("name"), place),
-        _optional(given.get("namespace"), place),
-        _texts(given.get("arguments"), place),
-        _texts(given.get("ros_arguments"), place),
-        _remaps(given.get("remappings"), place),
-        parameters(given.get("parameters"), place),
-        components,
+        texts.optional(given.get("package"), place),
+        texts.text(given["executable"], place),
+        texts.optional(given.get("name"), place),
+        texts.optional(given.get("namespace"), place),
+        texts.texts(given.get("arguments"), place),
+        texts.texts(given.get("ros_arguments"), place),
+        maker.remaps(given.get("remappings"), place),
+        parameters(given.get("parameters"), place, texts),
+        maker.components(components, place),
         maker.process(given, place),
         place,
-        condition(given),
+        condition(given, texts),
     )
+    return _with_more(made, maker.more_components(components, place), place)
 
 
-def _argument(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
-    choices = given.get("choices")
+def _with_more(made: Action, more: tuple[Action, ...], place: Place) -> Action:
+    return described.Group((made, *more), False, True, (), place) if more else made
+
+
+def _argument(maker: Maker, given: Given, place: Place) -> Action:
+    name, choices = given["name"], given.get("choices")
+    if not isinstance(name, str):
+        return described.Open(why(name, "an argument of a name that is not known"), place)
+    listed = choices.items if isinstance(choices, Seq) and choices.complete else []
+    known = tuple(each for each in listed if isinstance(each, str))
     return described.Argument(
-        known(given["name"], place),
-        _optional(given.get("default_value"), place),
+        name,
+        maker.texts.optional(given.get("default_value"), place),
         given["description"] if isinstance(given.get("description"), str) else "",
-        None if choices is None else tuple(known(each, place) for each in _listed(choices, place)),
+        known if listed and len(known) == len(listed) else None,
         place,
-        condition(given),
+        condition(given, maker.texts),
     )
 
 
-def _let(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
-    return described.Let(text(given["name"], place), text(given["value"], place), place, condition(given))
-
-
-def _group(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
+def _group(maker: Maker, given: Given, place: Place) -> Action:
     scoped, forwarding = given.get("scoped", True), given.get("forwarding", True)
-    if not isinstance(scoped, bool) or not isinstance(forwarding, bool):
-        raise NotUnderstood("a value that is neither True nor False", place)
-    keep = _pairs(given.get("launch_configurations"), place)
-    return described.Group(maker.actions(given["actions"], place), scoped, forwarding, keep, place, condition(given))
+    keep = maker.pairs(given.get("launch_configurations"), place)
+    actions = maker.actions(given["actions"], place)
+    made = described.Group(actions, scoped is not False, forwarding is not False, keep, place, condition(given, maker.texts))
+    if isinstance(scoped, (Unknown, Choice)) or isinstance(forwarding, (Unknown, Choice)):
+        return described.Group((made, described.Open("whether a group is scoped is not known", place)), False, True, (), place)
+    return made
 
 
-def _include(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
+def _include(maker: Maker, given: Given, place: Place) -> Action:
     source = given["launch_description_source"]
-    if not isinstance(source, Handle) or source.kind not in _SOURCES:
-        raise NotUnderstood("an include of what is not known", place)
-    maker.once(source)
-    file = text(source.state["launch_file_path"], source.state["place"])
-    last = file.pieces[-1] if file.pieces else ""
-    while not isinstance(last, str) and last.name == "path-join" and last.arguments and last.arguments[-1].pieces:
-        last = last.arguments[-1].pieces[-1]
-    if not isinstance(last, str) or not last.endswith(_SOURCES[source.kind]):
-        raise NotUnderstood("an include of a file that its source may not be for", place)
-    passed = given.get("launch_arguments")
-    if isinstance(passed, Map):
-        raise NotUnderstood("launch_arguments that are a dict", place)
-    return described.Include(file, _pairs(passed, place), place, condition(given))
+    passed = maker.pairs(given.get("launch_arguments"), place)
+    when = condition(given, maker.texts)
+    if isinstance(source, Handle) and source.kind == "LaunchDescriptionSource":
+        inner = maker.actions(source.state.get("launch_description"), place)
+        return described.Group((*(described.Let(*pair) for pair in passed), *inner), False, True, (), place, when)
+    if isinstance(source, Handle) and source.kind in SOURCES:
+        file = maker.texts.text(source.state["launch_file_path"], source.state["place"])
+    else:
+        file = maker.texts.text(source, place)
+    return described.Include(file, passed, place, when)
 
 
-def _executable(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
-    process = maker.process(given, place)
-    return described.Executable(_texts(given["cmd"], place), process, place, condition(given))
+def _executable(maker: Maker, given: Given, place: Place) -> Action:
+    return described.Executable(maker.texts.texts(given["cmd"], place), maker.process(given, place), place, condition(given, maker.texts))
 
 
-def _load(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
-    components = maker.components(given["composable_node_descriptions"], place)
-    return described.LoadComponents(text(given["target_container"], place), components, place, condition(given))
+def _load(maker: Maker, given: Given, place: Place) -> Action:
+    components = given["composable_node_descriptions"]
+    target = given["target_container"]
+    if isinstance(target, Handle) and target.kind == "ComposableNodeContainer":
+        text = _name_of(maker, target.state)
+    else:
+        text = maker.texts.text(target, place)
+    made = described.LoadComponents(text, maker.components(components, place), place, condition(given, maker.texts))
+    return _with_more(made, maker.more_components(components, place), place)
 
 
-def _timer(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
-    period = given["period"]
-    is_number = isinstance(period, (int, float)) and not isinstance(period, bool)
-    after: Text | float = float(number(period, place)) if is_number else text(period, place)
-    cancel = _flag(given.get("cancel_on_shutdown"), place)
-    return described.Timer(after, maker.actions(given["actions"], place), place, condition(given), cancel)
+def _name_of(maker: Maker, given: Given) -> Text:
+    """The full name of a container, which stands for it where it is given as an object."""
+    place = given["place"]
+    name = maker.texts.text(given["name"], place)
+    return Text((Substitution(described.FULL_NAME, (maker.texts.text(given["namespace"], place), name), place),), place)
 
 
-def _sim_time(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
-    raise NotUnderstood("use_sim_time for all nodes", place)
+def _timer(maker: Maker, given: Given, place: Place) -> Action:
+    number = _number(given["period"])
+    period = maker.texts.text(given["period"], place) if number is None else number
+    cancel = maker.flag(given.get("cancel_on_shutdown"), place)
+    return described.Timer(period, maker.actions(given["actions"], place), place, condition(given, maker.texts), cancel)
 
 
-def _append(maker: Maker, given: Mapping[Any, Value], place: Place) -> Action:
-    prepend = _flag(given.get("prepend", False), place)
-    separator = _optional(given.get("separator"), place)
-    name, value = text(given["name"], place), text(given["value"], place)
-    return described.AppendEnvironment(name, value, False if prepend is None else prepend, separator, place, condition(given))
+def _sim_time(maker: Maker, given: Given, place: Place) -> Action:
+    value = given["value"]
+    truth = value if isinstance(value, bool) else maker.texts.text(value, place)
+    return described.SetUseSimTime(truth, place, condition(given, maker.texts))
 
 
-_MAKE: Mapping[str, Callable[[Maker, Mapping[Any, Value], Place], Action]] = {
+def _append(maker: Maker, given: Given, place: Place) -> Action:
+    texts = maker.texts
+    prepend = maker.flag(given.get("prepend", False), place)
+    name, value = texts.text(given["name"], place), texts.text(given["value"], place)
+    separator = texts.optional(given.get("separator"), place)
+    return described.AppendEnvironment(name, value, False if prepend is None else prepend, separator, place, condition(given, texts))
+
+
+def _opaque(maker: Maker, given: Given, place: Place) -> Action:
+    arguments, keywords = given.get("args"), given.get("kwargs")
+    listed = arguments.items if isinstance(arguments, Seq) else []
+    named = {str(name): value for name, value in pairs(keywords)[0]} if keywords is not None else {}
+    sure = (arguments is None or (isinstance(arguments, Seq) and arguments.complete)) and (keywords is None or pairs(keywords)[1])
+    when = condition(given, maker.texts)
+    if not sure or not isinstance(given["function"], _CALLABLE):
+        reason = why(given["function"], "a function that is not looked into")
+        return described.Group((described.Open(reason, place),), False, True, (), place, when)
+    return described.Opaque(maker.calls(given["function"], [_CONTEXT, *listed], named, place), place, when)
+
+
+def _handler(maker: Maker, given: Given, place: Place) -> Action:
+    handler = given["event_handler"]
+    when = condition(given, maker.texts)
+    if not isinstance(handler, Handle) or handler.kind not in HANDLERS:
+        return described.Group((described.Open(why(handler, "an event handler that is not known"), place),), False, True, (), place, when)
+    of = handler.state
+    does = next((of[name] for name in HANDLERS[handler.kind] if of.get(name) is not None), None)
+    actions: Any = ()
+    if isinstance(does, _CALLABLE):
+        actions = maker.calls(does, [_EVENT] if handler.kind == "OnProcessIO" else [_EVENT, _CONTEXT], {}, of["place"])
+    elif does is not None:
+        actions = maker.actions(does, of["place"])
+    return described.Handler(handler.kind, actions, place, when)
+
+
+HANDLERS: Mapping[str, tuple[str, ...]] = {
+    "OnProcessExit": ("on_exit",),
+    "OnProcessStart": ("on_start",),
+    "OnProcessIO": ("on_stdout", "on_stderr", "on_stdin"),
+    "OnShutdown": ("on_shutdown",),
+    "OnExecutionComplete": ("on_completion",),
+    "OnStateTransition": ("entities",),
+    "EventHandler": ("entities",),
+}
+"""Event handlers, and which of their arguments say what they do."""
+NOTHING = frozenset(("EmitEvent", "UnregisterEventHandler", "LifecycleTransition"))
+"""Actions that start nothing and set nothing."""
+
+
+def _of(kind: Any, *roles: str) -> Callable[[Maker, Given, Place], Action]:
+    """What makes an action all of whose arguments are texts."""
+
+    def make(maker: Maker, given: Given, place: Place) -> Action:
+        action: Action = kind(*(maker.texts.text(given.get(role, ""), place) for role in roles), place, condition(given, maker.texts))
+        return action
+
+    return make
+
+
+def _set_parameter(maker: Maker, given: Given, place: Place) -> Action:
+    value = set_value(given["value"], place, maker.texts)
+    return described.SetParameter(maker.texts.text(given["name"], place), value, place, condition(given, maker.texts))
+
+
+def _log(maker: Maker, given: Given, place: Place) -> Action:
+    return described.Log(maker.texts.text(given["msg"], place), None, place, condition(given, maker.texts))
+
+
+_MAKE: Mapping[str, Callable[[Maker, Given, Place], Action]] = {
     "DeclareLaunchArgument": _argument,
-    "SetLaunchConfiguration": _let,
+    "SetLaunchConfiguration": _of(described.Let, "name", "value"),
+    "UnsetLaunchConfiguration": _of(described.Unset, "name"),
     "GroupAction": _group,
     "IncludeLaunchDescription": _include,
     "ExecuteProcess": _executable,
@@ -282,25 +384,19 @@ _MAKE: Mapping[str, Callable[[Maker, Mapping[Any, Value], Place], Action]] = {
     "LifecycleNode": _lifecycle,
     "ComposableNodeContainer": _container,
     "LoadComposableNodes": _load,
-    "PushROSNamespace": lambda maker, given, place: described.PushNamespace(text(given["namespace"], place), place, condition(given)),
-    "SetRemap": lambda maker, given, place: described.SetRemap(
-        text(given["src"], place), text(given["dst"], place), place, condition(given)
-    ),
-    "SetParameter": lambda maker, given, place: described.SetParameter(
-        text(given["name"], place), set_value(given["value"], place), place, condition(given)
-    ),
-    "SetParametersFromFile": lambda maker, given, place: described.SetParametersFromFile(
-        text(given["filename"], place), place, condition(given)
-    ),
+    "PushROSNamespace": _of(described.PushNamespace, "namespace"),
+    "SetRemap": _of(described.SetRemap, "src", "dst"),
+    "SetParameter": _set_parameter,
+    "SetParametersFromFile": _of(described.SetParametersFromFile, "filename"),
     "SetUseSimTime": _sim_time,
-    "SetEnvironmentVariable": lambda maker, given, place: described.SetEnvironment(
-        text(given["name"], place), text(given["value"], place), place, condition(given)
-    ),
-    "UnsetEnvironmentVariable": lambda maker, given, place: described.UnsetEnvironment(text(given["name"], place), place, condition(given)),
+    "SetEnvironmentVariable": _of(described.SetEnvironment, "name", "value"),
+    "UnsetEnvironmentVariable": _of(described.UnsetEnvironment, "name"),
     "AppendEnvironmentVariable": _append,
-    "ResetEnvironment": lambda maker, given, place: described.ResetEnvironment(place, condition(given)),
-    "LogInfo": lambda maker, given, place: described.Log(text(given["msg"], place), None, place, condition(given)),
-    "Shutdown": lambda maker, given, place: described.Shutdown(text(given.get("reason", ""), place), place, condition(given)),
+    "ResetEnvironment": _of(described.ResetEnvironment),
+    "LogInfo": _log,
+    "Shutdown": _of(described.Shutdown, "reason"),
     "TimerAction": _timer,
     "RosTimer": _timer,
+    "OpaqueFunction": _opaque,
+    "RegisterEventHandler": _handler,
 }

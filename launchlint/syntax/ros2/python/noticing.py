@@ -37,16 +37,26 @@ class Noticing(Interpreter):
         """Where something stands."""
         raise NotImplementedError
 
+    def _key(self, problem: Problem) -> tuple[type, tuple[str, int], str]:
+        words = " ".join(str(value) for name, value in sorted(vars(problem).items()) if isinstance(value, str))
+        return type(problem), problem.place.key, words
+
     def record(self, problem: Problem) -> None:
         """Note ``problem``; where it is not certain that the program gets there, or gets no further, it is assumed."""
-        words = " ".join(str(value) for name, value in sorted(vars(problem).items()) if isinstance(value, str))
-        key = (type(problem), problem.place.key, words)
+        key = self._key(problem)
         if key in self._told:
             return
         self._told.add(key)
-        if self.conditions or self._logs or self._caught:
+        if self.conditions or len(self._logs) > self.kept or self._caught:
             problem = problem.but(refused=False, assumed=True)
         self.problems.append(problem)
+
+    def noticed(self, before: int) -> list[Problem]:
+        """What was noted since there were ``before`` problems; it is noted again when it is met again."""
+        found = self.problems[before:]
+        del self.problems[before:]
+        self._told = {self._key(problem) for problem in self.problems}
+        return found
 
     def look_at(self, tree: ast.Module) -> None:
         """Notice how a module uses what may turn out to be substitutions, and where it catches errors."""

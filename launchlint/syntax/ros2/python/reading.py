@@ -4,28 +4,33 @@ from __future__ import annotations
 
 import ast
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator
+from itertools import chain
 
 from launchlint.problem import Problem
 from launchlint.python.memory import Ended, Exhausted
 from launchlint.python.source import Source as Parsed
 from launchlint.python.source import SourceError, parse_text
-from launchlint.python.values import Function, Handle
+from launchlint.python.values import Choice, Function, Handle
 from launchlint.source import Place, Source, Span
-from launchlint.syntax.ros2.description import Action, Description
+from launchlint.syntax.ros2 import description as described
+from launchlint.syntax.ros2.description import Action, Description, Substitution
 from launchlint.syntax.ros2.python.entry import ENTRY, gives, needs_arguments, takes_arguments, unreadable, without_entry
+from launchlint.syntax.ros2.python.following import Following
 from launchlint.syntax.ros2.python.imports import wrong_imports
+from launchlint.syntax.ros2.python.loose import LetterModules, loose
 from launchlint.syntax.ros2.python.making import Maker
 from launchlint.syntax.ros2.python.recogniser import Outside
-from launchlint.syntax.ros2.python.strict import Strict, StrictModules, loose
-from launchlint.syntax.ros2.python.texts import NotUnderstood
-from launchlint.syntax.ros2.reading import Reading
+from launchlint.syntax.ros2.python.running import Caller
+from launchlint.syntax.ros2.reading import Reading, Unresolved
 
 LARGEST = 1 << 20
+MOST_SAID = 200
+"""Reasons that are kept of one file."""
 
 
 def read(data: bytes, path: str, file: str, outside: Outside, package: str = "") -> Reading:
-    """Read the content of a launch file in Python. Nothing of it is run.
+    """Read the content of a launch file in Python. Nothing of it is run. Never raises.
 
     Args:
         data: the whole file.
@@ -33,84 +38,102 @@ def read(data: bytes, path: str, file: str, outside: Outside, package: str = "")
         file: where it is, absolute.
         outside: what its functions ask of the machine.
         package: the directory of the package that it is of; empty where it is of none.
-
-    Raises:
-        NotUnderstood: what it describes cannot be told as a whole, and no reason is known why launch would refuse it; says why.
     """
     try:
-        text = data.decode("utf-8-sig") if len(data) <= LARGEST else ""
-    except UnicodeDecodeError as error:
-        raise NotUnderstood(f"it is no text: {error}") from None
-    if len(data) > LARGEST:
-        raise NotUnderstood("it is too large")
-    source = Source(path, text, file)
+        text = data.decode("utf-8-sig") if len(data) <= LARGEST else None
+    except UnicodeDecodeError:
+        text = None
+    source = Source(path, text or "", file)
+    everything = Place(source, Span(0, 0))
+    if text is None:
+        reason = "it is too large to be looked into" if len(data) > LARGEST else "it is no text in UTF-8"
+        return _reading(source, (described.Open(reason, everything),), ())
     try:
         tree = ast.parse(text)
         parsed = parse_text(text)
     except SyntaxError as error:
         problem = unreadable(source, error)
-        if problem is None:
-            raise NotUnderstood(f"it is no Python that can be read here: {error}") from None
-        return _refused(source, [problem])
+        reason = f"it is no Python that can be read here: {error}"
+        return _reading(source, (described.Open(reason, everything),), () if problem is None else (problem,))
     except (ValueError, RecursionError, MemoryError) as error:
-        raise NotUnderstood(f"it is no Python: {error}") from None
+        return _reading(source, (described.Open(f"it is no Python: {error}", everything),), ())
     root = package or os.path.dirname(file)
-    run = Strict(source, outside, root, package, StrictModules({}))
+    run = Following(source, outside, root, package, LetterModules({}))
     try:
-        actions = _actions(run, file, source, tree, parsed)
-    except NotUnderstood as reason:
-        if not any(problem.refused for problem in run.problems):
-            reason.problems = tuple(run.problems)
-            raise
-        return _refused(source, run.problems)
-    finally:
-        run.leave()
-    return Reading(Description(actions, Place(source, Span(0, 0))), tuple(run.problems), source)
+        actions = _actions(run, source, outside, tree, parsed)
+    except Ended as ended:
+        actions = (described.Open(f"it ends with an error{f': {ended}' if str(ended) else ''}", everything),)
+    except (Exhausted, RecursionError, SourceError):
+        actions = (described.Open("it is too much to be followed", everything),)
+    return _reading(source, actions, tuple(run.problems))
 
 
-def _refused(source: Source, problems: Sequence[Problem]) -> Reading:
-    """A file that launch does not load, and of which no more is known than why."""
-    return Reading(Description((), Place(source, Span(0, 0))), tuple(problems), source)
+def _reading(source: Source, actions: tuple[Action, ...], problems: tuple[Problem, ...]) -> Reading:
+    return Reading(Description(actions, Place(source, Span(0, 0))), problems, source, unresolved=tuple(unresolved(actions)))
 
 
-def _actions(run: Strict, file: str, source: Source, tree: ast.Module, parsed: Parsed) -> tuple[Action, ...]:
-    """What the file describes; what is wrong with it is noted on the way. Raises NotUnderstood."""
-    main = run.main(file, parsed)
+def _actions(run: Following, source: Source, outside: Outside, tree: ast.Module, parsed: Parsed) -> tuple[Action, ...]:
+    """What the file describes; what is wrong with it is noted on the way. Raises as the interpreter does."""
+    everything = Place(source, Span(0, 0))
+    main = run.main(source.file, parsed)
     for problem in wrong_imports(parsed.tree, lambda node: run.place(node, main.scope)):
         run.record(problem)
     missing = without_entry(tree, source)
     if missing is not None:
         run.record(missing)
-        raise NotUnderstood(f"it has no function {ENTRY}")
+        return (described.Open(f"it has no function {ENTRY}", everything),)
     reason = loose(tree)
     if reason:
-        raise NotUnderstood(reason)
+        return (described.Open(reason, everything),)
     run.look_at(parsed.tree)
-    try:
-        main.scope.variables.update({"__name__": "launch_file", "__file__": file})
-        if run.execute(parsed.tree.body, main.scope):
-            raise NotUnderstood("it ends before its last statement")
-        function = main.scope.variables.get(ENTRY)
-        if not isinstance(function, Function):
-            raise NotUnderstood(f"it has no function {ENTRY}")
-        where = run.name_place(function)
-        needed = needs_arguments(function)
-        if needed:
-            run.record(takes_arguments(needed, where))
-            raise NotUnderstood(f"{ENTRY} takes arguments")
-        made = run.call_function(function, [], {})
-        if run.environment.entries != run.outside.environment:
-            raise NotUnderstood("it changes the environment")
-    except (Ended, Exhausted, RecursionError, SourceError):
-        raise NotUnderstood("it ends with an error, or is too much to be followed") from None
+    caller = Caller(run, run.known.running, main.scope)
+    maker = caller.maker = Maker(run.known.texts, caller.calls)
+    main.scope.variables.update({"__name__": "launch_file", "__file__": source.file})
+    if run.execute(parsed.tree.body, main.scope):
+        return (described.Open("it ends before its last statement", everything),)
+    function = main.scope.variables.get(ENTRY)
+    if not isinstance(function, Function):
+        return (described.Open(f"it has no function {ENTRY} that is known", everything),)
+    where = run.name_place(function)
+    needed = [] if getattr(function.node, "decorator_list", ()) else needs_arguments(function)
+    if needed:
+        run.record(takes_arguments(needed, where))
+        return (described.Open(f"{ENTRY} takes arguments", everything),)
+    made = run.call_function(function, [], {})
     wrong = gives(made, where)
     if wrong is not None:
         run.record(wrong)
-    if not isinstance(made, Handle) or made.kind != "LaunchDescription":
-        raise NotUnderstood(f"{ENTRY} gives what is not known to be a LaunchDescription")
-    maker = Maker()
-    maker.once(made)
-    try:
-        return maker.actions(made.state["initial_entities"], Place(source, Span(0, 0)))
-    except RecursionError:
-        raise NotUnderstood("actions in actions too deep to be followed") from None
+    if not isinstance(made, (Handle, Choice)):
+        return (described.Open(f"what {ENTRY} gives is not known to be a LaunchDescription", everything),)
+    return (*_environment(run, outside, everything), *maker.actions(made, everything))
+
+
+def _environment(run: Following, outside: Outside, place: Place) -> Iterator[Action]:
+    """What the file has set in the environment while it was loaded."""
+    before, after = outside.environment, run.known.environment.entries
+    texts = run.known.texts
+    for name, value in dict(after).items():
+        if isinstance(name, str) and (name not in before or value != before[name]):
+            yield described.SetEnvironment(texts.text(name, place), texts.text(value, place), place)
+    for name in before:
+        if not dict.__contains__(after, name):
+            yield described.UnsetEnvironment(texts.text(name, place), place)
+
+
+def unresolved(actions: tuple[Action, ...]) -> list[Unresolved]:
+    """What is not known in actions, and why: each place once."""
+    found: dict[tuple[tuple[str, int], str], Unresolved] = {}
+    waiting: list[object] = [actions]
+    while waiting and len(found) < MOST_SAID:
+        each = waiting.pop()
+        if isinstance(each, Place) or not isinstance(each, tuple):
+            continue
+        reason = ""
+        if isinstance(each, Substitution) and each.name == described.NOT_KNOWN and len(each.arguments) == 1:
+            reason = each.arguments[0].literal or ""
+        elif isinstance(each, (described.Maybe, described.Open)):
+            reason = each.reason
+        if reason and isinstance(each, (Substitution, described.Maybe, described.Open)):
+            found.setdefault((each.place.key, reason), Unresolved(each.place, reason))
+        waiting.extend(reversed(list(chain(each))))
+    return sorted(found.values(), key=lambda said: (said.place.source.path, said.place.span.start))

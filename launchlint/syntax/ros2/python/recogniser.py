@@ -5,17 +5,21 @@ from __future__ import annotations
 import ast
 import posixpath
 from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 from launchlint.python import builtins, standard
 from launchlint.python.call import Call
-from launchlint.python.values import COMPLETE, ITEMS, MISSING, UNKNOWN, External, Handle, Instance, Map, Scope, Seq, Value
+from launchlint.python.memory import Ended
+from launchlint.python.values import COMPLETE, ITEMS, MISSING, UNKNOWN, External, Handle, Instance, Map, Scope, Seq, Unknown, Value
 from launchlint.python.values import Text as Open
 from launchlint.source import Place
 from launchlint.syntax.ros2.python.arguments import wrong_action, wrong_values
+from launchlint.syntax.ros2.python.conditions import is_condition
 from launchlint.syntax.ros2.python.constructors import Given, wrong_shape
 from launchlint.syntax.ros2.python.noticing import Noticing
+from launchlint.syntax.ros2.python.running import CONFIGURATIONS, CONTEXT, VARIABLES, Running
 from launchlint.syntax.ros2.python.tables import Signature, is_of_launch, signature
-from launchlint.syntax.ros2.python.texts import NotUnderstood, share
+from launchlint.syntax.ros2.python.texts import SUBSTITUTIONS, Texts
 
 _OUTSIDE = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
 _SHARE = ("ament_index_python.packages.get_package_share_directory", "ament_index_python.get_package_share_directory")
@@ -29,33 +33,48 @@ _DEEPEST = 20
 
 
 class Outside:
-    """What is asked of whoever reads launch files: is there a package (by its name), and what the environment holds."""
+    """What is asked of whoever reads launch files.
 
-    def __init__(self, distro: str, has_package: Callable[[str], bool], environment: Mapping[str, str]) -> None:
+    ``share`` gives the directory of a package (None: there is none of that name), ``environment`` the variables; ``looked_at`` is told
+    which of them a launch file asks for.
+    """
+
+    def __init__(
+        self,
+        distro: str,
+        share: Callable[[str], str | None],
+        environment: Mapping[str, str],
+        looked_at: Callable[[str], None] = lambda name: None,
+    ) -> None:
         self.distro = distro
-        self.has_package = has_package
+        self.share = share
         self.environment = environment
+        self.looked_at = looked_at
 
 
 class LaunchRecogniser:
-    """Recognises for one launch file (a :class:`~launchlint.python.recogniser.Recogniser`). All methods raise NotUnderstood."""
+    """Recognises for one launch file (a :class:`~launchlint.python.recogniser.Recogniser`).
+
+    ``shares`` are the directories of packages that it was given, each with the package's name.
+    """
 
     def __init__(self, run: Noticing, outside: Outside, place: Callable[[ast.AST, Scope], Place]) -> None:
         self._run = run
         self._outside = outside
         self._place = place
-        self.environment = Map(dict(outside.environment))
+        self.environment = Map(Variables(outside.environment, outside.looked_at))
+        self.shares: dict[str, str] = {}
+        self.texts = Texts(self.shares)
+        self.running = Running(run, self.texts)
 
     def call(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
         """An object of launch, a directory, a path, or something that is not known."""
         known = signature(name, self._outside.distro)
+        place = self._place(node, scope)
         if known is not None:
             return self._object(known, Given(known, positional, keywords, node, lambda each: self._place(each, scope)))
-        place = self._place(node, scope)
-        if is_of_launch(name):
-            raise NotUnderstood(f"{name} is not known", place)
         if name in _SHARE or name in _PREFIX:
-            return self._directory("share" if name in _SHARE else "prefix", positional, keywords, place)
+            return self._directory(name in _SHARE, positional, keywords, place)
         if name.startswith("os.path."):
             return _path(name[len("os.path.") :], positional)
         if name == "os.getenv":
@@ -67,31 +86,44 @@ class LaunchRecogniser:
         handler = standard.HANDLERS.get(name)
         if handler is not None:
             return handler(Call(self._run, name, positional, keywords, node, scope))
-        if name.startswith(_HARMLESS) and not any(_is_ours(each) for each in (*positional, *keywords.values())):
+        if name.startswith(_HARMLESS):
             return UNKNOWN
-        raise NotUnderstood(f"{name} is not known", place)
+        self._run.escape([*positional, *keywords.values()], "start")
+        return Unknown(f"{name} is not looked into", place)
 
     def _object(self, known: Signature, given: Given) -> Handle:
         """An object of a class of launch, as it is now; what its constructor would not take is noted, and left out."""
         for problem in (*wrong_shape(given, self._outside.distro), *wrong_values(given)):
             self._run.record(problem)
-        if given.open:
-            raise NotUnderstood(f"arguments of {known.name} that are not known", given.whole)
-        values = {name: given.values.get(name, UNKNOWN) for name in known.arguments if name in given.values or name in known.required}
         kind = known.name.rpartition(".")[2]
+        if kind == CONTEXT:
+            return self.running.context(own=True)
+        more = Unknown(f"not all arguments of {kind} are known", given.whole)
+        names = known.arguments if given.open else [name for name in known.arguments if name in given.values or name in known.required]
+        values = {name: given.values.get(name, more) for name in names}
         if kind not in _MADE_LATER:
             values = {key: snapshot(value) for key, value in values.items()}
-        if kind == "LaunchDescription" and not isinstance(values.get("initial_entities"), Seq):
-            if values.get("initial_entities") is not None:
-                raise NotUnderstood("a launch description of which the actions are not known", given.whole)
+        if kind == "LaunchDescription" and values.get("initial_entities") is None:
             values["initial_entities"] = Seq([])
         return Handle(kind, {**values, "place": given.whole})
 
-    def _directory(self, kind: str, positional: list[Value], keywords: dict[str, Value], place: Place) -> Value:
+    def _directory(self, shared: bool, positional: list[Value], keywords: dict[str, Value], place: Place) -> Value:
         package = positional[0] if positional else keywords.get("package_name", UNKNOWN)
-        if not isinstance(package, str) or not self._outside.has_package(package):
-            raise NotUnderstood("a package that is not known, or not here", place)
-        return share(package, kind)
+        if not isinstance(package, str):
+            return Unknown("which package it is, is not known", place)
+        directory = self._outside.share(package)
+        if directory is None:
+            raise Ended(f"the package {package} is not here")
+        if not shared:
+            return f"/opt/ros/{self._outside.distro}"
+        self.shares[directory] = package
+        return directory
+
+    def given_away(self, value: Handle) -> None:
+        """An object of launch is given to code that is not followed: what takes further actions may be given some."""
+        actions = value.state.get("initial_entities" if value.kind == "LaunchDescription" else "actions")
+        if isinstance(actions, Seq) and value.kind in ("LaunchDescription", "GroupAction"):
+            self._run.store(actions.content, COMPLETE, False)
 
     def attribute(self, name: str, member: str) -> Value:
         """``os.environ`` and whatever else."""
@@ -103,34 +135,41 @@ class LaunchRecogniser:
         """All are methods, but the list of actions."""
         if receiver.kind == "LaunchDescription" and name == "entities":
             return receiver.state["initial_entities"]
-        return MISSING
+        return self.running.member(receiver, name)
 
     def method(
         self, receiver: Handle, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
     ) -> Value:
-        """``ld.add_action(…)``; all others need a launch that runs."""
-        if receiver.kind == "LaunchDescription" and name in ("add_action", "add_entity") and len([*positional, *keywords]) == 1:
-            actions: Seq = receiver.state["initial_entities"]
-            added = positional[0] if positional else next(iter(keywords.values()))
+        """``ld.add_action(…)``, and what is asked of the context of a launch that runs."""
+        given = [*positional, *keywords.values()]
+        if receiver.kind == "LaunchDescription" and name in ("add_action", "add_entity") and len(given) == 1:
+            actions = receiver.state["initial_entities"]
             argument = node.args[0] if isinstance(node, ast.Call) and node.args else node
-            for problem in wrong_action("LaunchDescription", added, self._place(argument, scope)):
+            for problem in wrong_action("LaunchDescription", given[0], self._place(argument, scope)):
                 self._run.record(problem)
-            self._run.store(actions.content, ITEMS, [*actions.items, added])
-            self._run.store(actions.content, COMPLETE, actions.complete and len(actions.items) < 250)
+            if isinstance(actions, Seq):
+                self._run.store(actions.content, ITEMS, [*actions.items, given[0]])
             return None
-        raise NotUnderstood(f"{name}() of {receiver.kind}", self._place(node, scope))
+        place = self._place(node, scope)
+        if receiver.kind in (CONTEXT, CONFIGURATIONS, VARIABLES):
+            return self.running.method(receiver, name, given, place)
+        if len(given) == 1 and ((name == "perform" and receiver.kind in SUBSTITUTIONS) or (name == "evaluate" and is_condition(receiver))):
+            return self.running.performed(receiver, given[0], place)
+        self._run.escape([receiver, *given], "start")
+        return Unknown(f"what {name}() of {receiver.kind} gives is not known", place)
 
     def inherited(
         self, base: str, instance: Instance, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
     ) -> None:
-        """Classes of launch are not extended by what is read here."""
-        raise NotUnderstood(f"a class that is made of {base}", self._place(node, scope))
+        """Objects of classes that are made of classes of launch are not known for what they are to launch."""
+        self._run.escape([*positional, *keywords.values()], "start")
 
     def inherited_method(
         self, name: str, instance: Value, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
     ) -> Value:
         """As above."""
-        raise NotUnderstood(f"a class that is made of {name}", self._place(node, scope))
+        self._run.escape([*positional, *keywords.values()], "start")
+        return Unknown(f"{name} is not looked into", self._place(node, scope))
 
     def text_method(self, spelled: str, name: str, positional: Sequence[Value]) -> Value:
         """Nothing more is known of a directory than its name."""
@@ -172,19 +211,28 @@ class LaunchRecogniser:
         return []
 
 
+class Variables(dict[Any, Any]):
+    """The environment; who asks for a variable is noted."""
+
+    def __init__(self, variables: Mapping[str, str], looked_at: Callable[[str], None]) -> None:
+        super().__init__(variables)
+        self._looked_at = looked_at
+
+    def __contains__(self, name: object) -> bool:
+        if isinstance(name, str):
+            self._looked_at(name)
+        return super().__contains__(name)
+
+
 def snapshot(value: Value, depth: int = 0) -> Value:
     """A value as it is now: lists and dicts that are changed later do not change it."""
     if depth > _DEEPEST:
-        raise NotUnderstood("lists in lists without end")
+        return Unknown("lists stand in lists without end")
     if isinstance(value, Seq):
         return Seq([snapshot(each, depth + 1) for each in value.items], value.complete, value.is_tuple)
     if isinstance(value, Map):
         return Map({key: snapshot(each, depth + 1) for key, each in value.entries.items()}, value.complete)
     return value
-
-
-def _is_ours(value: Value) -> bool:
-    return isinstance(value, Handle) and "place" in value.state
 
 
 def _path(name: str, positional: list[Value]) -> Value:

@@ -19,6 +19,22 @@ launch.actions.GroupAction actions * scoped= forwarding= launch_configurations= 
 launch.actions.IncludeLaunchDescription launch_description_source * launch_arguments= +
 launch.actions.ExecuteProcess * cmd name= +process
 launch.actions.LogInfo * msg +
+launch.actions.OpaqueFunction * function args= kwargs= +
+launch.actions.RegisterEventHandler event_handler +
+launch.actions.UnregisterEventHandler event_handler +
+launch.actions.EmitEvent * event +
+launch.event_handlers.OnProcessExit * target_action= on_exit handle_once=
+launch.event_handlers.OnProcessStart * target_action= on_start handle_once=
+launch.event_handlers.OnProcessIO * target_action= on_stdin= on_stdout= on_stderr= handle_once=
+launch.event_handlers.OnShutdown * on_shutdown handle_once=
+launch.event_handlers.OnExecutionComplete * target_action= on_completion handle_once=
+launch.EventHandler * matcher entities= handle_once=
+launch.event_handler.EventHandler * matcher entities= handle_once=
+launch_ros.event_handlers.OnStateTransition * entities target_lifecycle_node= transition= start_state= goal_state= matcher= handle_once=
+launch.LaunchDescriptionSource launch_description= location= * method=
+launch.launch_description_source.LaunchDescriptionSource launch_description= location= * method=
+launch.launch_context.LaunchContext * argv= noninteractive=
+launch.LaunchContext * argv= noninteractive=
 launch.actions.SetEnvironmentVariable name value +
 launch.actions.UnsetEnvironmentVariable name +
 launch.actions.AppendEnvironmentVariable name value prepend= separator= +

@@ -1,20 +1,20 @@
 """Values of a followed launch file as texts: strings, substitutions, and lists of them.
 
-Source: ``launch.utilities.normalize_to_list_of_substitutions``.
+What is not known of a value is a piece of its text that says why. Source: ``launch.utilities.normalize_to_list_of_substitutions``.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
-from launchlint.problem import Problem
-from launchlint.python.values import SIGNS, Handle, Map, Seq, Value
+from launchlint.model import StandIn
+from launchlint.python.values import SIGNS, Choice, Handle, Map, Seq, Unknown, Value
 from launchlint.python.values import Text as Open
 from launchlint.source import Place
-from launchlint.syntax.ros2.description import Substitution, Text
+from launchlint.syntax.ros2.description import NOT_KNOWN, Substitution, Text, unknown
 
-_SLOT = re.compile(r"\{\{|\}\}|\ue000\{(share|prefix):([^{}]+)\}|[{}\ue000\ue001]")
-_PACKAGE = {"share": "find-pkg-share", "prefix": "find-pkg-prefix"}
+_SLOT = re.compile(r"\{\{|\}\}|\ue000\{stand-in:(\d+)\}|\{(?:[^{}]|\{[^{}]*\})*\}|[{}\ue000\ue001]")
 _PLAIN = {
     "LaunchConfiguration": ("var", "variable_name", "default"),
     "EnvironmentVariable": ("env", "name", "default_value"),
@@ -40,20 +40,7 @@ _PLAIN = {
 SUBSTITUTIONS = frozenset((*_PLAIN, "TextSubstitution", "PathJoinSubstitution", "PythonExpression"))
 PATH_JOIN = "path-join"
 """What stands for PathJoinSubstitution: its parts are joined as by os.path.join when all of them are performed."""
-
-
-class NotUnderstood(Exception):
-    """What a launch file in Python does cannot be told with certainty; says why, and where.
-
-    ``problems`` are those that were noticed before, where it is that of a whole file.
-    """
-
-    problems: tuple[Problem, ...] = ()
-
-    def __init__(self, reason: str, place: Place | None = None) -> None:
-        super().__init__(reason)
-        self.reason = reason
-        self.place = place
+SHARE = "find-pkg-share"
 
 
 def is_substitution(value: Value) -> bool:
@@ -61,100 +48,132 @@ def is_substitution(value: Value) -> bool:
     return isinstance(value, Handle) and value.kind in SUBSTITUTIONS
 
 
-def text(value: Value, place: Place) -> Text:
-    """The text that a value stands for. Raises NotUnderstood."""
-    pieces: list[str | Substitution] = []
-    for each in _items(value, place):
-        _add(pieces, each, place)
-    return Text(tuple(pieces), place)
+def why(value: Value, what: str) -> str:
+    """Why a value is none of those that are wanted: since it is not known, for its own reason, or for ``what`` it is."""
+    if isinstance(value, Unknown):
+        return value.reason or "it is not known what it is"
+    if isinstance(value, Choice):
+        said = next((condition for condition, _ in value.alternatives if condition), "what is not known")
+        return f"it depends on {said}"
+    return what
 
 
-def _items(value: Value, place: Place) -> list[Value]:
-    if isinstance(value, Seq):
-        if not value.complete:
-            raise NotUnderstood("a list of which not all items are known", place)
-        return value.items
-    return [value]
+class Texts:
+    """Makes texts in one launch file.
 
+    ``shares`` are the directories of packages that the program was given, each with its package: strings that begin with one are said to
+    be in that package. ``stand_ins`` are the texts that stand for what commands put out.
+    """
 
-def _add(pieces: list[str | Substitution], value: Value, place: Place) -> None:
-    new: list[str | Substitution] = []
-    if isinstance(value, str):
-        new = [value]
-    elif isinstance(value, Open):
-        new = _slots(value.template, place)
-    elif isinstance(value, Handle) and value.kind == "TextSubstitution":
-        new = [known(value.state["text"], place)]
-    elif isinstance(value, Handle) and value.kind in SUBSTITUTIONS:
-        new = [substitution(value)]
-    else:
-        raise NotUnderstood("a value that is not known, or is no text", place)
-    for piece in new:
-        if isinstance(piece, str) and pieces and isinstance(pieces[-1], str):
-            pieces[-1] += piece
-        elif piece != "":
-            pieces.append(piece)
+    def __init__(self, shares: Mapping[str, str]) -> None:
+        self._shares = shares
+        self._stand_ins: list[StandIn] = []
 
+    def stand_in(self, found: StandIn) -> Open:
+        """A text that stands for what is not known, as a string of the program."""
+        self._stand_ins.append(found)
+        return Open(f"{SIGNS[0]}{{stand-in:{len(self._stand_ins) - 1}}}")
 
-def _slots(template: str, place: Place) -> list[str | Substitution]:
-    """A string in which directories of packages stand."""
-    found: list[str | Substitution] = [""]
-    at = 0
-    for match in _SLOT.finditer(template):
-        found.append(template[at : match.start()])
-        at = match.end()
-        if match[1]:
-            found.append(Substitution(_PACKAGE[match[1]], (Text((match[2],), place),), place))
-        elif match[0] in ("{{", "}}"):
-            found.append(match[0][0])
+    def text(self, value: Value, place: Place) -> Text:
+        """The text that a value stands for."""
+        pieces: list[str | Substitution] = []
+        for each in value.items if isinstance(value, Seq) else [value]:
+            self._add(pieces, each, place)
+        if isinstance(value, Seq) and not value.complete:
+            pieces += unknown("not all parts of the list are known", place).pieces
+        return Text(tuple(pieces), place)
+
+    def optional(self, value: Value, place: Place) -> Text | None:
+        """The same for what may be None."""
+        return None if value is None else self.text(value, place)
+
+    def texts(self, value: Value, place: Place) -> tuple[Text, ...]:
+        """A list of texts; one that is not known stands for those that are not."""
+        if value is None:
+            return ()
+        if not isinstance(value, Seq):
+            return (unknown(why(value, "it is no list"), place),)
+        more = () if value.complete else (unknown("not all items of the list are known", place),)
+        return (*(self.text(each, place) for each in value.items), *more)
+
+    def _add(self, pieces: list[str | Substitution], value: Value, place: Place) -> None:
+        new: list[str | Substitution] = []
+        if isinstance(value, str):
+            new = self._string(value, place) if not pieces else [value]
+        elif isinstance(value, Open):
+            new = self._slots(value.template, place)
+        elif isinstance(value, Handle) and value.kind == "TextSubstitution":
+            self._add(pieces, value.state["text"], place)
+        elif isinstance(value, Handle) and value.kind in SUBSTITUTIONS:
+            new = [self.substitution(value)]
         else:
-            raise NotUnderstood("a string of which not all is known", place)
-    return [*found, template[at:]]
+            at = value.place if isinstance(value, Unknown) and value.place is not None else place
+            new = list(unknown(why(value, "it is no text"), at).pieces)
+        for piece in new:
+            if isinstance(piece, str) and pieces and isinstance(pieces[-1], str):
+                pieces[-1] += piece
+            elif piece != "":
+                pieces.append(piece)
+
+    def _string(self, value: str, place: Place) -> list[str | Substitution]:
+        """A string; one that begins with the directory of a package says so."""
+        if value[:1] == "/":
+            for directory in sorted(self._shares, key=len, reverse=True):
+                if value == directory or value.startswith(directory + "/"):
+                    package = Text((self._shares[directory],), place)
+                    return [Substitution(SHARE, (package,), place), value[len(directory) :]]
+        return [value]
+
+    def _slots(self, template: str, place: Place) -> list[str | Substitution]:
+        """A string of which not all is known."""
+        found: list[str | Substitution] = []
+        at = 0
+        for match in _SLOT.finditer(template):
+            found.append(template[at : match.start()])
+            at = match.end()
+            if match[1] and int(match[1]) < len(self._stand_ins):
+                one = self._stand_ins[int(match[1])]
+                found.append(Substitution(NOT_KNOWN, (Text((one.reason,), place), Text((one.text,), place)), place))
+            elif match[0] in ("{{", "}}"):
+                found.append(match[0][0])
+            else:
+                found += unknown("a part of the string is not known", place).pieces
+        return [*found, template[at:]]
+
+    def literal(self, value: Value, place: Place) -> str | None:
+        """A string, where all of it is known."""
+        return value if isinstance(value, str) else None
+
+    def substitution(self, value: Handle) -> Substitution:
+        """What an object of a substitution's class stands for."""
+        place: Place = value.state["place"]
+        given = value.state
+        if value.kind == "PathJoinSubstitution":
+            return Substitution(PATH_JOIN, self.texts(given["substitutions"], place), place)
+        if value.kind == "PythonExpression":
+            modules = given.get("python_modules")
+            words = (self.text(given["expression"], place),)
+            if modules is None:
+                return Substitution("eval", words, place)
+            names = modules.items if isinstance(modules, Seq) else [modules]
+            if not all(isinstance(each, str) for each in names):
+                return Substitution("eval", (*words, self.text(modules, place)), place)
+            return Substitution("eval", (*words, Text((",".join(names),), place)), place)
+        name, *roles = _PLAIN[value.kind]
+        arguments = [self.text(given[role], place) for role in roles if given.get(role) is not None]
+        return Substitution(name, tuple(arguments), place)
 
 
-def known(value: Value, place: Place) -> str:
-    """A string that is known. Raises NotUnderstood."""
-    if isinstance(value, str):
-        return value
-    raise NotUnderstood("a text that is not known", place)
-
-
-def substitution(value: Handle) -> Substitution:
-    """What an object of a substitution's class stands for. Raises NotUnderstood."""
-    place: Place = value.state["place"]
-    given = value.state
-    if value.kind == "PathJoinSubstitution":
-        parts = given["substitutions"]
-        if not isinstance(parts, Seq) or not parts.complete:
-            raise NotUnderstood("a path of which not all parts are known", place)
-        return Substitution(PATH_JOIN, tuple(text(each, place) for each in parts.items), place)
-    if value.kind == "PythonExpression":
-        modules = given.get("python_modules")
-        words = (text(given["expression"], place),)
-        if modules is None:
-            return Substitution("eval", words, place)
-        names = [known(each, place) for each in _items(modules, place)]
-        return Substitution("eval", (*words, Text((",".join(names),), place)), place)
-    name, *roles = _PLAIN[value.kind]
-    arguments = [text(given[role], place) for role in roles if given.get(role) is not None]
-    return Substitution(name, tuple(arguments), place)
-
-
-def share(package: str, kind: str = "share") -> Open:
-    """The string that get_package_share_directory gives: kept open, since which copy of a package counts is seen from the entry file."""
-    return Open(f"{SIGNS[0]}{{{kind}:{package}}}")
-
-
-def pairs(value: Value, place: Place) -> list[tuple[Value, Value]]:
-    """A list of pairs, or a mapping's items. Raises NotUnderstood."""
+def pairs(value: Value) -> tuple[list[tuple[Value, Value]], bool]:
+    """A list of pairs, or the items of a mapping; and whether these are all of them."""
     if isinstance(value, Map):
-        if not value.complete:
-            raise NotUnderstood("a dict of which not all entries are known", place)
-        return list(value.entries.items())
+        return list(value.entries.items()), value.complete
     found: list[tuple[Value, Value]] = []
-    for each in _items(value, place):
+    complete = isinstance(value, Seq) and value.complete
+    for each in value.items if isinstance(value, Seq) else []:
         two = each.items if isinstance(each, Seq) and each.complete else ()
-        if len(two) != 2:
-            raise NotUnderstood("pairs are wanted here", place)
-        found.append((two[0], two[1]))
-    return found
+        if len(two) == 2:
+            found.append((two[0], two[1]))
+        else:
+            complete = False
+    return found, complete
