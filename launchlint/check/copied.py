@@ -1,4 +1,6 @@
-"""Copies of public packages among packages of other people: what is untidy there is for those to mend who maintain the original."""
+"""Copies of public packages, and of whole projects, among packages of other people: what is untidy there is for those to mend who maintain
+the original.
+"""
 
 from __future__ import annotations
 
@@ -6,25 +8,36 @@ from collections.abc import Iterable, Iterator
 
 from launchlint.check.known import Known
 from launchlint.finding import Finding, Severity
+from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
 
 NOTE = "{} is a copy of a public package, and that is where to mend it"
+WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
 _UNTIDY = frozenset(("LL206", "LL210", "LL303", "LL702"))
 """By their IDs: in most runs none of these modules has to be loaded for this. LL701 says it itself, since it proposes a line."""
 
 
 def judged_by_origin(findings: Iterable[Finding], known: Known) -> Iterator[Finding]:
     """``findings``, the warnings of rules about untidiness in copied packages as infos, apart from those elsewhere."""
-    copies: dict[str, bool] = {}
+    copies: dict[str, str] = {}
     for finding in findings:
         if finding.rule in _UNTIDY and finding.severity is Severity.WARNING:
             package = known.packages.package_of(known.file(finding.location.path))
             if package is not None:
                 if package.directory not in copies:
-                    from launchlint.rules.judging.left_out import is_copy
-
-                    copies[package.directory] = is_copy(package, known.packages)
-                if copies[package.directory]:
-                    note = NOTE.format(package.name)
+                    copies[package.directory] = _note(package, known.packages)
+                note = copies[package.directory]
+                if note:
                     cause = finding.cause and f"{finding.cause}; {note}"
                     finding = finding._replace(severity=Severity.INFO, notes=(*finding.notes, note), cause=cause)
         yield finding
+
+
+def _note(package: Package, packages: Packages) -> str:
+    """Whose copy a package is; empty where it is none."""
+    from launchlint.rules.judging.left_out import is_copy, kept_whole
+
+    if is_copy(package, packages):
+        return NOTE.format(package.name)
+    project = kept_whole(package, packages)
+    return WHOLE.format(package.name, project) if project else ""

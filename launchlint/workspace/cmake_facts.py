@@ -16,7 +16,7 @@ from launchlint.workspace.cmake import CMakeError, Command, commands
 from launchlint.workspace.cmake_blocks import block_end, never, parsed, section, sources_and_rest
 from launchlint.workspace.cmake_exports import Exported, within
 from launchlint.workspace.cmake_installs import install, install_programs
-from launchlint.workspace.cmake_made import MAKING
+from launchlint.workspace.cmake_made import MAKING, RUNNING, runs_another_build
 from launchlint.workspace.cmake_scope import Scope, Value, together
 from launchlint.workspace.cmake_targets import CMakeFacts, Generated, Target
 from launchlint.workspace.cmake_words import ASSIGNING, CATKIN_WORDS, COMPUTING, COMPUTING_FIRST, HARMLESS, HARMLESS_PREFIXES
@@ -220,6 +220,8 @@ class _Reader:
             return
         if name in MAKING:
             self.facts.made.note(self.scope, command, self._file_shown)
+        if name in RUNNING and runs_another_build(self.scope.with_gaps(command.arguments)):
+            self._generated(name, [None])
         if self._ament and ament_command(self.facts, self.scope, name, arguments):
             return
         if _TARGET.fullmatch(name) or _TEST_TARGET.fullmatch(name):
@@ -258,10 +260,8 @@ class _Reader:
         elif name == "cmake_parse_arguments":
             for variable, values in parsed(self.scope.given_arguments(arguments)).items():
                 self.scope.assign(variable, values)
-        elif name in COMPUTING:
-            self.scope.forget(arguments)
-        elif name in COMPUTING_FIRST:
-            self.scope.forget(arguments[:1])
+        elif name in COMPUTING or name in COMPUTING_FIRST:
+            self.scope.forget(arguments if name in COMPUTING else arguments[:1])
         elif name == "set_target_properties":
             self._properties(arguments)
         elif name == "install":

@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Sequence
 from fnmatch import fnmatchcase
+from itertools import pairwise
 
 from launchlint.late import late
 from launchlint.workspace.cmake import Command
@@ -19,6 +20,10 @@ MAKING = frozenset(
     """.lower().split()
 )
 """Commands that write files, into the build or the source directory."""
+
+RUNNING = frozenset(("add_custom_command", "execute_process"))
+"""Commands that run programs, and say of what these write at most the names that others need."""
+_BUILD_TOOLS = late(r"(?:.*/)?(?:\$\(MAKE\)|g?make|ninja|scons|bazel|cargo|ant|mvn|gradlew?|meson|waf)")
 
 _FILE_ACTIONS = frozenset("WRITE APPEND TOUCH GENERATE CONFIGURE DOWNLOAD COPY COPY_FILE INSTALL RENAME CREATE_LINK MAKE_DIRECTORY".split())
 _NEEDED = frozenset(("DEPENDS", "MAIN_DEPENDENCY", "WORKING_DIRECTORY", "COMMENT", "IMPLICIT_DEPENDS", "URL", "URL_HASH", "GIT_REPOSITORY"))
@@ -77,6 +82,11 @@ class Made:
             and not os.path.exists(path)
         ):
             self.directories.setdefault(path, how)
+
+
+def runs_another_build(words: Sequence[str]) -> bool:
+    """Whether a command runs a build with files of its own (``make -C test``), which may make anything."""
+    return any(word == "COMMAND" and _BUILD_TOOLS.fullmatch(program) is not None for word, program in pairwise(words))
 
 
 def _written(scope: Scope, command: Command) -> list[str]:

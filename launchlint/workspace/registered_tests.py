@@ -14,6 +14,9 @@ TEST_END = ".test"
 _LONGEST_LINE = 1_000
 _REGISTERS = late(r"\w*rostest\w*[ \t]*\(")
 _NAMES_TEST = late(r"[\w.-]+\.(?:test|launch)\b")
+_COMMAND = late(r"\b(\w*(?:rostest|roslaunch)\w*)[ \t]*\(([^()]*)\)")
+_TESTS = late(r"(?:^|/)tests?/")
+_WORD = late(r"[\w./+-]+")
 _ELSEWHERE = late(r"(?i)\b(?:add_subdirectory|foreach|include)[ \t]*\(|\bGLOB|\*\.test|\}[\w.-]*\.test")
 """What may register tests that cannot be seen here."""
 
@@ -40,3 +43,24 @@ def why_not_started(directory: str, file: str) -> str | None:
     if not any(each.endswith(TEST_END) for each in _NAMES_TEST.findall(active)):
         return None
     return f"nothing starts this test: {CMAKE_FILE} registers others, and not this one"
+
+
+def is_only_checked(directory: str, file: str) -> bool:
+    """Whether the launch ``file`` among the tests of the package at ``directory`` (both absolute) is loaded there, but never started.
+
+    It, or a directory above it, is given to ``roslaunch_add_file_check`` (roslaunch.scripts.check), and to no ``add_rostest``.
+    """
+    inside = os.path.relpath(file, directory)
+    if inside.endswith(TEST_END) or _TESTS.search(inside) is None or inside.startswith(os.pardir):
+        return False
+    written = (content(os.path.join(directory, CMAKE_FILE)) or b"").decode("utf-8", "replace")
+    code = "\n".join(line.partition("#")[0] for line in written.splitlines())
+    above = {inside}
+    while inside := os.path.dirname(inside):
+        above.add(inside)
+    registered = {
+        "rostest" not in command.lower()
+        for command, words in _COMMAND.findall(code)
+        if any(word.rstrip("/").removeprefix("./") in above for word in _WORD.findall(words))
+    }
+    return registered == {True}

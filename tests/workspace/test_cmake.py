@@ -140,6 +140,8 @@ def test_executables_that_are_all_known(text: str, names: list[str], grow: Grow)
         ("include(again.cmake)", "again.cmake is not read"),
         ("add_executable(a x)\nset_target_properties(a PROPERTIES OUTPUT_NAME ${N})", "OUTPUT_NAME is not known"),
         ("add_custom_target(a ALL COMMAND cp x y)", "add_custom_target makes a file whose name is not known"),
+        ("add_custom_command(OUTPUT test/.made\n COMMAND make -C test/)", "add_custom_command makes a file whose name is not known"),
+        ("execute_process(COMMAND /usr/bin/make -C test/)", "execute_process makes a file whose name is not known"),
         ("file(COPY a DESTINATION b)", "file(COPY) makes a file whose name is not known"),
         ("add_executable(", "CMakeLists.txt, line 1: the command is not closed"),
     ],

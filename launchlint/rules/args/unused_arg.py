@@ -1,6 +1,7 @@
 """An arg is declared and never read.
 
-No `$(arg …)` and no `$(eval …)` of the file reads it, in no branch, and no `<include>` with `pass_all_args` passes it on.
+No `$(arg …)` and no `$(eval …)` of the file reads it, in no branch, and no `<include>` with `pass_all_args` passes it on. An arg that a
+misspelt substitution means, as `$arg(x)`, is not told of: LL215 says what is wrong there.
 An arg that its `doc`, or a comment above a run of args, calls unused, old or deprecated is left alone: somebody keeps it on
 purpose. So is one with a fixed `value` that is an `$(eval …)`, which may be there to stop roslaunch when it fails, and every arg
 of a file with `<rosparam file="…" subst_value="true"/>`: the YAML file may read it.
@@ -64,7 +65,7 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, of_ros2
 from launchlint.source import Origin, Place, Span
 from launchlint.spelling import closest, distance, folded
-from launchlint.syntax.ros1.substitutions import expression_in
+from launchlint.syntax.ros1.substitutions import expression_in, parts_of, slip
 from launchlint.syntax.tree import Comment, Document, Element
 
 _LONGEST_DECLARATION = 2_000
@@ -259,6 +260,8 @@ def _names_read(document: Document) -> set[str] | None:
                 return None
             if "arg" in value or "$" in value:
                 names.update(READ.findall(value))
+            if "$" in value and (found := slip(parts_of(attribute))) is not None:
+                names.update(word.text for word in found.words)
             start = value.find("$(eval")
             if start >= 0:
                 expression = value[start + 6 :]

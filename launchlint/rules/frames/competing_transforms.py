@@ -3,9 +3,10 @@
 What it does: it compares the frames whose transforms the nodes publish, as far as that is known for certain: those of the
 `static_transform_publisher`s of tf and tf2_ros, of localizers and SLAM nodes that the library knows (map → odom), and of the fixed joints
 of a plain URDF that a `robot_state_publisher` gets. It is an error where two static publishers hang one frame below two parents, an info
-where they say the same twice (two fixed joints with the same origin do, too), or where one of the two is published upon a message that
-nothing in the launch sends, and a warning elsewhere. Two publishers are told of once, with all the frames that both publish, and so are the
-same two programs in several launch files. Nodes whose `/tf` is remapped apart do not meet, and with a `tf_prefix` in the launch the rule is
+where they say the same twice (a fixed joint and a static publisher with the same numbers do, too), or where one of the two is published
+upon a message that nothing in the launch sends, and a warning elsewhere. Two publishers are told of once, with all the frames that both
+publish, and so are all static publishers of one file that say again what one node publishes, and the same programs in several launch
+files. Nodes whose `/tf` is remapped apart do not meet, and with a `tf_prefix` in the launch the rule is
 silent.
 
 ## Why it matters
@@ -39,6 +40,7 @@ from collections.abc import Iterator, Sequence
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import ConnectionGraph, Instance
 from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.pose import are_alike
 from launchlint.rules.judging.published_frames import STATIC, Published, has_prefix, published
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
@@ -57,14 +59,15 @@ def check(view: GraphView) -> Iterator[Finding]:
     for each in published(graph):
         if each.certain and not each.instance.node.is_test and each.instance.node.knows("arguments", "namespace", "name"):
             known.setdefault((each.topic, each.child), []).append(each)
-    pairs: dict[tuple[int, int, Severity], list[tuple[Published, Published]]] = {}
+    pairs: dict[tuple[object, ...], list[tuple[Published, Published]]] = {}
     for group in known.values():
         first = group[0]
         for other in group[1:]:
             if other.instance is not first.instance:
-                pairs.setdefault((id(first.instance), id(other.instance), _judged(first, other, graph)[0]), []).append((first, other))
-    for (*_, severity), both in pairs.items():
-        yield _finding(severity, both, graph)
+                severity = _judged(first, other, graph)[0]
+                pairs.setdefault((severity, id(first.instance), _told_with(first, other)), []).append((first, other))
+    for both in pairs.values():
+        yield _finding(both, graph)
 
 
 def together(findings: Sequence[Finding]) -> Finding:
@@ -73,6 +76,14 @@ def together(findings: Sequence[Finding]) -> Finding:
     if any(finding.location != first.location for finding in findings):
         return joined(findings)
     return first._replace(entries=max(finding.entries for finding in findings))
+
+
+def _told_with(first: Published, other: Published) -> object:
+    """What all that is told with ``other`` shares: the node, or the file where static publishers say what another program publishes."""
+    if other.instance.program not in STATIC or first.instance.program in STATIC:
+        return id(other.instance)
+    origin = other.instance.node.origin
+    return origin.place.source.path, tuple(place.key for place in origin.chain)
 
 
 def _unheard(one: Published, graph: ConnectionGraph) -> str:
@@ -90,18 +101,18 @@ def _judged(first: Published, other: Published, graph: ConnectionGraph) -> tuple
     if first.parent != other.parent:
         severity = Severity.ERROR if static else Severity.WARNING
         effect = f"{first.instance.name} puts it below {first.parent}, {other.instance.name} below {other.parent}: a frame has one parent"
-    elif static and first.instance.node.arguments.split() == other.instance.node.arguments.split():
+    elif are_alike(first.pose, other.pose) or (static and first.instance.node.arguments.split() == other.instance.node.arguments.split()):
         severity, effect = Severity.INFO, "they say the same: one of them is enough"
-    elif first.origin and first.origin == other.origin:
-        severity, effect = Severity.INFO, "they say the same, since the joints are fixed and alike: one of them is enough"
     if unheard and severity is Severity.WARNING:
         severity = Severity.INFO
     return severity, (effect, *([unheard] if unheard else []))
 
 
-def _finding(severity: Severity, both: Sequence[tuple[Published, Published]], graph: ConnectionGraph) -> Finding:
-    """What two nodes both publish, of one severity."""
+def _finding(both: Sequence[tuple[Published, Published]], graph: ConnectionGraph) -> Finding:
+    """What one node and another one, or several of one file, both publish, of one severity."""
     first, other = both[0]
+    severity, notes = _judged(first, other, graph)
+    further = {id(each.instance): each for _, each in both if each.instance is not other.instance}
     frames = [each.child for _, each in both]
     more = f" and {len(frames) - MOST_NAMED} more" if len(frames) > MOST_NAMED else ""
     named = f"the frame {frames[0]}" if len(frames) == 1 else f"{len(frames)} frames ({', '.join(frames[:MOST_NAMED])}{more})"
@@ -111,8 +122,11 @@ def _finding(severity: Severity, both: Sequence[tuple[Published, Published]], gr
         f"{first.instance.name} publishes the transform{'s' * (len(frames) > 1)} of {named}, too",
         severity=severity,
         label=f"publishes {other.parent} → {other.child}",
-        related=((there, f"publishes {first.parent} → {first.child}"),),
-        notes=_judged(first, other, graph)[1],
+        related=(
+            *((_place(each.instance).place, f"publishes {each.parent} → {each.child}") for each in further.values()),
+            (there, f"publishes {first.parent} → {first.child}"),
+        ),
+        notes=notes,
         help="start only one of them, or give each a frame of its own",
         topic=other.child,
         cause=" ".join((severity.word, *(f"{each.instance.program} {each.parent}" for each in both[0]), *frames)),

@@ -7,9 +7,9 @@ where only the default of an arg leads there that all files which include this o
 no choice, for files of the robot (below `/etc`, `/opt`, `/home` and the like, outside of the workspace), for names made from an environment
 variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a template that lies beside
 it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration, or by what `.gitignore`
-keeps out of the repository; and for one in a git submodule that is not checked out. A directory that is missing is told once, with all
-files that would be in it, and so is one in which files are looked for that lie in another, and one that lacks several files which one
-launch file names.
+keeps out of the repository; for one in a git submodule that is not checked out; and in a launch file that is called a template. A
+directory that is missing is told once, with all files that would be in it, and so is one in which files are looked for that lie in
+another, and one that lacks several files which one launch file names. A name with a placeholder (`__robot__`, `@ROBOT@`) is left alone.
 
 ## Why it matters
 
@@ -70,7 +70,7 @@ from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.robot_file import advice as robots_advice
 from launchlint.rules.judging.robot_file import is_robots
 from launchlint.rules.judging.takes_args import is_alike, passed_at, takes
-from launchlint.rules.judging.template import has_placeholder
+from launchlint.rules.judging.template import has_placeholder, is_called_template
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.rules.xml.malformed_xml import TEMPLATE
@@ -146,6 +146,9 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
     if choice is not None:
         severity, advice, repair = Severity.INFO, choice[1], None
         notes.append(choice[0])
+    if severity is None and problem.origin.step is None and is_called_template(source.path):
+        severity = Severity.INFO
+        notes.append("this file is called a template: people copy it, and start the copy")
     if environment:
         severity = Severity.INFO
         advice = "give the variable the value it has on the robot, under env: in .launchlint.yaml, or correct the path"

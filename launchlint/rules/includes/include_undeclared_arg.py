@@ -56,9 +56,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 
-from launchlint.evaluate.problems import IncludeUndeclaredArg
+from launchlint.evaluate.problems import IncludeUndeclaredArg, UndeclaredArg
 from launchlint.finding import Finding, Severity
-from launchlint.rules.edits import LOADS, passed_under
+from launchlint.rules.edits import LOADS, passed_under, spot
 from launchlint.rules.judging.broken_call import MOVE, broken_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -69,6 +69,7 @@ RULE = Rule("LL403", "include-undeclared-arg", Severity.ERROR, roslaunch="refuse
 
 _TO_THE_TOP = "to the top level of the included file, without a condition"
 _MOST_NAMED = 8
+_STOPS = "roslaunch stops with"
 _near = lru_cache(maxsize=256)(closest)  # the same is asked in every configuration
 
 
@@ -81,6 +82,9 @@ def tell(problem: IncludeUndeclaredArg, view: LaunchView) -> Iterator[Finding]:
     has = ", ".join(known[:_MOST_NAMED]) + (" …" if len(known) > _MOST_NAMED else "")
     listed = ", ".join(undeclared)
     notes = [f"roslaunch stops with: unused args [{listed}] for include of [{file}]"]
+    unset = _unset_in(problem.place, view)
+    if unset:
+        notes = [f"roslaunch stops even before that, since {unset} is not declared either; once it is, with{notes[0].removeprefix(_STOPS)}"]
     notes.append(f"{file} takes: {has}" if known else f"{file} takes no args")
     yield RULE.at(
         problem.origin,
@@ -92,6 +96,25 @@ def tell(problem: IncludeUndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         help=_help(undeclared, known, tuple(elsewhere)),
         fix=None if name in elsewhere else passed_under(view, problem.place, name, _near(name, known), "" if several else f"{LOADS}, and "),
     )
+
+
+def _unset_in(place: Place, view: LaunchView) -> str:
+    """The arg without a declaration that the include with the arg at ``place`` reads; empty where it reads none."""
+    at = spot(view, place)
+    if at is None or at.element.parent is None:
+        return ""
+    read = view.once(_undeclared_reads)
+    return next((read[key] for each in at.element.parent.children if (key := (place.source.path, each.index)) in read), "")
+
+
+def _undeclared_reads(view: LaunchView) -> dict[tuple[str, int], str]:
+    """The args that are read and not declared, by the element that reads them."""
+    found: dict[tuple[str, int], str] = {}
+    for problem in view.launch.noticed(UndeclaredArg):
+        at = spot(view, problem.place)
+        if at is not None:
+            found.setdefault((problem.place.source.path, at.element.index), problem.name)
+    return found
 
 
 def _help(undeclared: tuple[str, ...], known: tuple[str, ...], elsewhere: tuple[str, ...]) -> str:

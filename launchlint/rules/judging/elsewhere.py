@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import posixpath
+from itertools import islice
 
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.view import LaunchView
 from launchlint.spelling import differs_in_meaning
-from launchlint.workspace.looking import names
+from launchlint.workspace.looking import is_file, names
 from launchlint.workspace.package import Package
+from launchlint.workspace.packages import Packages
 from launchlint.workspace.put_aside import is_out_of_use
+
+_MOST_PACKAGES = 500
 
 
 def elsewhere(path: str, package: Package, view: LaunchView) -> str | None:
@@ -25,6 +29,14 @@ def elsewhere(path: str, package: Package, view: LaunchView) -> str | None:
     others = ((other, other.removesuffix(ending)) for other in names(directory) if other.endswith(ending))
     longer = [other for other, words in others if _goes_on(words, stem) or _goes_on(stem, words)]
     return longer[0] if len(longer) == 1 and not differs_in_meaning(longer[0], name) else None
+
+
+def in_another_package(path: str, package: Package, packages: Packages) -> str:
+    """The only other package of the workspaces that has a file at the same path as ``path`` (absolute) has in ``package``; else empty."""
+    inside = posixpath.relpath(path, package.directory)
+    others = (each for place in packages.places[: len(packages.workspaces)] for each in place.everything if each.name != package.name)
+    found = [each.name for each in islice(others, _MOST_PACKAGES) if is_file(posixpath.join(each.directory, inside))]
+    return found[0] if len(found) == 1 and not inside.startswith("..") else ""
 
 
 def _goes_on(longer: str, stem: str) -> bool:

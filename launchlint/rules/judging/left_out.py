@@ -7,7 +7,7 @@ import posixpath
 from launchlint.late import late
 from launchlint.rules.judging.metapackages import members
 from launchlint.syntax.tree import Document
-from launchlint.workspace.looking import is_file, walk
+from launchlint.workspace.looking import is_file, names, walk
 from launchlint.workspace.mentions import install_lines, says_install
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
@@ -24,6 +24,8 @@ CHANGES = "CHANGELOG.rst"
 """What releases are made from (REP 132)."""
 SETUP_ASSISTANT = ".setup_assistant"
 _MUCH_MORE = 4
+_SOME = 3
+_LICENCES = frozenset(("license", "licence", "copying", "unlicense"))
 _BENCH = late(r"(?:^|[/_.-])(?:tests?|bench\w*|debug|examples?|demos?|play\w*|replay|(?:ros)?bags?)(?:[/_.-]|[A-Z\d]|$)")
 _TRIAL = late(r"(?:^|[/_.-])(?:tests?|debug|examples?|demos?|tryout|bench\w*)(?:[/_.-]|[A-Z\d]|$)")
 _LAUNCH_ENDS = (".launch", ".launch.xml", TEST_END)
@@ -47,6 +49,9 @@ def why_left_out(name: str, document: Document, home: Package, packages: Package
             return f"{name} is part of every installation of {BASE}, and it is used to try something out only"
     if is_copy(home, packages):
         return f"{home.name} is a copy of a public package, and that is where to declare {name}"
+    project = kept_whole(home, packages)
+    if project:
+        return f"{home.name} is part of another project, {project}, which is kept here as a whole: that is where to declare {name}"
     return ""
 
 
@@ -92,6 +97,29 @@ def is_copy(home: Package, packages: Packages) -> bool:
             else:
                 own += 1
     return own > public and own >= _MUCH_MORE * theirs
+
+
+def kept_whole(home: Package, packages: Packages) -> str:
+    """The name of the directory in which somebody else's project, with ``home`` in it, is kept in this workspace; else empty.
+
+    Such a directory has its own licence and README, and at most a few packages outside of it, which came with it, have its people.
+    """
+    if home.manifest is None:
+        return ""
+    directory = home.directory
+    roots = [each.rstrip("/") for each in packages.workspaces]
+    while (directory := posixpath.dirname(directory)) and any(directory.startswith(f"{root}/") for root in roots):
+        listed = {each.partition(".")[0].lower() for each in names(directory)}
+        if not (listed & _LICENCES and "readme" in listed):
+            continue
+        everything = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]
+        people = {each.directory: _people(each.manifest) for each in everything if each.manifest is not None}
+        inside = frozenset().union(*(people[each] for each in people if each.startswith(f"{directory}/")))
+        outside = [people[each] for each in people if not each.startswith(f"{directory}/")]
+        theirs = sum(not inside.isdisjoint(each) for each in outside)
+        if inside and len(outside) - theirs >= max(_SOME, _MUCH_MORE * theirs):
+            return posixpath.basename(directory)
+    return ""
 
 
 def _people(manifest: Manifest) -> frozenset[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from launchlint.evaluate.problems import UnexpandedSubstitution
 from launchlint.rules.view import LaunchView
+from launchlint.syntax.ros1.substitutions import parse, slip
 
 
 def cause_at(problem: UnexpandedSubstitution) -> str:
@@ -20,3 +21,9 @@ def left_over_in(name: str, view: LaunchView) -> str:
     known = (each for each in view.launch.noticed(UnexpandedSubstitution) if not each.rosparam)
     held = [each for each in known if each.text.strip() in name]
     return cause_at(max(held, key=lambda each: len(each.text))) if held else ""
+
+
+def meant_substitution(value: str) -> str:
+    """The substitution that was probably meant by a value which holds something that is nearly one; empty where it holds none."""
+    found = slip(parse(value))
+    return f"$({' '.join(word.text for word in found.words)})" if found is not None and len(found.words) > 1 else ""

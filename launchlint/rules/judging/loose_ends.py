@@ -14,6 +14,7 @@ from typing import NamedTuple
 from launchlint.finding import Severity
 from launchlint.graph.connections import HUBS, OFFERS, Channel, Endpoint, Instance
 from launchlint.graph.plausible import Possible
+from launchlint.late import late
 from launchlint.library.shipped import is_in_library
 from launchlint.rules.judging.name_places import owners
 from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
@@ -27,6 +28,7 @@ _MOST_COMPARISONS = 20_000
 """In a launch with more loose ends than people can read of, only the first are looked at."""
 _GENERIC = ("std_msgs/", "std_srvs/")
 """Types that say nothing of what is meant."""
+_TO_REMAP = late(r"\{remap:([^{}|]+)\}")
 _PRIVATE = "{} lies below its own node, where others look only if a remap leads them there"
 Others = list[tuple[Channel, list[Endpoint]]]
 """Names on the other side, with the ends there."""
@@ -88,7 +90,14 @@ class LooseEnds:
                     yield min(found, key=lambda each: (-each.level, *self._apart(each.instance, each.partner), each.instance.name))
 
     def _sleeps(self, end: Endpoint) -> bool:
-        """Whether it is there only while somebody hears its node, and nothing says that somebody is to: it has the name in the code."""
+        """Whether it is there only while somebody hears its node, and nothing says that somebody is to: it has the name in the code.
+
+        A service below a name that is to be remapped, as one camera of those that a calibrator may be for, is called if it is remapped.
+        """
+        if end.kind != "topic" and _TO_REMAP.sub(r"\1", end.declaration.name).strip("/") == end.declared.strip(
+            "/"
+        ) != end.declaration.name.strip("/"):
+            return True
         return end.declaration.when == "subscriber" and not end.applied and not self._signs.is_left_private(end)
 
     def _beside(self, channel: Channel, *, offers: bool) -> tuple[Possible, ...] | None:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from launchlint.graph.command_line import command_line
 from launchlint.graph.connections import ConnectionGraph, Instance
 from launchlint.graph.frames import Frame
 from launchlint.graph.urdf import LARGEST, Joint, joints
 from launchlint.model import Command
+from launchlint.rules.judging.pose import Pose, pose_of_joint, pose_of_words
 from launchlint.words import split_words
 from launchlint.workspace.looking import note
 from launchlint.workspace.reading import read_bytes
@@ -25,7 +27,7 @@ class Published(NamedTuple):
     """A transform that ``instance`` publishes. ``topic`` is where, without ``_static``; frames have no ``/`` before them.
 
     ``certain``: it is published whenever the node runs and has what it needs. ``upon``: the topic without whose messages it is not.
-    ``origin``: where a fixed joint sits on its parent, if it is one.
+    ``pose``: where the child is in its parent, where that never changes and is known.
     """
 
     instance: Instance
@@ -34,7 +36,7 @@ class Published(NamedTuple):
     child: str
     certain: bool
     upon: str = ""
-    origin: tuple[str, ...] = ()
+    pose: Pose | None = None
 
 
 def bare(frame: str) -> str:
@@ -64,10 +66,20 @@ def published(graph: ConnectionGraph) -> Iterator[Published]:
                         bare(child),
                         frame.certain and joint.fixed,
                         "",
-                        joint.origin if joint.fixed else (),
+                        pose_of_joint(joint.origin) if joint.fixed else None,
                     )
             elif frame.name and frame.parent:
-                yield Published(instance, topic(instance), bare(frame.parent), bare(frame.name), frame.certain, _heard(instance, frame))
+                heard = _heard(instance, frame)
+                yield Published(instance, topic(instance), bare(frame.parent), bare(frame.name), frame.certain, heard, _pose(instance))
+
+
+def _pose(instance: Instance) -> Pose | None:
+    """What a static_transform_publisher is told."""
+    if instance.program not in STATIC:
+        return None
+    line = command_line(instance.node)
+    words = [word for word in line.words if isinstance(word, str)] if line.known else []
+    return pose_of_words(words[: -3 if instance.program == "tf/static_transform_publisher" else -2])
 
 
 def _heard(instance: Instance, frame: Frame) -> str:

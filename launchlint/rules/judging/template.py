@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 
 from launchlint.late import late
 
-_PLACEHOLDER = late(r"\[[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+\]")
+_PLACEHOLDER = late(
+    r"""\[[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+\]              # of MoveIt's Setup Assistant
+    | (?<![^\W_])__[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*__(?![^\W_]) | @[A-Za-z]\w*@ | \{\{\s*\w[\w. |-]*\}\}
+    | ["'/)\s]<(?:[Yy]our|[Mm]y|[Tt]he|[Ss]ome|YOUR|MY|THE|SOME)[ _-][\w -]+> | ="<[A-Za-z][\w -]*>"
+    """,
+    re.VERBOSE,
+)
 _TO_FILL_IN = late(
     r"""\s*(?:
         <[^<>]+> | \[[A-Za-z][\w -]*\] | \{\{[^{}]+\}\}         # in brackets, as a whole
@@ -17,12 +24,20 @@ _TO_FILL_IN = late(
     re.VERBOSE | re.IGNORECASE,
 )
 _LONGEST = 200
+_LETTERS = late(r"[a-z]+")
 _PATH_TO_FILL_IN = late(r"(?:^|/)(?:path[/_]to[/_]|your[_-]?\w+/|<[^<>/]+>(?:/|$))|/(?:home|Users)/user_?name/", re.IGNORECASE)
 
 
 def has_placeholder(text: str) -> bool:
-    """Whether ``text`` holds something like ``[ROBOT_NAME]``, as the templates of the MoveIt setup assistant do."""
+    """Whether ``text`` holds something that a tool or a reader replaces: ``[ROBOT_NAME]``, as in what MoveIt's Setup Assistant starts from,
+    ``__robot__``, ``@ROBOT@`` of CMake, ``{{ robot }}``, ``<your-robot>``.
+    """
     return _PLACEHOLDER.search(text) is not None
+
+
+def is_called_template(path: str) -> bool:
+    """Whether a launch file is called a template: people copy it, and start the copy."""
+    return "template" in _LETTERS.findall(posixpath.basename(path).lower())
 
 
 def is_to_fill_in(value: str) -> bool:

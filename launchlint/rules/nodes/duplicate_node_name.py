@@ -44,8 +44,9 @@ anything as soon as two nodes share one, often because a file is included twice.
 
 ## Fix
 
-`--unsafe-fixes` removes the second node where both are equal (program, args, remaps, params). Else it puts a number behind its name:
-`camera_2`. Other launch files and nodes may know it by its old name.
+`--unsafe-fixes` removes the second node where both are equal (program, args, remaps, params). Where one of two equal nodes stands in a file
+that the file of the other one includes, it removes the other: somebody else may include that file for its node. Else it puts a number
+behind the name of the second: `camera_2`. Other launch files and nodes may know it by its old name.
 """
 
 from __future__ import annotations
@@ -100,10 +101,10 @@ def tell(problem: DuplicateNode, view: LaunchView) -> Iterator[Finding]:
         cause=_cause(first, second, tried, view),
         help="let one arg choose between the two, with if and unless"
         if switches
-        else "remove the second one, which starts the same once more"
+        else _removed(first, second)[1]
         if equal
         else _advice(first, second, twice),
-        fix=None if twice or switches else _removal(second, view) if equal else _fix(second, view),
+        fix=None if twice or switches else _removal(first, second, view) if equal else _fix(problem, view),
     )
 
 
@@ -119,11 +120,13 @@ def _own_switches(first: Node, second: Node, view: LaunchView) -> list[str]:
 
 
 def _cause(first: Node, second: Node, tried: str, view: LaunchView) -> str:
-    """What all nodes that meet share: the args that are tried, or else the two includes that they come from."""
+    """What all nodes that meet share: the args that are tried, or else the two includes that they come from, or the name."""
     if tried:
         return f"{view.launch.entry.path} {tried}"
-    if not second.origin.chain:
+    if not second.origin.chain and first.origin.chain:
         return ""
+    if first.origin.chain == second.origin.chain and first.origin.place.source is second.origin.place.source:
+        return f"{[each.key for each in (first.origin.place, *first.origin.chain)]} {second.origin.place.source.path}"
     ways = (place.key for node in (first, second) for place in node.origin.chain)
     return f"{second.origin.place.source.path} {[*ways]}"
 
@@ -173,18 +176,61 @@ def _written(element: Element) -> list[object]:
     ]
 
 
-def _removal(second: Node, view: LaunchView) -> Fix | None:
-    at = spot(view, second.places["name"])
-    return fix("remove the second one", remove_element(at), safe=False, changes=f"{LOADS}, and the node is started once")
+def _removed(first: Node, second: Node) -> tuple[Node | None, str]:
+    """Which of two equal nodes nobody misses, and the advice: never one in a file that others may include for it, the including file aside.
+
+    Whoever starts the file of the one also gets the other if that is in the same file, or in one that is included there.
+    """
+    if first.conditions != second.conditions:
+        return None, "they start the same, under different conditions: let one arg choose, or remove one"
+    paths = [node.origin.place.source.path for node in (first, second)]
+    ways = [tuple(place.key for place in node.origin.chain) for node in (first, second)]
+    if ways[0] == ways[1] and paths[0] == paths[1]:
+        return second, "remove the second one, which starts the same once more"
+    for outer, node, word in ((0, first, "first"), (1, second, "second")):
+        inner = 1 - outer
+        depth = len(ways[outer])
+        if ways[inner][:depth] == ways[outer] and len(ways[inner]) > depth and ways[inner][depth][0] == paths[outer]:
+            return node, f"remove the {word} one, in {paths[outer]}: {paths[inner]}, which is included there, starts the same"
+    return None, "they start the same: remove the one that no other launch file needs"
 
 
-def _fix(second: Node, view: LaunchView) -> Fix | None:
-    """The second node gets a number behind its name, the first one that no node here has."""
+def _removal(first: Node, second: Node, view: LaunchView) -> Fix | None:
+    node = _removed(first, second)[0]
+    if node is None:
+        return None
+    at = spot(view, node.places["name"])
+    which = "second" if node is second else "first"
+    return fix(f"remove the {which} one", remove_element(at), safe=False, changes=f"{LOADS}, and the node is started once")
+
+
+def _new_names(view: LaunchView) -> dict[Place, str]:
+    """What each node whose name is taken may be called: a number behind its name, the first one that no other node has."""
+    taken = set(view.node_names)
+    numbers: dict[str, int] = {}
+    names: dict[Place, str] = {}
+    for problem in view.launch.problems:
+        if not isinstance(problem, DuplicateNode) or problem.core:
+            continue
+        place = problem.second.places.get("name")
+        if place is None or place in names:
+            continue
+        name: str = problem.second.name
+        number = numbers.get(name, 2)
+        while f"{name}_{number}" in taken:
+            number += 1
+        names[place] = f"{name}_{number}"
+        taken.add(names[place])
+        numbers[name] = number + 1
+    return names
+
+
+def _fix(problem: DuplicateNode, view: LaunchView) -> Fix | None:
+    second: Node = problem.second
     place = second.places.get("name")
     if place is None or not is_literal(place, second.name):
         return None
-    taken = view.node_names
-    name = next(each for number in range(2, len(taken) + 3) if (each := f"{second.name}_{number}") not in taken)
+    name = view.once(_new_names).get(place, f"{second.name}_2")
     return fix(f"call the second {name}", set_value(spot(view, place), name), safe=False, changes=f"{LOADS}, and the second node is {name}")
 
 

@@ -35,11 +35,13 @@ set for it by name.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import InvalidNodeName
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, add_attribute, fix, is_literal, set_value, spot
+from launchlint.rules.judging.joined import led_by
+from launchlint.rules.judging.left_over import left_over_in, meant_substitution
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.syntax.parts import Substitution
@@ -82,6 +84,7 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
             help="give it a name; where it does not matter which, write $(anon id)",
         )  # fmt: skip
     else:
+        meant = meant_substitution(name)
         good = re.sub(r"\W", "_", name.strip(), flags=re.ASCII)
         good = good if good[:1].isalpha() else f"n{good}" if good.startswith("_") else f"n_{good}"
         own = not problem.from_test
@@ -92,9 +95,19 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
             severity=Severity.WARNING,
             label=_fault(name),
             notes=("a C++ node ends at start with an invalid-name exception, and tools such as rosnode may not find a Python one",),
-            help=f"use letters, digits and _, a letter first: {good}" if own else f'give the test a name as well: name="{good}"',
-            fix=_rename(problem, view, name, good) if own else None,
+            help=f"write {meant}, which is replaced by what it stands for"
+            if meant
+            else f"use letters, digits and _, a letter first: {good}"
+            if own
+            else f'give the test a name as well: name="{good}"',
+            fix=_rename(problem, view, name, good) if own and not meant else None,
+            shared_cause=left_over_in(name, view),
         )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """What is nearly a substitution is told before the names that it spoils."""
+    return led_by(findings, "LL215")
 
 
 def _told(problem: InvalidNodeName, view: LaunchView) -> str:

@@ -1,10 +1,10 @@
 """A password, token or key is written into the launch file.
 
 Told are the `password` of a `<machine>`, and literal values of parameters, args and environment variables whose name
-ends in a word such as `password`, `secret`, `token` or `api_key`. Empty values, substitutions, file names and
-placeholders are left alone. The default of an `<arg>` is an info, and so is a value that a comment beside it calls a default: it may be
-the one that everybody knows, to be replaced. The value itself is never printed: what is shown of the line has asterisks in its place. One
-value that stands in many places is told once.
+ends in a word such as `password`, `secret`, `token` or `api_key`. Empty values, substitutions, file names,
+placeholders, words such as `admin` that anybody would try, and the name of the user that stands beside it, are left alone. The default of
+an `<arg>` is an info, and so is a value that a comment beside it calls a default: it may be the one that everybody knows, to be replaced.
+The value itself is never printed: what is shown of the line has asterisks in its place. One value that stands in many places is told once.
 
 ## Why it matters
 
@@ -50,10 +50,13 @@ RULE = Rule("LL509", "hard-coded-secret", Severity.WARNING)
 _PLACEHOLDER = (
     r"(?is)<.*>|\{.*\}|%.*%|\[.*\]|(.)\1*|(?:your|my|the|some|enter|insert|put)[\W_].*|"
     r".*(?:change_?me|replace_?me|placeholder|example|dummy).*|"
-    r"(?:none|null|nil|n/?a|todo|tbd|true|false|yes|no|on|off|unset|default|secret|token|password|passwd|passphrase|\W*)"
+    r"(?:none|null|nil|n/?a|todo|tbd|true|false|yes|no|on|off|unset|default|secret|token|pass|password|passwd|passphrase|"
+    r"admin|guest|anonymous|public|demo|test|\W*)"
 )
 _DEFAULT = r"(?i)\b(?:default|factory|special)\b"
 _FILE = r"(?s)[~.]*[/\\].*|[\w. /\\-]+\.[A-Za-z]{2,6}"
+_USER = r"(?i)(?:^|[\W_])(?:user(?:[\W_]?name)?|login|account)$"
+_MOST_BESIDE = 200
 
 
 def check(view: FileView) -> Iterator[Finding]:
@@ -62,13 +65,15 @@ def check(view: FileView) -> Iterator[Finding]:
     for element in document.elements:
         tag = element.tag.lower()
         if tag == "machine":
-            if _is_literal(element.attributes.get("password")):
+            password = element.attributes.get("password")
+            user = (element.get("user") or "").strip().lower()
+            if password is not None and _is_literal(password) and password.value.strip().lower() != user:
                 yield _finding(document, element, "password", f"the password of machine {element.get('name') or ''}".rstrip())
         elif tag in ("param", "arg", "env"):
             name = element.get("name") or ""
             if is_secret(name):
                 for attribute in ("value", "default"):
-                    if _is_literal(element.attributes.get(attribute)):
+                    if _is_literal(element.attributes.get(attribute)) and not _is_known_word(element, attribute):
                         yield _finding(document, element, attribute, name.strip())
 
 
@@ -78,6 +83,18 @@ def _is_literal(attribute: Attribute | None) -> bool:
         return False
     value = attribute.value.strip()
     return "$" not in value and re.fullmatch(_PLACEHOLDER, value) is None and re.fullmatch(_FILE, value) is None
+
+
+def _is_known_word(element: Element, attribute: str) -> bool:
+    """Whether the secret is the name of the user that stands beside it: that protects nothing, and whoever set it knows."""
+    secret = (element.get(attribute) or "").strip().lower()
+    around = element.parent.children if element.parent is not None else ()
+    return any(
+        re.search(_USER, each.get("name") or "") is not None and secret == (each.get(name) or "").strip().lower()
+        for each in around[:_MOST_BESIDE]
+        if each.tag.lower() == element.tag.lower()
+        for name in ("value", "default")
+    )
 
 
 def _finding(document: Document, element: Element, name: str, what: str) -> Finding:

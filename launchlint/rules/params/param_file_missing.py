@@ -51,7 +51,7 @@ from launchlint.evaluate.problems import ParamFileMissing
 from launchlint.finding import Finding, Severity
 from launchlint.model import ROS1, ROS2
 from launchlint.rules.judging.default_to_correct import has_arg, unchosen
-from launchlint.rules.judging.elsewhere import elsewhere
+from launchlint.rules.judging.elsewhere import elsewhere, in_another_package
 from launchlint.rules.judging.installed import installed_from
 from launchlint.rules.judging.joined import led_by
 from launchlint.rules.judging.left_over import left_over_in
@@ -179,6 +179,11 @@ def _advice(problem: ParamFileMissing, near: str | None, view: LaunchView) -> st
         return f"start the path with $({'find' if view.dialect.name == ROS1 else 'find-pkg-share'} PACKAGE) or $(dirname)"
     if not problem.missing:
         return "give the path of a text file in UTF-8"
+    package = view.packages.package_of(problem.file)
+    other = "" if package is None else in_another_package(problem.file, package, view.packages)
+    if package is not None and other:
+        find = "find" if view.dialect.name == ROS1 else "find-pkg-share"
+        return f"did you mean $({find} {other})/{posixpath.relpath(problem.file, package.directory)}?"
     if problem.no_directory:
         return f"correct the path: there is no directory {problem.no_directory} either"
     return "correct the path, or add the file"

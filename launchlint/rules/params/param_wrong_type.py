@@ -81,7 +81,7 @@ def check(view: GraphView) -> Iterator[Finding]:
         for reading in readings:
             by_node.setdefault(reading.node, []).append(reading)
         for node, own in by_node.items():
-            finding = _judge(setting, instances[node], own)
+            finding = _judge(setting, instances[node], own, view)
             if finding is not None:
                 found.append((setting, finding))
     yield from _with_causes(found)
@@ -116,7 +116,7 @@ def _is_tried(setting: ParameterSetting, launch: Launch) -> bool:
     return str(setting.value).lower() in {value.strip().lower() for name, value in launch.given if name in steered}
 
 
-def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading]) -> Finding | None:
+def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading], view: GraphView) -> Finding | None:
     value = setting.value
     type_ = _type(value)
     wanted = {reading.declaration.type for reading in readings}
@@ -125,7 +125,8 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
     reading = readings[0]
     if f"_{reading.declared.lstrip('~')}:=" in instance.node.arguments or any(_takes(instance, each, type_) for each in wanted):
         rounded = wanted == {"int"} and type_ == "double" and instance.client in ("roscpp", "nodelet")
-        return _rounded(setting, instance, reading) if rounded and value != _round(value) else None
+        own = view.packages.get(instance.node.package, view.launch.entry.file) is not None  # whose code may be what is wrong
+        return _rounded(setting, instance, reading, own=own) if rounded and value != _round(value) else None
     one = reading.declaration.type
     default = reading.declaration.default
     known = default is not None and not (isinstance(default, str) and "{" in default)
@@ -178,12 +179,12 @@ def _looks_alike(text: str, type_: str) -> bool:
     return not text.strip("0123456789.eE+-")
 
 
-def _rounded(setting: ParameterSetting, instance: Instance, reading: Reading) -> Finding:
+def _rounded(setting: ParameterSetting, instance: Instance, reading: Reading, *, own: bool) -> Finding:
     return RULE.at(
         setting.origin,
         f"{instance.program} reads {reading.declared} as an int: {shown(setting.value)} becomes {_round(setting.value)}",
         label="is rounded",
-        help="write a whole number",
+        help="write a whole number, or let the node read a double" if own else "write a whole number",
         topic=f"{instance.program} {reading.declared}",
     )
 

@@ -36,17 +36,20 @@ the file then.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import DoubledSlash, InvalidRemapName
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, fix, is_literal, replace, set_value, spot
+from launchlint.rules.judging.joined import led_by
+from launchlint.rules.judging.left_over import left_over_in, meant_substitution
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
 
 RULE = Rule("LL607", "invalid-remap-name", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
-def tell(problem: InvalidRemapName | DoubledSlash, view: object) -> Iterator[Finding]:
+def tell(problem: InvalidRemapName | DoubledSlash, view: LaunchView) -> Iterator[Finding]:
     """Name the character at fault."""
     attribute, value = problem.attribute, problem.value
     if isinstance(problem, DoubledSlash):
@@ -69,6 +72,9 @@ def tell(problem: InvalidRemapName | DoubledSlash, view: object) -> Iterator[Fin
         )
         return
     message, help_, legal = _fault(value)
+    meant = meant_substitution(value)
+    if meant:
+        help_, legal = f"write {meant} where the value is given", ""
     yield RULE.at(
         problem.origin,
         message,
@@ -77,7 +83,13 @@ def tell(problem: InvalidRemapName | DoubledSlash, view: object) -> Iterator[Fin
         notes=(f"roslaunch stops with: remap {attribute} [{value}] is not a valid ROS name",),
         help=help_,
         fix=_fix(problem, view, value, legal),
+        shared_cause=left_over_in(value, view),
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """What is nearly a substitution is told before the names that it spoils."""
+    return led_by(findings, "LL215")
 
 
 def _fix(problem: InvalidRemapName, view: object, value: str, legal: str) -> Fix | None:

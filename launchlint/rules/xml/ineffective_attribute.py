@@ -2,7 +2,7 @@
 
 A `respawn_delay` without `respawn="true"` or below zero, `required` on a `<test>`, `if` or `unless` on `<launch>`, a
 `<group>` without anything in it, and a `<rosparam>` with neither a file nor text. A group in which everything is commented out is an
-info: somebody keeps it as a place for that.
+info: somebody keeps it as a place for that. So is one without attributes below a comment that says what belongs there.
 
 ## Why it matters
 
@@ -66,6 +66,11 @@ WORDS = {
         "nothing that counts",
         "nothing needs to be done while it is to come back; else remove the group, too",
     ),
+    "kept-group": (
+        "this <group> is empty",
+        "nothing in it",
+        "nothing needs to be done while it is kept for what the comment above it speaks of; else remove both",
+    ),
     "empty-rosparam": ("this <rosparam> loads nothing", "neither file nor text", 'add file="…" or YAML text, or remove it'),
 }
 
@@ -74,8 +79,8 @@ def tell(problem: IneffectiveAttribute, view: object) -> Iterator[Finding]:
     """Say why it does nothing."""
     at = spot(view, problem.place)
     reason: str = problem.reason
-    kept = reason == "empty-group" and _is_commented_out(at)
-    message, label, advice = (words.format(attribute=problem.attribute) for words in WORDS["commented-out-group" if kept else reason])
+    kept = "" if reason != "empty-group" else "commented-out-group" if _is_commented_out(at) else "kept-group" if _has_heading(at) else ""
+    message, label, advice = (words.format(attribute=problem.attribute) for words in WORDS[kept or reason])
     yield RULE.at(
         problem.origin,
         message,
@@ -83,7 +88,7 @@ def tell(problem: IneffectiveAttribute, view: object) -> Iterator[Finding]:
         label=label,
         help=advice,
         topic=reason,
-        fix=_fix(reason, at),
+        fix=None if kept == "kept-group" else _fix(reason, at),
     )
 
 
@@ -93,6 +98,25 @@ def _is_commented_out(at: Spot | None) -> bool:
         return False
     inside = at.document.place(at.element.span).text[at.element.start_span.end - at.element.span.start :]
     return re.search(r"<[A-Za-z]", inside) is not None
+
+
+def _has_heading(at: Spot | None) -> bool:
+    """Whether a bare element stands below a comment that begins its line."""
+    if at is None or at.element.attributes:
+        return False
+    text, end = at.document.source.text, _without_blanks(at.document.source.text, at.element.span.start)
+    if not text.endswith("-->", 0, end):
+        return False
+    start = next((comment.span.start for comment in at.document.comments if comment.span.end == end), 0)
+    before = _without_blanks(text, start)
+    return "\n" in text[before:start]
+
+
+def _without_blanks(text: str, end: int) -> int:
+    """Where the blanks before ``end`` begin."""
+    while end and text[end - 1].isspace():
+        end -= 1
+    return end
 
 
 def _fix(reason: str, at: Spot | None) -> Fix | None:

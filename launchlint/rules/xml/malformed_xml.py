@@ -6,7 +6,7 @@ that lead to the file are shown with it.
 
 It is a warning where the file is empty, and an info where it holds nothing but comments, or is a script (`#!/bin/bash`) by another
 name: nobody starts these with roslaunch. A file that another one includes is an error all the same. It is an info where the line holds the
-placeholder of a template.
+placeholder of a template (`<your-package>`, `__robot__`, `@ROBOT@`), or a file that nobody includes is called one.
 
 In ROS 2 the same is told of launch files in YAML: tabs, lines that do not line up, brackets that are never closed, tags such as
 `!!python/…`.
@@ -45,7 +45,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.made_file import malformed
-from launchlint.rules.judging.template import has_placeholder
+from launchlint.rules.judging.template import has_placeholder, is_called_template
 from launchlint.rules.rule import Rule
 from launchlint.syntax.problems import MalformedXml
 from launchlint.syntax.ros2.problems import MalformedXml2, MalformedYaml, TooDeep
@@ -79,7 +79,8 @@ def tell(problem: MalformedXml | MalformedXml2 | MalformedYaml | TooDeep, view: 
     severity: Severity | None = None
     notes = [_CANNOT if isinstance(problem, MalformedXml2) else "roslaunch stops with: Invalid roslaunch XML syntax"]
     cause = ""
-    template = has_placeholder(source.line(source.position(span.start).line))
+    alone = problem.origin.step is None
+    template = has_placeholder(source.line(source.position(span.start).line)) or (alone and is_called_template(source.path))
     if template:
         severity = Severity.INFO
         notes.append("it looks like a template that is filled in before anybody launches it")

@@ -64,12 +64,20 @@ def _handle(asked: Call) -> Value:
     return either(found)
 
 
-def _with_handle(name: str, default: Handle) -> Does[[Call], Value]:
-    def make(asked: Call) -> Value:
-        given = [each.value for each in asked.arguments if any(isinstance(one, Handle) for _, one in choices(each.value))]
-        return _thing(asked, name, handle=given[0] if given else default)
+def _handle_at(asked: Call, position: int) -> Value:
+    """The node handle that an argument is: one somewhere where it cannot be told, as of an array; a default one where it is not given."""
+    if position >= len(asked.arguments):
+        return _DEFAULT
+    given = asked.value(position)
+    return Handle(UNKNOWN_SPACE) if given is UNKNOWN else given if _holds_handle(given) else _DEFAULT
 
-    return make
+
+def _holds_handle(value: Value) -> bool:
+    return any(isinstance(one, Handle) for _, one in choices(value))
+
+
+def _transport(asked: Call) -> Value:
+    return _thing(asked, "image_transport::ImageTransport", handle=_handle_at(asked, 0))
 
 
 def _listener(asked: Call) -> Value:
@@ -102,8 +110,10 @@ def _updater(asked: Call) -> Value:
 def _at_handle(asked: Call) -> tuple[Value, Sequence[Value]]:
     """The node handle that comes first, or a default one, and the other arguments."""
     values = [each.value for each in asked.arguments]
-    if values and any(isinstance(each, Handle) for _, each in choices(values[0])):
+    if values and _holds_handle(values[0]):
         return values[0], values[1:]
+    if len(values) > 1 and values[0] is UNKNOWN and isinstance(values[1], Text):
+        return Handle(UNKNOWN_SPACE), values[1:]  # a name comes second only behind a handle
     return _DEFAULT, values
 
 
@@ -258,7 +268,7 @@ def _image_filter_subscribe(this: Thing, asked: Call) -> Value:
 
 def _info_manager(asked: Call) -> Value:
     """camera_info_manager::CameraInfoManager(handle, name, url): a service beside the images."""
-    name = _in(_at_handle(asked)[0], Text("set_camera_info"))
+    name = _in(_handle_at(asked, 0), Text("set_camera_info"))
     asked.machine.fact("services", name, asked.node, asked.frame, type="sensor_msgs/SetCameraInfo")
     return _thing(asked, asked.name)
 
@@ -308,7 +318,7 @@ def _self_test(asked: Call) -> Value:
 
 def _controller_manager(asked: Call) -> Value:
     machine, node, frame = asked.machine, asked.node, asked.frame
-    handle = next((each.value for each in asked.arguments if isinstance(each.value, Handle)), _DEFAULT)
+    handle = _handle_at(asked, 1)
     for name, kind in (
         ("list_controllers", "ListControllers"),
         ("list_controller_types", "ListControllerTypes"),
@@ -397,7 +407,7 @@ MAKERS: dict[str, Does[[Call], Value]] = {
     "actionlib::ActionClient": _action("client"),
     "dynamic_reconfigure::Server": _reconfigure,
     "message_filters::Subscriber": _filter_subscriber,
-    "image_transport::ImageTransport": _with_handle("image_transport::ImageTransport", _DEFAULT),
+    "image_transport::ImageTransport": _transport,
     "image_transport::SubscriberFilter": _image_filter,
     "image_transport::TransportHints": _hints,
     "camera_info_manager::CameraInfoManager": _info_manager,
