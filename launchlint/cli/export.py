@@ -21,18 +21,24 @@ if TYPE_CHECKING:
 @click.argument("arguments", nargs=-1, metavar="[NAME:=VALUE]...")
 @click.option("--flatten", is_flag=True, help="Write one file that needs no other: includes inlined, args and groups resolved.")
 @click.option("--args-kept", is_flag=True, help="With --flatten: keep the args of FILE, so that they can still be given.")
+@click.option("--to", "to", type=click.Choice(["xml", "yaml", "ros2"]), help="Write a launch file of ROS 2 in this language; ros2 is xml.")
+@click.option("--from", "from_", type=click.Choice(["ros1", "ros2"]), help="What FILE is a launch file of; default: as it says itself.")
 @click.option("-o", "--output", metavar="FILE", help="Where to write it; default: standard output.")
 @click.option("--workspace", multiple=True, metavar="DIR", help="Where packages are; repeatable, the first that has a package wins.")
 @click.option("--config", metavar="FILE", help="Configuration file; default: the nearest .launchlint.yaml.")
+@click.option("--distro", metavar="NAME", help="With --to: the distribution of ROS 2 that it is for; default: that of the environment.")
 @click.option("--stdin-filename", metavar="PATH", help="With - as FILE: take standard input as if it stood at PATH.")
 def command(
     file: str,
     arguments: tuple[str, ...],
     flatten: bool,
     args_kept: bool,
+    to: str | None,
+    from_: str | None,
     output: str | None,
     workspace: tuple[str, ...],
     config: str | None,
+    distro: str | None,
     stdin_filename: str | None,
 ) -> int:
     """Write what FILE starts as a launch file again.
@@ -40,20 +46,34 @@ def command(
     Without --flatten that is FILE itself in the normal form of `launchlint format`: includes, args, conditions and comments stay. What is
     written has been compared with FILE, and means the same; otherwise nothing is written. The exit status is 1 where roslaunch, or
     ros2 launch, would refuse FILE. Files of ROS 2 are not flattened.
+
+    With --to, FILE is written in another language of ROS 2: from XML to YAML or back, from Python as far as a declarative launch file can
+    say it, and, with --from ros1, from ROS 1. What cannot be carried over is told line by line, and stands in the file as comments.
     """
-    from launchlint.atomic import check_target, write_bytes
+    from launchlint.atomic import check_target
     from launchlint.check.entry import EntryChecker
     from launchlint.export.written import CannotExport
     from launchlint.fix.format.style import Style
     from launchlint.rules.registry import RULES
 
+    if (from_ or distro) and not to:
+        raise UsageError(f"{'--from' if from_ else '--distro'} goes with --to")
+    if to and flatten:
+        raise UsageError("--to and --flatten do not go together")
     if args_kept and not flatten:
         raise UsageError("--args-kept goes with --flatten; without it, all args stay anyway")
     if output is not None:
         check_target(output, what="the exported file")
-    entry = EntryOptions((file,), arguments, None, workspace, config, stdin_filename)
+    entry = EntryOptions((file,), arguments, None, workspace, config, stdin_filename, distro=distro)
     requests, overlay = entry.requests()
     request = _the_file(file, entry, requests)
+    if to is not None:
+        from launchlint.cli.converting import convert
+
+        converted = convert(entry, overlay, request, "yaml" if to == "yaml" else "xml", from_, to)
+        if converted is not None:
+            put(converted.data, output)
+        return int(converted is None)
     about_loading = frozenset(rule.id for rule in RULES if rule.on or rule.view == "problem")
     checker = EntryChecker(entry.options(everything=True)._replace(rules=about_loading, default_only=True), overlay)
     if _refused(checker, request):
@@ -65,12 +85,19 @@ def command(
         raise UsageError(f"{file} cannot be exported, and nothing is written: {error.reason}") from error
     for notice in notices:
         tell(notice)
+    put(data, output)
+    return 0
+
+
+def put(data: bytes, output: str | None) -> None:
+    """Write what is exported where it is asked for."""
+    from launchlint.atomic import write_bytes
+
     if output is None:
         sys.stdout.buffer.write(data)
         sys.stdout.buffer.flush()
     else:
         write_bytes(output, data, what="the exported file")
-    return 0
 
 
 def _the_file(file: str, entry: EntryOptions, requests: list[EntryRequest]) -> EntryRequest:

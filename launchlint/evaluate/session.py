@@ -103,6 +103,13 @@ class Session:
         session._readings = {name: known for name, known in self._readings.items() if name != absolute}
         return session
 
+    def with_reading(self, file: str, reading: Reading) -> Session:
+        """A session in which ``file`` describes something else than it does."""
+        session = self.with_text(file, self.read(file).data or b"")
+        session._readings[os.path.abspath(file)] = reading
+        session.reads_python = self.reads_python
+        return session
+
     def begin_entry(self) -> None:
         """Forget which files and variables were looked at, and the blocks with other defaults than are written: a new entry file starts."""
         self.variants = {}

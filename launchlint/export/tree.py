@@ -56,6 +56,11 @@ def remark(text: str) -> str:
     return re.sub("-(?=-)|-$", "- ", text)
 
 
+def one_line(text: str) -> str:
+    """``text`` as it may stand behind a ``#``."""
+    return " ".join(_FORBIDDEN.sub("\ufffd", text).replace("\x85", " ").replace("\u2028", " ").replace("\u2029", " ").splitlines())
+
+
 def render(header: list[str], pieces: list[Piece], step: int) -> str:
     """The whole file, each level ``step`` blanks further in, with comments of one line at its top. Raises CannotExport for a character
     that XML cannot hold.

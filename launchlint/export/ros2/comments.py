@@ -1,0 +1,117 @@
+"""Comments of a launch file, and of what is lost of it, at the tags of the one that is written."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left, bisect_right
+
+from launchlint.syntax.remarks import remarks as xml_remarks
+from launchlint.syntax.ros2.yaml_remarks import remarks as yaml_remarks
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from launchlint.export.ros2.carrying import Lost
+    from launchlint.export.ros2.tree import Branch
+    from launchlint.syntax.ros2.reading import Reading
+
+_PYTHON = ".py"
+_BLANK_LINE = re.compile(r"\n[ \t]*\r?\n[ \t]*(?:-[ \t]*)?\Z")
+_LOOKED_BACK = 300
+
+
+class Comments:
+    """The comments of one file that was read."""
+
+    def __init__(self, reading: Reading) -> None:
+        self._reading = reading
+        self._source = reading.source
+        document = reading.document
+        comments = () if document is None else document.comments
+        self._parents = {each.span.start: each.parent.span.start for each in comments if each.parent is not None}
+
+    def put(self, root: Branch, lost: Iterable[Lost]) -> None:
+        """Put each comment to the tag that it stands before, or behind in its line; and say at its place what is lost."""
+        spots = _Spots(root, self._source.file)
+        for start, text in self._comments():
+            lines = ["", text] if self._is_apart(start) else [text]
+            spots.put(start, lines, beside=self._is_beside(start), inside=self._parents.get(start))
+        spots.set_apart(self._is_apart)
+        for each in lost:
+            line = self._source.position(each.place.span.start).line if each.place.source.file == self._source.file else 0
+            where = f" (line {line})" if line else ""
+            spots.put(each.place.span.start, [f"not carried over{where}: {each.words}"], beside=False, inside=None)
+
+    def _comments(self) -> list[tuple[int, str]]:
+        if self._source.file.endswith(_PYTHON):
+            return []
+        document = self._reading.document
+        found = yaml_remarks(self._source) if document is None else xml_remarks(document)
+        if document is None:
+            found = [each for each in found if not self._in_quotes(each.span.start)]
+        return [(each.span.start, _trimmed(each.text)) for each in found if each.text.strip()]
+
+    def _in_quotes(self, offset: int) -> bool:
+        """Whether a ``#`` in YAML seems to stand in a quoted text: an odd number of quotes stands before it in its line."""
+        line = self._source.text[self._source.text.rfind("\n", 0, offset) + 1 : offset]
+        return bool(line.count("'") % 2 or line.count('"') % 2)
+
+    def _is_beside(self, start: int) -> bool:
+        text = self._source.text
+        return bool(text[text.rfind("\n", 0, start) + 1 : start].strip())
+
+    def _is_apart(self, start: int) -> bool:
+        """Whether a blank line stands before what begins there."""
+        return _BLANK_LINE.search(self._source.text[max(0, start - _LOOKED_BACK) : start]) is not None
+
+
+class _Spots:
+    """The tags in the order in which they stand in the original."""
+
+    def __init__(self, root: Branch, file: str) -> None:
+        self._root = root
+        self._branches: list[Branch] = []
+        self._parents: dict[int, Branch] = {}
+        waiting = [root]
+        while waiting:
+            branch = waiting.pop()
+            for inner in branch.inner:
+                self._parents[id(inner)] = branch
+                waiting.append(inner)
+                if inner.place.source.file == file:
+                    self._branches.append(inner)
+        self._branches.sort(key=lambda each: each.place.span.start)
+        self._starts = [each.place.span.start for each in self._branches]
+        self._by_start = {each.place.span.start: each for each in reversed(self._branches)}
+
+    def set_apart(self, is_apart: Callable[[int], bool]) -> None:
+        """Keep the blank lines before tags, but for the first one in each."""
+        for branch in self._branches:
+            parent = self._parents[id(branch)]
+            if branch is not parent.inner[0] and is_apart(branch.place.span.start):
+                branch.above.append("")
+
+    def put(self, start: int, lines: list[str], *, beside: bool, inside: int | None) -> None:
+        """One comment; an empty line says that one stands before it."""
+        before = bisect_left(self._starts, start) - 1
+        if beside and before >= 0 and "\n" not in lines[-1]:
+            self._branches[before].beside += lines[-1:]
+            return
+        after = bisect_right(self._starts, start)
+        following = self._branches[after] if after < len(self._branches) else None
+        parent = None if inside is None else self._by_start.get(inside)
+        if parent is not None and (following is None or self._parents.get(id(following)) is not parent):
+            inner = [each for each in parent.inner if each.place.span.start > start]
+            (inner[0].above if inner else parent.below).extend(lines)
+        elif following is None:
+            self._root.below += lines
+        else:
+            following.above += lines
+
+
+def _trimmed(text: str) -> str:
+    """A comment without blanks around it and, where it has several lines, without their common indentation."""
+    lines = text.strip().split("\n")
+    margin = min((len(line) - len(line.lstrip()) for line in lines[1:] if line.strip()), default=0)
+    return "\n".join((lines[0].rstrip(), *(line[margin:].rstrip() for line in lines[1:])))

@@ -1,0 +1,118 @@
+"""A launch file of ROS 2 in another of its languages, and the proof that it does the same."""
+
+from __future__ import annotations
+
+from itertools import islice
+from typing import NamedTuple
+
+from launchlint.dialects.door import named
+from launchlint.evaluate.session import Read, Session
+from launchlint.export.ros2 import xml, yaml
+from launchlint.export.ros2.carrying import Lost, carried
+from launchlint.export.ros2.comments import Comments
+from launchlint.export.ros2.comparing import difference, launched, normal
+from launchlint.export.ros2.shaping import shaped
+from launchlint.export.ros2.texts import CannotWrite
+from launchlint.export.written import CannotExport
+from launchlint.fix.format.formatting import formatted
+from launchlint.fix.format.style import Style
+from launchlint.model import ROS2
+from launchlint.syntax.ros2.reading import read
+from launchlint.syntax.ros2.tables import distribution
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from launchlint.export.ros2.tree import Branch
+    from launchlint.source import Place
+    from launchlint.syntax.ros2.description import Description
+    from launchlint.syntax.ros2.reading import Reading
+
+    Pairs = tuple[tuple[str, str], ...]
+
+XML, YAML = "xml", "yaml"
+ENDS = {XML: ".launch.xml", YAML: ".launch.yaml"}
+PYTHON = ".py"
+MOST_CONFIGURATIONS = 40
+
+
+class Converted(NamedTuple):
+    """``data`` is the file; ``lost`` what it lacks; ``remarks`` what a person should know of it, each with its place."""
+
+    data: bytes
+    lost: tuple[tuple[Place, str], ...]
+    remarks: tuple[tuple[Place, str], ...]
+
+
+def convert(session: Session, file: str, given: Pairs, style: Style, language: str) -> Converted:
+    """``file``, a launch file of ROS 2, in ``language``; what it does has been compared in every configuration.
+
+    Raises CannotExport; the file must be one that the front end reads.
+    """
+    reading = session.reading(file)
+    assert not isinstance(reading, Read)
+    dialect = distribution(session.distro)
+    kept = carried(reading.description, dialect, xml=language == XML)
+    data = written(kept.description, reading, language, session.distro, style, kept.lost)
+    prove(session, file, given, language, data, kept.description if kept.lost else None, reading)
+    lost = tuple((each.place, each.words) for each in kept.lost)
+    return Converted(data, lost, tuple((each.place, each.words) for each in kept.remarks))
+
+
+def written(description: Description, reading: Reading, language: str, distro: str, style: Style, lost: tuple[Lost, ...]) -> bytes:
+    """``description``, which holds nothing but what can be written, as a file that was read again. Raises CannotExport."""
+    try:
+        root = shaped(description, distribution(distro))
+        Comments(reading).put(root, lost)
+        text = _text(root, language, style)
+        data = formatted(text.encode("utf-8"), f"launch{ENDS[language]}", style).data
+    except CannotWrite as cannot:
+        raise CannotExport(cannot.reason) from None
+    again = read(data, f"launch{ENDS[language]}", distro=distro)
+    if again.refusal is not None:
+        raise CannotExport(f"launch would refuse what is written ({again.refusal.kind})")
+    if normal(again.description) != normal(description):
+        raise CannotExport("what is written would describe something else")
+    return data
+
+
+def _text(root: Branch, language: str, style: Style) -> str:
+    return xml.written(root, style.indent) if language == XML else yaml.written(root)
+
+
+def prove(session: Session, file: str, given: Pairs, language: str, data: bytes, less: Description | None, reading: Reading) -> None:
+    """Compare what is started, in every configuration of both. Raises CannotExport where that differs.
+
+    ``less``: what the file describes without what is said to be lost, where anything is.
+    """
+    before, after, there = _side_by_side(session, file, language, data, less, reading)
+    names = {there: file}
+    evaluate = named(ROS2).evaluate
+    for pairs in _configurations(before, file, after, there, given):
+        old, new = (evaluate(*each, pairs).launch for each in ((before, file), (after, there)))
+        found = difference(launched(old, names), launched(new, names))
+        if found:
+            words = " ".join(f"{name}:={value}" for name, value in pairs)
+            raise CannotExport(f"the written file would not do the same: {found}{f' (with {words})' if words else ''}")
+
+
+def _side_by_side(
+    session: Session, file: str, language: str, data: bytes, less: Description | None, reading: Reading
+) -> tuple[Session, Session, str]:
+    """Two sessions, and the name of the written file in the second of them: its own, if that does not say it is a program."""
+    there = file if not file.endswith(PYTHON) else f"{file.removesuffix(PYTHON).removesuffix('.launch')}{ENDS[language]}"
+    before = session if less is None else session.with_reading(file, reading._replace(description=less))
+    return before, session.with_text(there, data), there
+
+
+def _configurations(before: Session, file: str, after: Session, there: str, given: Pairs) -> Iterator[Pairs]:
+    """Those of both files; then with a value for each arg that has none."""
+    configurations = named(ROS2).configurations
+    found = [each.launch for each in islice(configurations(before, file, given), MOST_CONFIGURATIONS)]
+    others = [each.launch for each in islice(configurations(after, there, given), MOST_CONFIGURATIONS)]
+    yield from dict.fromkeys(each.given for each in (*found, *others))
+    lacking = dict.fromkeys(each.name for each in found[0].listed if each.required and each.name not in dict(given))
+    if lacking:
+        for value in ("value_of_{}", "1"):
+            yield (*given, *((name, value.format(name)) for name in lacking))
