@@ -16,6 +16,7 @@ from launchlint.export.ros2.xml import attribute_text, check
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import (
+    NOT_KNOWN,
     Condition,
     Description,
     Parameter,
@@ -39,7 +40,6 @@ if TYPE_CHECKING:
 
 _NOWHERE = Place(Source("", ""), Span(0, 0))
 _JOIN = "path-join"
-_WHOLE: dict[str, str] = {"Opaque": "a Python function that is called while launch runs"}
 
 
 class Lost(NamedTuple):
@@ -104,8 +104,8 @@ class _Carrier:
             before = len(self.lost)
             try:
                 made = self._action(action)
-                if not isinstance(made, (described.Group, described.Timer)):
-                    self._writable(self._shaper.action(made))
+                bare = made._replace(actions=()) if isinstance(made, (described.Group, described.Timer)) else made
+                self._writable(self._shaper.action(bare))
                 found.append(made)
             except _Left as left:
                 del self.lost[before:]
@@ -130,14 +130,16 @@ class _Carrier:
             name = Text(("use_sim_time",), action.place)
             action = described.SetParameter(name, value, action.place, action.condition)
         if not isinstance(action, SAYABLE):
-            raise _Left(action.place, _WHOLE.get(type(action).__name__, "XML and YAML have nothing for it"))
+            raise _Left(action.place, _why(action))
         fields: dict[str, Any] = {}
         if action.condition is not None:
             fields["condition"] = self._condition(action.condition)
         if isinstance(action, (described.Group, described.Timer)):
             fields["actions"] = self.actions(action.actions)
         if isinstance(action, described.Timer) and isinstance(action.period, Text):
-            fields["period"] = _seconds(action.period)
+            period = fields["period"] = _seconds(self._text(action.period))
+            if isinstance(period, Text) and period.literal is not None:
+                raise _Left(period.place, "its period is no number")
         if isinstance(action, (described.Node, described.LoadComponents)):
             fields["components"] = self._components(action.components)
         if isinstance(action, described.LoadComponents) and not fields["components"]:
@@ -154,7 +156,9 @@ class _Carrier:
         if isinstance(action, described.SetParameter):
             fields["value"] = self._computed(action.value, action.place)
         if isinstance(action, described.AppendEnvironment) and isinstance(action.prepend, Text):
-            fields["prepend"] = _flag(action.prepend)
+            prepend = fields["prepend"] = _flag(self._text(action.prepend))
+            if isinstance(prepend, Text) and prepend.literal is not None:
+                raise _Left(prepend.place, "prepend is neither true nor false")
         if isinstance(action, described.Argument):
             if action.choices == ():
                 raise _Left(action.place, "no value is among its choices")
@@ -298,6 +302,8 @@ class _Carrier:
     def _condition(self, condition: Condition) -> Condition:
         if condition.kind in ("if", "unless"):
             return condition._replace(operands=(self._text(condition.operands[0]),))
+        if len(condition.operands) < 2:
+            raise _Left(condition.place, "its condition asks whether an arg is set at all")
         name, value = condition.operands
         if name.literal is None or not name.literal.isidentifier() or value.literal is None or not _quiet(value.literal):
             raise _Left(condition.place, "its condition compares in a way that XML and YAML cannot")
@@ -322,8 +328,10 @@ class _Carrier:
                 found.append(piece)
             elif piece.name == _JOIN:
                 found += self._path(piece)
+            elif piece.name == NOT_KNOWN:
+                raise _Left(piece.place, f"{_shown(piece.place)} is not known ({piece.arguments[0].literal})")
             elif piece.name not in self._distribution.substitutions:
-                raise _Left(piece.place, f"{_shown(piece.place)} is not known" if not piece.name else f"XML and YAML have no {piece.name}")
+                raise _Left(piece.place, f"XML and YAML have no {piece.name or 'such substitution'}")
             else:
                 found.append(piece._replace(arguments=tuple(Text(self._pieces(each), each.place) for each in piece.arguments)))
         return joined(found)
@@ -340,7 +348,7 @@ class _Carrier:
                 last = found[-1]
                 found += [] if isinstance(last, str) and last.endswith("/") else ["/"]
             if number and not isinstance(first, str):
-                shown = _shown(part.place)
+                shown = self._texts.text(Text(pieces, part.place))
                 self.remarks.append(Remark(part.place, f"a path is joined with /: the same, as long as {shown} is no absolute path"))
             found += pieces
         return found
@@ -390,11 +398,27 @@ def _shown(place: Place) -> str:
     return text if len(text) <= 60 else f"{text[:57]}…"
 
 
+def _why(action: Action) -> str:
+    """Why an action has no tag."""
+    if isinstance(action, described.Handler):
+        return f"what follows an event ({action.event}) cannot be said in XML and YAML"
+    if isinstance(action, (described.Maybe, described.Open)):
+        return action.reason
+    if isinstance(action, described.Fails):
+        return "launch stops here"
+    return "it is never called as this is exported" if isinstance(action, described.Opaque) else "XML and YAML have nothing for it"
+
+
 def _written(kind: object) -> str:
     return str(getattr(kind, "__forward_arg__", kind))
 
 
 _WORDS = {
+    "Handler": "an event handler",
+    "Opaque": "a function",
+    "Maybe": "what may be there",
+    "Open": "what else may be there",
+    "Fails": "the rest",
     "Argument": "an arg",
     "Let": "a let",
     "Include": "an include",

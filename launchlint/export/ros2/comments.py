@@ -14,10 +14,12 @@ if TYPE_CHECKING:
 
     from launchlint.export.ros2.carrying import Lost
     from launchlint.export.ros2.tree import Branch
+    from launchlint.source import Source
     from launchlint.syntax.ros2.reading import Reading
 
 _PYTHON = ".py"
 _BLANK_LINE = re.compile(r"\n[ \t]*\r?\n[ \t]*(?:-[ \t]*)?\Z")
+_BLANKS = re.compile(" *")
 _LOOKED_BACK = 300
 
 
@@ -33,15 +35,16 @@ class Comments:
 
     def put(self, root: Branch, lost: Iterable[Lost]) -> None:
         """Put each comment to the tag that it stands before, or behind in its line; and say at its place what is lost."""
-        spots = _Spots(root, self._source.file)
+        spots = _Spots(root, self._source)
         for start, text in self._comments():
             lines = ["", text] if self._is_apart(start) else [text]
-            spots.put(start, lines, beside=self._is_beside(start), inside=self._parents.get(start))
+            inside = self._parents.get(start, -1) if self._reading.document is not None else None
+            spots.put(start, lines, beside=self._is_beside(start), inside=inside)
         spots.set_apart(self._is_apart)
         for each in lost:
             line = self._source.position(each.place.span.start).line if each.place.source.file == self._source.file else 0
             where = f" (line {line})" if line else ""
-            spots.put(each.place.span.start, [f"not carried over{where}: {each.words}"], beside=False, inside=None)
+            spots.put(each.place.span.start, [f"not carried over{where}: {each.words}"], beside=False, inside=-1)
 
     def _comments(self) -> list[tuple[int, str]]:
         if self._source.file.endswith(_PYTHON):
@@ -69,8 +72,9 @@ class Comments:
 class _Spots:
     """The tags in the order in which they stand in the original."""
 
-    def __init__(self, root: Branch, file: str) -> None:
+    def __init__(self, root: Branch, source: Source) -> None:
         self._root = root
+        self._text = source.text
         self._branches: list[Branch] = []
         self._parents: dict[int, Branch] = {}
         waiting = [root]
@@ -79,7 +83,7 @@ class _Spots:
             for inner in branch.inner:
                 self._parents[id(inner)] = branch
                 waiting.append(inner)
-                if inner.place.source.file == file:
+                if inner.place.source.file == source.file:
                     self._branches.append(inner)
         self._branches.sort(key=lambda each: each.place.span.start)
         self._starts = [each.place.span.start for each in self._branches]
@@ -93,14 +97,14 @@ class _Spots:
                 branch.above.append("")
 
     def put(self, start: int, lines: list[str], *, beside: bool, inside: int | None) -> None:
-        """One comment; an empty line says that one stands before it."""
+        """One comment; an empty line says that one stands before it. ``inside``: where the element around it begins; None in YAML."""
         before = bisect_left(self._starts, start) - 1
         if beside and before >= 0 and "\n" not in lines[-1]:
             self._branches[before].beside += lines[-1:]
             return
         after = bisect_right(self._starts, start)
         following = self._branches[after] if after < len(self._branches) else None
-        parent = None if inside is None else self._by_start.get(inside)
+        parent = self._around(start, before, following) if inside is None else self._by_start.get(inside)
         if parent is not None and (following is None or self._parents.get(id(following)) is not parent):
             inner = [each for each in parent.inner if each.place.span.start > start]
             (inner[0].above if inner else parent.below).extend(lines)
@@ -108,6 +112,23 @@ class _Spots:
             self._root.below += lines
         else:
             following.above += lines
+
+    def _around(self, start: int, before: int, following: Branch | None) -> Branch | None:
+        """In YAML: what a comment stands in that is indented deeper than what follows it."""
+        column = _indentation(self._text, start)
+        if before < 0 or (following is not None and _indentation(self._text, following.place.span.start) >= column):
+            return None
+        branch: Branch | None = self._branches[before]
+        while branch is not None and _indentation(self._text, branch.place.span.start) >= column:
+            branch = self._parents.get(id(branch))
+            branch = None if branch is self._root else branch
+        return branch
+
+
+def _indentation(text: str, offset: int) -> int:
+    """How many blanks stand at the beginning of a line."""
+    match = _BLANKS.match(text, text.rfind("\n", 0, offset) + 1)
+    return 0 if match is None else len(match[0])
 
 
 def _trimmed(text: str) -> str:

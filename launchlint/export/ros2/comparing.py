@@ -6,26 +6,26 @@ from collections.abc import Mapping
 
 from launchlint.export.ros2.texts import joined
 from launchlint.fix.meaning import Exact
-from launchlint.model import Node, ParameterSource, Unknown
+from launchlint.model import Node, ParameterSource, Unknown, UnknownText
 from launchlint.source import Origin, Place, Source
 from launchlint.syntax.ros2.description import Substitution, Text, TypedValue
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
     from typing import Any
 
     from launchlint.model import Launch
-    from launchlint.syntax.ros2.description import Description
+    from launchlint.syntax.ros2.description import Action
 
 _WRITTEN = str.maketrans("", "", "'\"\\")
 _OF_PLACES = ("origin", "places", "scope", "environment", "patterns")
 
 
-def normal(description: Description) -> list[object]:
-    """All that is described, without places, in a line: equal for equal descriptions, however deep these are."""
+def normal(actions: Sequence[Action]) -> list[object]:
+    """All that is described, without places, in a line: equal for equal actions, however deep these are."""
     found: list[object] = []
-    waiting: list[object] = list(reversed(description.actions))
+    waiting: list[object] = list(reversed(actions))
     while waiting:
         item = waiting.pop()
         if isinstance(item, Place):
@@ -94,6 +94,7 @@ def _fields(one: Any, other: Any) -> str:
 
 def _node(node: Node, names: Mapping[str, str]) -> dict[str, Any]:
     found = _by_field(node, names)
+    found["kind"] = "node" if node.kind == "lifecycle" else node.kind  # launch has states for it, and starts the same
     found["sources"] = _merged(node.sources, names)
     for role in node.unknown:  # their fields hold what is written
         found.pop(role, None)
@@ -137,13 +138,13 @@ def _plain(value: Any, names: Mapping[str, str]) -> Any:
         return None
     if isinstance(value, Source):
         return names.get(value.file, value.file)
-    if isinstance(value, Unknown):
+    if isinstance(value, (Unknown, UnknownText)):
         return ("unknown", value.reason)
     if isinstance(value, str):
         text = names.get(value, value)
         return text.translate(_WRITTEN) if "$(" in text else text
     if isinstance(value, Mapping):
-        return [(_plain(key, names), _plain(inner, names)) for key, inner in value.items()]
+        return sorted(((_plain(key, names), _plain(inner, names)) for key, inner in value.items()), key=repr)
     if isinstance(value, (list, tuple)):
         return tuple(_plain(each, names) for each in value)
     return Exact(value)

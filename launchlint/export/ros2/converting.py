@@ -8,6 +8,7 @@ from typing import NamedTuple
 from launchlint.dialects.door import named
 from launchlint.evaluate.session import Read, Session
 from launchlint.export.ros2 import xml, yaml
+from launchlint.export.ros2.calling import called
 from launchlint.export.ros2.carrying import Lost, carried
 from launchlint.export.ros2.comments import Comments
 from launchlint.export.ros2.comparing import difference, launched, normal
@@ -35,6 +36,7 @@ XML, YAML = "xml", "yaml"
 ENDS = {XML: ".launch.xml", YAML: ".launch.yaml"}
 PYTHON = ".py"
 MOST_CONFIGURATIONS = 40
+_VARIES = "what it gives depends on args; here stands what it gives with those of this export"
 
 
 class Converted(NamedTuple):
@@ -53,10 +55,18 @@ def convert(session: Session, file: str, given: Pairs, style: Style, language: s
     reading = session.reading(file)
     assert not isinstance(reading, Read)
     dialect = distribution(session.distro)
-    kept = carried(reading.description, dialect, xml=language == XML)
-    data = written(kept.description, reading, language, session.distro, style, kept.lost)
-    prove(session, file, given, language, data, kept.description if kept.lost else None, reading)
-    lost = tuple((each.place, each.words) for each in kept.lost)
+    whole = reading.description
+    varying: tuple[Lost, ...] = ()
+    if file.endswith(PYTHON):
+        found = islice(named(ROS2).configurations(session, file, given), MOST_CONFIGURATIONS)
+        functions = called(session, file, reading, [each.launch.given for each in found])
+        whole = functions.description
+        varying = tuple(Lost(place, "a function", _VARIES) for place in functions.varying)
+    kept = carried(whole, dialect, xml=language == XML)
+    losses = (*varying, *kept.lost)
+    data = written(kept.description, reading, language, session.distro, style, losses)
+    prove(session, file, given, language, data, kept.description if losses else None, reading)
+    lost = tuple((each.place, each.words) for each in losses)
     return Converted(data, lost, tuple((each.place, each.words) for each in kept.remarks))
 
 
@@ -72,7 +82,7 @@ def written(description: Description, reading: Reading, language: str, distro: s
     again = read(data, f"launch{ENDS[language]}", distro=distro)
     if again.refusal is not None:
         raise CannotExport(f"launch would refuse what is written ({again.refusal.kind})")
-    if normal(again.description) != normal(description):
+    if normal(again.description.actions) != normal(description.actions):
         raise CannotExport("what is written would describe something else")
     return data
 
@@ -103,7 +113,9 @@ def _side_by_side(
     """Two sessions, and the name of the written file in the second of them: its own, if that does not say it is a program."""
     there = file if not file.endswith(PYTHON) else f"{file.removesuffix(PYTHON).removesuffix('.launch')}{ENDS[language]}"
     before = session if less is None else session.with_reading(file, reading._replace(description=less))
-    return before, session.with_text(there, data), there
+    after = session.with_text(there, data)
+    after.reads_python = session.reads_python
+    return before, after, there
 
 
 def _configurations(before: Session, file: str, after: Session, there: str, given: Pairs) -> Iterator[Pairs]:

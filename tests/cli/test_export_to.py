@@ -1,0 +1,89 @@
+"""``launchlint export --to``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.cli.running import run, write
+
+IN_XML = """\
+<launch>
+  <!-- how fast -->
+  <arg name="rate" default="5"/>
+  <node pkg="demo" exec="talk.py" name="talker">
+    <param name="rate" value="$(var rate)"/>
+  </node>
+</launch>
+"""
+IN_YAML = """\
+launch:
+# how fast
+- arg:
+    name: rate
+    default: '5'
+- node:
+    name: talker
+    pkg: demo
+    exec: talk.py
+    param:
+    - name: rate
+      value: $(var rate)
+"""
+IN_PYTHON = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+from launch.substitutions import LaunchConfiguration
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package="demo", executable="talk.py", name="talker", emulate_tty=LaunchConfiguration("tty"))])
+"""
+LOST = "emulate_tty: it takes true or false, and nothing that is computed"
+ROS1 = '<launch>\n  <node name="talker" pkg="demo" type="talk.py"/>\n</launch>\n'
+
+
+def test_xml_in_yaml_and_back(repository: Path) -> None:
+    write(repository, {"demo/launch/robot.launch.xml": IN_XML})
+    assert run(repository, "export", "demo/launch/robot.launch.xml", "--to", "yaml", "-o", "demo/launch/robot.launch.yaml") == (0, "", "")
+    assert (repository / "demo/launch/robot.launch.yaml").read_text() == IN_YAML
+    ran = run(repository, "export", "demo/launch/robot.launch.yaml", "--to", "xml")
+    assert (ran.status, ran.errors) == (0, "")
+    assert ran.output == IN_XML.replace('pkg="demo" exec="talk.py" name="talker"', 'name="talker" pkg="demo" exec="talk.py"')
+
+
+def test_what_is_lost_is_told_with_its_place(repository: Path) -> None:
+    write(repository, {"demo/launch/robot.launch.py": IN_PYTHON})
+    ran = run(repository, "export", "demo/launch/robot.launch.py", "--to", "xml")
+    assert (ran.status, ran.errors) == (
+        0,
+        f"launchlint: demo/launch/robot.launch.py:7:31: not carried over: {LOST}\n",
+    )
+    assert "<!-- not carried over (line 7): emulate_tty" in ran.output
+    assert '<node name="talker" pkg="demo" exec="talk.py"/>' in ran.output
+
+
+def test_what_cannot_be_told_without_running_it_is_not_written(repository: Path) -> None:
+    write(repository, {"demo/launch/robot.launch.py": "import sys\nsys.exit(1)\n", "out.xml": "mine"})
+    ran = run(repository, "export", "demo/launch/robot.launch.py", "--to", "xml", "-o", "out.xml")
+    assert (ran.status, ran.output) == (1, "")
+    assert "demo/launch/robot.launch.py is not converted" in ran.errors
+    assert (repository / "out.xml").read_text() == "mine"
+
+
+def test_a_file_that_launch_cannot_read_is_not_written(repository: Path) -> None:
+    write(repository, {"demo/launch/robot.launch.xml": '<launch>\n  <node pkg="demo" exec="a"/>\n  <nod pkg="demo"/>\n</launch>\n'})
+    ran = run(repository, "export", "demo/launch/robot.launch.xml", "--to", "yaml")
+    assert (ran.status, ran.output) == (1, "")
+    assert ran.errors.startswith("demo/launch/robot.launch.xml:3:4: error LL103 unknown-tag: ")
+    assert ran.errors.endswith("launchlint: demo/launch/robot.launch.xml is not converted, since ros2 launch cannot read it\n")
+
+
+def test_options_that_clash(repository: Path) -> None:
+    write(repository, {"demo/launch/robot.launch": ROS1})
+    said = {
+        ("--from", "ros2"): "launchlint: --from goes with --to\n",
+        ("--distro", "humble"): "launchlint: --distro goes with --to\n",
+        ("--to", "xml", "--flatten"): "launchlint: --to and --flatten do not go together\n",
+        ("--to", "yaml"): "launchlint: demo/launch/robot.launch is a launch file of ROS 1; say --from ros1 to have it translated\n",
+    }
+    assert {words: run(repository, "export", "demo/launch/robot.launch", *words).errors for words in said} == said
