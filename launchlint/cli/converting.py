@@ -17,9 +17,6 @@ if TYPE_CHECKING:
     from launchlint.fix.format.style import Style
     from launchlint.source import Place
 
-_PYTHON = ".py"
-
-
 def convert(
     entry: EntryOptions, overlay: Mapping[str, bytes], request: EntryRequest, language: str, from_: str | None, to: str
 ) -> Converted | None:
@@ -38,8 +35,6 @@ def convert(
     try:
         if _of_ros1(checker, request, from_, to):
             raise CannotExport("launch files of ROS 1 cannot be converted")
-        if file.endswith(_PYTHON) and session.in_python(file) is None:
-            raise CannotExport(f"what it does cannot be told without running it ({session.not_understood(file)})")
         return _converted(checker, request, style, language)
     except CannotExport as error:
         tell(f"{file} is not converted, and nothing is written: {error.reason}")

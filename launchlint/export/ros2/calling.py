@@ -112,6 +112,15 @@ class _Watcher:
         self._place = place
         self.set: list[Action] = []
 
+    @property
+    def launch(self) -> object:
+        """As the context."""
+        return self._context.launch
+
+    def spend(self, steps: int) -> None:
+        """As the context."""
+        self._context.spend(steps)
+
     def perform(self, text: Text) -> str | Unknown:
         """As the context."""
         return self._context.perform(text)

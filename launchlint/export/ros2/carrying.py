@@ -162,8 +162,6 @@ class _Carrier:
         if isinstance(action, described.Argument):
             if action.choices == ():
                 raise _Left(action.place, "no value is among its choices")
-            if action.default is not None:
-                fields["default"] = self._text(action.default)
             self._texts.word(action.name)
         made: Action = self._rest(action, fields)
         return made
@@ -233,6 +231,8 @@ class _Carrier:
     def _each(self, item: Any, name: str, values: tuple[Any, ...]) -> tuple[Any, ...]:
         if isinstance(item, described.Executable):
             return tuple(map(self._one, values))
+        if values and isinstance(values[0], Text):  # the words of a command line: without one of them the others would say something else
+            return self._kept(f"{name} of {_what(item)}", lambda words: tuple(map(self._text, words)), values) or ()
         found = (self._kept(f"one of the {name} of {_what(item)}", self._one, value) for value in values)
         return tuple(each for each in found if each is not None)
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from launchlint.syntax.ros2.description import Action
 
 _WRITTEN = str.maketrans("", "", "'\"\\")
+_KINDS = {"equals": "if", "not-equals": "unless"}
 _OF_PLACES = ("origin", "places", "scope", "environment", "patterns")
 
 
@@ -105,7 +106,7 @@ def _node(node: Node, names: Mapping[str, str]) -> dict[str, Any]:
 
 def _by_field(item: Any, names: Mapping[str, str]) -> dict[str, Any]:
     found = {name: _plain(value, names) for name, value in zip(item._fields, item, strict=True) if name not in _OF_PLACES}
-    found["conditions"] = [("assumed",) if each.assumed else (each.attribute, each.text) for each in item.conditions]
+    found["conditions"] = ["assumed" if each.assumed else _KINDS.get(each.attribute, each.attribute) for each in item.conditions]
     return found
 
 

@@ -18,6 +18,7 @@ from launchlint.export.written import CannotExport
 from launchlint.fix.format.formatting import formatted
 from launchlint.fix.format.style import Style
 from launchlint.model import ROS2
+from launchlint.syntax.ros2.description import Open
 from launchlint.syntax.ros2.reading import read
 from launchlint.syntax.ros2.tables import distribution
 
@@ -58,6 +59,9 @@ def convert(session: Session, file: str, given: Pairs, style: Style, language: s
     whole = reading.description
     varying: tuple[Lost, ...] = ()
     if file.endswith(PYTHON):
+        if all(isinstance(each, Open) for each in whole.actions) and whole.actions:
+            reasons = dict.fromkeys(each.reason for each in whole.actions if isinstance(each, Open))
+            raise CannotExport(f"what it does cannot be told without running it ({'; '.join(reasons)})")
         found = islice(named(ROS2).configurations(session, file, given), MOST_CONFIGURATIONS)
         functions = called(session, file, reading, [each.launch.given for each in found])
         whole = functions.description
