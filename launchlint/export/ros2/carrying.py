@@ -16,6 +16,7 @@ from launchlint.export.ros2.xml import attribute_text, check
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import (
+    FULL_NAME,
     NOT_KNOWN,
     Condition,
     Description,
@@ -145,12 +146,7 @@ class _Carrier:
         if isinstance(action, described.LoadComponents) and not fields["components"]:
             raise _Left(action.place, "nothing is left of what it loads")
         if isinstance(action, described.Node):
-            fields["kind"] = "container" if action.kind == "container" else "node"
-            if action.kind == "lifecycle":
-                self.remarks.append(
-                    Remark(action.place, "a LifecycleNode is written as <node>: the same program, whose states launch does not follow")
-                )
-            fields["parameters"] = self._parameters(action.parameters)
+            fields.update(self._kind(action), parameters=self._parameters(action.parameters))
         if isinstance(action, (described.Node, described.Executable)):
             fields["process"] = self._process(action.process)
         if isinstance(action, described.SetParameter):
@@ -166,6 +162,17 @@ class _Carrier:
         made: Action = self._rest(action, fields)
         return made
 
+    def _kind(self, node: described.Node) -> dict[str, Any]:
+        """Which tag it gets, and what that must have."""
+        if node.kind == "lifecycle":
+            words = "a LifecycleNode is written as <node>: the same program, whose states launch does not follow"
+            self.remarks.append(Remark(node.place, words))
+        if node.kind != "container":
+            return {"kind": "node"}
+        if node.name is None or node.namespace is None:
+            raise _Left(node.place, "a <node_container> must have a name and a namespace")
+        return {"name": self._text(node.name), "namespace": self._text(node.namespace)}
+
     def _components(self, components: tuple[Component, ...]) -> tuple[Component, ...]:
         found = (self._kept("a composable node", self._component, each) for each in components)
         return tuple(each for each in found if each is not None)
@@ -176,14 +183,16 @@ class _Carrier:
             fields["condition"] = self._condition(component.condition)
         if component.name is None:
             raise _Left(component.place, "a <composable_node> must have a name")
+        fields["name"] = self._text(component.name)
         made: Component = self._rest(component, fields)
         return made
 
     def _process(self, process: Process) -> Process:
         fields: dict[str, Any] = {}
-        if process.environment:
-            self.lost.append(Lost(process.environment[0].place, "env", "a whole environment cannot be given, only single variables"))
-            fields["environment"] = ()
+        if process.environment or process.replaces_environment:
+            place = process.environment[0].place if process.environment else _somewhere(process)
+            self.lost.append(Lost(place, "env", "a whole environment cannot be given, only single variables"))
+            fields.update(environment=(), replaces_environment=False)
         if isinstance(process.on_exit, tuple):
             self.lost.append(Lost(_place(process.on_exit), "on_exit", "only shutdown can follow the end of a process"))
             fields["on_exit"] = None
@@ -328,6 +337,8 @@ class _Carrier:
                 found.append(piece)
             elif piece.name == _JOIN:
                 found += self._path(piece)
+            elif piece.name == FULL_NAME:
+                found += self._container(piece)
             elif piece.name == NOT_KNOWN:
                 raise _Left(piece.place, f"{_shown(piece.place)} is not known ({piece.arguments[0].literal})")
             elif piece.name not in self._distribution.substitutions:
@@ -335,6 +346,19 @@ class _Carrier:
             else:
                 found.append(piece._replace(arguments=tuple(Text(self._pieces(each), each.place) for each in piece.arguments)))
         return joined(found)
+
+    def _container(self, substitution: Substitution) -> tuple[str | Substitution, ...]:
+        """The full name of a container, which counts from the top: what is pushed before the container is not seen here."""
+        namespace, name = (self._pieces(each) for each in substitution.arguments)
+        whole = joined((*namespace, *([] if namespace in ((), ("/",)) else ["/"]), *name))
+        whole = whole if whole and isinstance(whole[0], str) and whole[0].startswith("/") else joined(("/", *whole))
+        self.remarks.append(
+            Remark(
+                substitution.place,
+                f"a container is named {self._texts.text(Text(whole, substitution.place))}: so it is called where no namespace is pushed",
+            )
+        )
+        return whole
 
     def _path(self, substitution: Substitution) -> list[str | Substitution]:
         """The parts of a path, joined by slashes, where os.path.join would do the same."""
