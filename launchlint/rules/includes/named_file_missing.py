@@ -6,8 +6,9 @@ the file. Files that are there to be written (behind `-o` or `>`, of a recorder)
 file of nearly that name is there. It is an info where a file is made: by a command of `CMakeLists.txt`, from a template that lies beside
 it, by another node or another launch file of the package, or by what `.gitignore` keeps out of the repository; where its directory is
 there and holds nothing but a README or the like: what belongs there is put there on each machine; where it lies in a git submodule that is
-not checked out; where the package has no file of that kind at all; and where args make the name and it takes another value than a default.
-Silent it is where the name is made from an environment variable, also by way of args. What LL401 or LL502 tells is not told again.
+not checked out; where the package has no file of that kind at all; where the arg that is to be the name of the file is empty; and where
+args make the name and it takes another value than a default. Silent it is where the name is made from an environment variable, also by way
+of args. What LL401 or LL502 tells is not told again.
 
 ## Why it matters
 
@@ -173,6 +174,11 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         severity, notes = Severity.INFO, [*notes, maker.why]
     elif view.launch.given and opens(written):
         severity, notes = Severity.INFO, [*notes, "the name is made from args, and these values are only one choice"]
+    elif name.startswith(".") and f"){name}" in written:
+        severity, notes = (
+            Severity.INFO,
+            [*notes, "the arg that is to be the name of the file is empty: whoever starts this gives it a value"],
+        )
     elif near is None and not _has_any(package.directory, ending):
         severity, notes = Severity.INFO, [*notes, f"no {ending} file at all is in {package.name}: it may be made, or come from elsewhere"]
     near = near or elsewhere(path, package, view)
