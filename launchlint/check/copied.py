@@ -13,7 +13,7 @@ from launchlint.workspace.packages import Packages
 
 NOTE = "{} is a copy of a public package, and that is where to mend it"
 WHOLE = "{} is part of another project, {}, which is kept here as a whole, and that is where to mend it"
-_UNTIDY = frozenset(("LL206", "LL210", "LL303", "LL702"))
+_UNTIDY = frozenset(("LL206", "LL210", "LL303", "LL411", "LL702"))
 """By their IDs: in most runs none of these modules has to be loaded for this. LL701 says it itself, since it proposes a line."""
 
 
