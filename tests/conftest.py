@@ -118,6 +118,13 @@ def find_dot() -> str | None:
 
 
 @cache
+def find_strace() -> str | None:
+    """The command of strace, where it may watch a process."""
+    strace = shutil.which("strace")
+    return strace if strace and _answers([strace, "-qq", "-o", os.devnull, "true"]) else None
+
+
+@cache
 def find_corpus() -> str | None:
     """A directory with public launch files (``ros1/…``)."""
     corpus = os.environ.get("LAUNCHLINT_CORPUS", "")
@@ -148,6 +155,7 @@ NEEDS: dict[str, tuple[Callable[[], str | None], str]] = {
     ),
     "axe": (find_axe_core, "AXE_CORE does not name a directory with axe-core (npm install --prefix DIRECTORY axe-core)"),
     "graphviz": (find_dot, "Graphviz is not installed (Debian: apt-get install graphviz)"),
+    "strace": (find_strace, "strace is not installed, or may not watch a process here (Debian: apt-get install strace)"),
     "corpus": (find_corpus, "LAUNCHLINT_CORPUS does not name a directory with a ros1 folder of public launch files"),
 }
 

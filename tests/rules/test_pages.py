@@ -15,6 +15,7 @@ from launchlint.finding import Severity
 from launchlint.rules.page import page
 from launchlint.rules.registry import RULES, Entry, speaking_of
 from launchlint.syntax.ros2 import problems as ros2_problems
+from launchlint.syntax.ros2.python import problems as python_problems
 from tests.rules.pipeline import check, commit
 
 SECTIONS = ("Why it matters", "Example", "Use instead")
@@ -60,7 +61,7 @@ def test_registry_and_rule_agree(entry: Entry) -> None:
 
 def test_kinds_of_ros2_are_told_by_name() -> None:
     """The registry names them, so that a check of ROS 1 does not import them."""
-    rooms = (ros2_problems, ros2_results, parameter_problems)
+    rooms = (ros2_problems, python_problems, ros2_results, parameter_problems)
     kinds = [kind for room in rooms for kind in vars(room).values() if isinstance(kind, type) and kind.__module__ == room.__name__]
     assert [
         kind.__name__ for kind in vars(ros2_problems).values() if isinstance(kind, type) and kind in kinds and not speaking_of(kind)

@@ -34,6 +34,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
 from launchlint.syntax.ros2.problems import NotInDistribution
+from launchlint.syntax.ros2.python.problems import KeywordNotInDistribution
 
 RULE = Rule("LL934", "not-in-this-distro", Severity.ERROR, roslaunch="refuses")
 _LATER = "later"
@@ -54,8 +55,11 @@ _INSTEAD = {
 """What does the same in all distributions."""
 
 
-def tell(problem: NotInDistribution, view: object) -> Iterator[Finding]:
+def tell(problem: NotInDistribution | KeywordNotInDistribution, view: object) -> Iterator[Finding]:
     """Name the distribution that has it."""
+    if isinstance(problem, KeywordNotInDistribution):
+        yield _keyword(problem)
+        return
     name, distro = problem.name, problem.distro.capitalize()
     subject = {
         "tag": f"the tag {name}",
@@ -76,4 +80,19 @@ def tell(problem: NotInDistribution, view: object) -> Iterator[Finding]:
         notes=(f"{since}; ros2 launch refuses the file" + ("" if problem.sure else f", unless an update of {distro} has brought it"),),
         help=f"write {instead}, or set distro: if another one is meant" if instead else f"{advice}, or set distro: if another one is meant",
         cause=f"{problem.place.source.path} {problem.what} {problem.tag if problem.what == 'attribute' else ''} {name}",
+    )
+
+
+def _keyword(problem: KeywordNotInDistribution) -> Finding:
+    """A launch file in Python makes an object with a keyword that came later."""
+    distro = problem.distro.capitalize()
+    came = "after all distributions that launchlint knows" if problem.since == _LATER else f"with {problem.since.capitalize()}"
+    return RULE.at(
+        problem.origin,
+        f"the keyword {problem.keyword} of {problem.callee} is not there in {distro}",
+        severity=Severity.ERROR if problem.sure and not problem.assumed else Severity.WARNING,
+        label=f"not in {distro}",
+        notes=(f"it came {came}; ros2 launch stops with a TypeError" + ("" if problem.sure else f", unless an update of {distro} has it"),),
+        help="take it out, or set distro: if another one is meant",
+        cause=f"{problem.place.source.path} keyword {problem.callee} {problem.keyword}",
     )

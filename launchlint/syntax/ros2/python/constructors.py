@@ -133,6 +133,7 @@ def wrong_shape(given: Given, distro: str) -> Iterator[Problem]:
             extra=extra,
             names=names[: len(extra)],
             listed=listed,
+            related=((given.positional_at(0), "the first of them"),) if listed else (),
         )
         lacking = lacking[len(extra) :]
     meant = {replacement for replacement, _ in replacements.values()}

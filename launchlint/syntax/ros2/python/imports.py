@@ -61,6 +61,11 @@ def wrong_imports(tree: ast.Module, place: Callable[[ast.AST], Place]) -> Iterat
             right = homes.get(alias.name, node.module)
             if right != node.module:
                 yield WrongModule(
-                    origin=Origin(place(alias)), refused=True, name=alias.name, module=node.module or "", right=right,
+                    origin=Origin(place(alias)),
+                    refused=True,
+                    related=((place(node), "imported here"),),
+                    name=alias.name,
+                    module=node.module or "",
+                    right=right,
                     alone=len(node.names) == 1,
-                )  # fmt: skip
+                )

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     ListForm = Literal["letters", "text", "dict", "tuple", "one", "list-for-pair", "flat-pair", "not-pair", "not-two"]
     NoLaunch = Literal["syntax", "missing", "arguments", "nothing", "list", "other"]
+    Effect = Literal["process", "question", "write", "delete", "connection"]
     Use = Literal["test", "compare", "format", "join", "path", "str", "performed"]
 
 
@@ -55,7 +56,8 @@ class MissingArgument(Problem):
 class TooManyPositional(Problem):
     """``count`` values without a name where the constructor of ``callee`` takes ``most``: those behind are at ``extra``.
 
-    ``names`` are the arguments that may be meant, in order. ``listed``: the constructor takes one list of what is given one by one.
+    ``names`` are the arguments that may be meant, in order. ``listed``: the constructor takes one list of what is given one by one, from
+    the place in ``related`` on.
     """
 
     callee: str
@@ -161,3 +163,10 @@ class ConfigurationAsPythonValue(Problem):
     use: Use
     name: str
     of: str
+
+
+class RunsAtLoad(Problem):
+    """A call of ``what`` that has an ``effect`` on the machine as soon as somebody loads the file."""
+
+    what: str
+    effect: Effect

@@ -1,0 +1,79 @@
+"""A class of launch is made with a keyword that its constructor does not take, or does not take any more.
+
+`node_executable`, `node_name`, `node_namespace` and `node_plugin` are those of Foxy and before; since Galactic they are `executable`,
+`name`, `namespace` and `plugin`.
+
+## Why it matters
+
+ros2 launch stops with a `TypeError` and does not load the file.
+
+## Example
+
+```python launch/robot.launch.py
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='demo_nodes_cpp', node_executable='talker', node_name='talker'),
+    ])
+```
+
+## Use instead
+
+```python launch/robot.launch.py
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='demo_nodes_cpp', executable='talker', name='talker'),
+    ])
+```
+
+## Fix
+
+`--fix` writes the keyword of today where there is one; `--unsafe-fixes` also the one that is most likely meant. ros2 launch loads the file
+then.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Fix, Severity
+from launchlint.rules.edits import LOADS2, fix
+from launchlint.rules.judging.python_text import level, stops, write
+from launchlint.rules.rule import Rule
+from launchlint.spelling import closest
+from launchlint.syntax.ros2.python.problems import UnknownKeyword
+
+RULE = Rule("LL924", "removed-keyword", Severity.ERROR, roslaunch="refuses", fixable="safe")
+
+
+def tell(problem: UnknownKeyword, view: object) -> Iterator[Finding]:
+    """Name the keyword of today."""
+    callee, keyword, new = problem.callee, problem.keyword, problem.replacement
+    near = new or closest(keyword, problem.known)
+    if problem.since:
+        message = f"{callee} does not take {keyword} any more: since {problem.since.capitalize()} it is {new or 'called otherwise'}"
+    else:
+        message = f"{callee} does not take {keyword}"
+    yield RULE.at(
+        problem.origin,
+        message,
+        severity=level(problem),
+        label="no such keyword",
+        notes=stops(f"a TypeError: got an unexpected keyword argument '{keyword}'"),
+        help=f"write {new}" if new else f"did you mean {near}?" if near else "take it out",
+        fix=_fix(problem, near),
+        topic=keyword,
+    )
+
+
+def _fix(problem: UnknownKeyword, near: str | None) -> Fix | None:
+    if not near or problem.place.text != problem.keyword:
+        return None
+    return fix(f"write {near}", write(problem.place, near), safe=bool(problem.replacement), changes=LOADS2)
