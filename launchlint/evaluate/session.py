@@ -73,7 +73,7 @@ class Session:
         self.environment = environment
         self.root = os.getcwd() if root is None else root
         self.asked_distro = distro
-        self.reads_python = False
+        self.reads_python = True
         self._in_python: dict[str, Reading | None] = {}
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}

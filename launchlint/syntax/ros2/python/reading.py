@@ -18,8 +18,10 @@ from launchlint.syntax.ros2.description import Action, Description, Substitution
 from launchlint.syntax.ros2.python.entry import ENTRY, gives, needs_arguments, takes_arguments, unreadable, without_entry
 from launchlint.syntax.ros2.python.following import Following
 from launchlint.syntax.ros2.python.imports import wrong_imports
+from launchlint.syntax.ros2.python.loading import runs_at_load
 from launchlint.syntax.ros2.python.loose import LetterModules, loose
 from launchlint.syntax.ros2.python.making import Maker
+from launchlint.syntax.ros2.python.performed import performed_as_boolean
 from launchlint.syntax.ros2.python.recogniser import Outside
 from launchlint.syntax.ros2.python.running import Caller
 from launchlint.syntax.ros2.reading import Reading, Unresolved
@@ -78,6 +80,9 @@ def _actions(run: Following, source: Source, outside: Outside, tree: ast.Module,
     main = run.main(source.file, parsed)
     for problem in wrong_imports(parsed.tree, lambda node: run.place(node, main.scope)):
         run.record(problem)
+    for found in (runs_at_load, performed_as_boolean):
+        for problem in found(parsed.tree, lambda node: run.place(node, main.scope)):
+            run.record(problem)
     missing = without_entry(tree, source)
     if missing is not None:
         run.record(missing)
