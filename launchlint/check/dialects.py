@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from launchlint.check.options import EntryRequest
 from launchlint.evaluate.session import Session
-from launchlint.workspace.discovery import holds_python, is_in_python
+from launchlint.workspace.discovery import PYTHON_END, holds_python, is_in_python
 
 
 class SortedOut(NamedTuple):
@@ -31,6 +31,8 @@ def sort_out(requests: Sequence[EntryRequest], named: Collection[str], session: 
     python: dict[str, None] = {}
     other: dict[str, str] = {}
     for request in requests:
+        if is_in_python(request.at) and os.path.abspath(request.at) not in named and _describes_nothing(request.at, session):
+            continue
         if is_in_python(request.at) and session.in_python(request.at) is None:
             python[session.shown(request.at)] = None
             continue
@@ -47,3 +49,11 @@ def sort_out(requests: Sequence[EntryRequest], named: Collection[str], session: 
         else:
             kept.append(request)
     return SortedOut(kept, tuple(python), tuple(other.items()))
+
+
+def _describes_nothing(path: str, session: Session) -> bool:
+    """Whether a file in Python has the name of a launch file, and is a test for launch_testing, or a module that others import."""
+    data = session.read(path).data
+    if data is None or b"generate_launch_description" in data:
+        return False
+    return b"generate_test_description" in data or not path.endswith(PYTHON_END)

@@ -186,7 +186,7 @@ def _in_python(request: EntryRequest, session: Session) -> bool:
 
 
 def leave_others_out(entry: EntryOptions, requests: list[EntryRequest], session: Session) -> tuple[list[EntryRequest], tuple[str, ...]]:
-    """``requests`` without those that are no launch files and nobody asked for by name, nor those in Python; and notices of them."""
+    """``requests`` without what is no launch file and nobody asked for by name, and what is in Python if that is not read; and notices."""
     named = entry.named
     if entry.entries is not None or entry.standard_input is not None:
         named = frozenset(os.path.abspath(each.at) for each in requests)
@@ -198,7 +198,7 @@ def leave_others_out(entry: EntryOptions, requests: list[EntryRequest], session:
     notices = []
     if python:
         files = f"{len(python)} launch files in Python such as {python[0]}" if len(python) > 1 else f"the launch file {python[0]}"
-        notices.append(f"left out {files}: of ROS 2, those in XML and YAML are read, and none in Python")
+        notices.append(f"left out {files}: those in Python stay as they are")
     if other:
         path, root = other[0]
         many = f"{len(other)} files such as {path}: their roots are others than <launch>, so that they are no launch files"

@@ -199,7 +199,9 @@ class _Run:
 
         options = self._entry.options()
         packages = Packages(options.workspaces, options.variables, explicit=options.explicit, complete=options.complete)
-        return Session(packages, options.variables, options.root, distro=options.distro)
+        session = Session(packages, options.variables, options.root, distro=options.distro)
+        session.reads_python = False  # programs have formatters of their own
+        return session
 
     @cached_property
     def _guard(self) -> Guard:

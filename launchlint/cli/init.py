@@ -97,7 +97,7 @@ def _told(found: Found, *, pre_commit: bool, github: bool) -> list[str]:
 
     lines = [f"{counted(len(found.packages), 'package')}, {counted(len(found.read), 'launch file')}."]
     if found.python:
-        lines.append(f"{counted(len(found.python), 'launch file')} in Python: only those in XML and YAML are checked, these are left out.")
+        lines.append(f"{counted(len(found.python), 'launch file')} in Python that cannot be read.")
     if found.errors or found.warnings:
         lines += [
             f"A check finds {counted(found.errors, 'error')} and {counted(found.warnings, 'warning')}: `launchlint check` shows them.",

@@ -12,7 +12,8 @@ _ENDS = (".launch", ".launch.xml")
 _TEST_END = ".test"
 _XML_END = ".xml"
 _YAML_ENDS = (".launch.yaml", ".launch.yml", "_launch.yaml", "_launch.yml")
-_PYTHON_ENDS = (".launch.py", "_launch.py")
+PYTHON_END = ".launch.py"
+_PYTHON_ENDS = (PYTHON_END, "_launch.py")
 _DESCRIBES = b"def generate_launch_description("
 # Files that are never launch files, and so frequent that looking into each would be felt.
 _OTHER_XML = frozenset(("package.xml", "manifest.xml", "stack.xml", "plugin_description.xml"))
@@ -90,7 +91,7 @@ def is_launch_file(path: str) -> bool:
 
 
 def is_in_python(path: str) -> bool:
-    """Whether a file of this name is a launch file of ROS 2 in Python, which nobody here reads."""
+    """Whether a file of this name is a launch file of ROS 2 in Python."""
     return path.endswith(_PYTHON_ENDS)
 
 

@@ -285,14 +285,14 @@ def test_a_comment_in_yaml_silences_a_rule(repository: Path) -> None:
     assert "LL104" in run(repository, "check", "--format", "concise", "demo/launch/three.launch.yaml").output
 
 
-def test_launch_files_in_python_are_left_out_with_one_notice(repository: Path) -> None:
-    write(repository, {"demo/launch/two.launch.py": "", "demo/launch/three_launch.py": ""})
-    notice = (
-        "launchlint: left out 2 launch files in Python such as demo/launch/three_launch.py: "
-        "of ROS 2, those in XML and YAML are read, and none in Python\n"
-    )
-    assert concise(repository) == (1, BOTH, notice)
-    assert run(repository, "check", "-q") == (1, "", "")
+def test_launch_files_in_python_are_read_and_what_only_looks_like_one_is_not(repository: Path) -> None:
+    test = "def generate_test_description():\n    pass\n"
+    write(repository, {"demo/launch/two.launch.py": "", "demo/launch/three_launch.py": "", "demo/launch/four.launch.py": test})
+    status, output, errors = concise(repository)
+    assert (status, errors) == (1, "")
+    assert "demo/launch/two.launch.py:1:1: error LL932 no-description" in output
+    assert "three_launch.py" not in output
+    assert "four.launch.py" not in output
 
 
 def test_files_of_other_programs_are_left_out_with_one_notice(repository: Path) -> None:

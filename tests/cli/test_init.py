@@ -42,10 +42,9 @@ def test_what_is_found(repository: Path) -> None:
     write(repository, {"launch/b.launch": DOUBLE, "launch/c.launch.py": "", ".gitlab-ci.yml": "", ".pre-commit-config.yaml": "repos: []\n"})
     ran = run(repository.parent, "init", "robot")
     assert (ran.status, ran.errors) == (0, "launchlint: wrote robot/.launchlint.yaml\n")
-    assert ran.output.splitlines()[:11] == [
-        "1 package, 2 launch files.",
-        "1 launch file in Python: only those in XML and YAML are checked, these are left out.",
-        "A check finds 1 error and 0 warnings: `launchlint check` shows them.",
+    assert ran.output.splitlines()[:10] == [
+        "1 package, 3 launch files.",
+        "A check finds 2 errors and 0 warnings: `launchlint check` shows them.",
         "To hear of new ones only, run",
         "",
         "    launchlint check --write-baseline .launchlint-baseline.json",

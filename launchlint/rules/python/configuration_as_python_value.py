@@ -80,9 +80,10 @@ _ADVICE = {
 def tell(problem: ConfigurationAsPythonValue, view: object) -> Iterator[Finding]:
     """Say what comes of it."""
     name = f"{problem.name}('{problem.of}')" if problem.of else f"a {problem.name}"
+    compared = problem.use == "performed" and any(each in problem.place.text for each in ("==", "!=", " is "))
     yield RULE.at(
         problem.origin,
-        f"{name} {_HAPPENS[problem.use]}",
+        f"{name} {'is a text here, never equal to True or False' if compared else _HAPPENS[problem.use]}",
         severity=level(problem),
         label=shown(problem.place.text) if len(problem.place.text) > 200 else "",
         notes=stops("a TypeError") if problem.refused else (_TEXT if problem.use == "performed" else _OBJECT,),

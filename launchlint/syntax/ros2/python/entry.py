@@ -15,6 +15,7 @@ from launchlint.syntax.ros2.python.tables import is_of_launch
 from launchlint.syntax.ros2.python.texts import is_substitution
 
 ENTRY = "generate_launch_description"
+_FOR_TESTS = "generate_test_description"
 _MAKING_NAMES = frozenset(("globals", "locals", "vars", "exec", "setattr"))
 _NEWER = re.compile(r"\s*(?:type\s+\w+.*=|(?:async\s+def|def|class)\s+\w+\s*\[)")
 """Lines that a newer Python can read, and the one that launchlint runs with perhaps not."""
@@ -32,12 +33,12 @@ def unreadable(source: Source, error: SyntaxError) -> Problem | None:
 
 
 def without_entry(tree: ast.Module, source: Source) -> Problem | None:
-    """The file has no function that launch could call; None where something else may set its name."""
+    """The file has no function that launch could call; None where something else may set its name, or it is a test for launch_testing."""
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and any(alias.name == "*" for alias in node.names):
             if not is_of_launch(node.module or ""):
                 return None
-        elif ENTRY in _names(node) or (isinstance(node, ast.Name) and node.id in _MAKING_NAMES):
+        elif {ENTRY, _FOR_TESTS} & set(_names(node)) or (isinstance(node, ast.Name) and node.id in _MAKING_NAMES):
             return None
     return NoDescription(origin=Origin(_whole(source)), refused=True, form="missing", what="")
 
