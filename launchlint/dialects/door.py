@@ -41,9 +41,10 @@ def _told(session: Session, file: str) -> DialectName:
     if data is None:
         return expected or ROS1
     if not data[:3].removeprefix(b"\xef\xbb\xbf").startswith(b"<") and b"<launch" not in data:
+        from launchlint.workspace.discovery import holds_python
         from launchlint.workspace.launch_root import has_launch_key
 
-        if has_launch_key(data):
+        if has_launch_key(data) or holds_python(file, data):
             return ROS2
     from launchlint.evaluate.session import Read
     from launchlint.syntax.dialect import told
