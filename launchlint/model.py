@@ -19,7 +19,20 @@ if TYPE_CHECKING:
     from typing import Any, Literal, TypeVar
 
     Kind = TypeVar("Kind", bound=Problem)
-    Role = Literal["package", "executable", "name", "test_name", "namespace", "arguments", "prefix", "machine", "output", "cwd", "remaps"]
+    Role = Literal[
+        "package",
+        "executable",
+        "name",
+        "test_name",
+        "namespace",
+        "arguments",
+        "prefix",
+        "machine",
+        "output",
+        "cwd",
+        "remaps",
+        "container",
+    ]
     """What a part of a node is for, whatever a dialect calls what it is written in (``pkg``, ``ns``, ``args`` …)."""
     DialectName = Literal["ros1", "ros2"]
     """Who starts a launch file; what is done with it in a way of its own, :mod:`launchlint.dialects` holds."""

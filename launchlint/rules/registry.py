@@ -253,6 +253,7 @@ RULES: tuple[Entry, ...] = (
         "LL904", "params-file-refused", "ros2.params_file_refused", ERROR, dialects=(ROS2,), ros2=("ParametersFileDies", "ParameterDies")
     ),
     Entry("LL905", "value-changes-type", "ros2.value_changes_type", WARNING, dialects=(ROS2,), ros2=("TextRetyped", "NumberStaysText")),
+    Entry("LL907", "string-parsed-as-yaml", "ros2.string_parsed_as_yaml", WARNING, dialects=(ROS2,), ros2=("CommandReadAsYaml",)),
     Entry("LL908", "set-parameter-list", "ros2.set_parameter_list", ERROR, dialects=(ROS2,), ros2=("ListBecomesText",)),
     Entry("LL909", "set-parameter-empty", "ros2.set_parameter_empty", ERROR, dialects=(ROS2,), ros2=("SetParameterDies",)),
     Entry(
@@ -315,7 +316,10 @@ RULES: tuple[Entry, ...] = (
         ros2=("NotInDistribution", "KeywordNotInDistribution"),
     ),
     Entry("LL935", "broken-in-frontend", "ros2.broken_in_frontend", ERROR, dialects=(ROS2,), ros2=("BrokenInFrontend", "NeverWorks")),
+    Entry("LL937", "container-missing", "ros2.container_missing", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL939", "condition-ignored", "ros2.condition_ignored", WARNING, view="launch", dialects=(ROS2,)),
+    Entry("LL943", "sim-time-patchy", "ros2.sim_time_patchy", WARNING, view="launch", dialects=(ROS2,)),
+    Entry("LL944", "anonymous-gets-named-params", "ros2.anonymous_gets_named_params", WARNING, dialects=(ROS2,), ros2=("NamedForUnnamed",)),
     Entry("LL945", "not-installed", "packages.not_installed", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL946", "not-in-libexec", "nodes.not_in_libexec", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL947", "remap-kills-node", "ros2.remap_kills_node", ERROR, dialects=(ROS2,), ros2=("RemapDies",)),

@@ -77,11 +77,11 @@ def load(walk: Walk, met: list[Met], container: Value, place: Place | None) -> N
         if each.condition is not None:
             assumed = outer.assumed or each.condition.assumed
             walk.here = outer._replace(conditions=(*outer.conditions, each.condition), assumed=assumed)
-        _load(walk, each, container)
+        _load(walk, each, container, place)
         walk.here = outer
 
 
-def _load(walk: Walk, met: Met, container: Value) -> None:
+def _load(walk: Walk, met: Met, container: Value, target: Place | None) -> None:
     component = met.component
     walk.spend(STARTING, component.place)
     walk.spend_on_inherited(component.place)
@@ -113,7 +113,7 @@ def _load(walk: Walk, met: Met, container: Value) -> None:
             launch_prefix=None,
             file=here.file,
             origin=origin,
-            places=_places(component),
+            places=_places(component) if target is None else {**_places(component), "container": target},
             scope=here.scope,
             conditions=here.conditions,
             unknown=roles,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from launchlint.evaluate.ros2.parameter_problems import ComponentKeyIgnored, NumberStaysText, ParametersForNobody
+from launchlint.evaluate.ros2.parameter_problems import ComponentKeyIgnored, NamedForUnnamed, NumberStaysText, ParametersForNobody
 from launchlint.evaluate.ros2.rcl_files import table_of
 from launchlint.rcl.parameter_value import scalar
 from launchlint.rcl.table import Key, Table, reaches
@@ -24,15 +24,18 @@ _MOST_LOOKED_AT = 200
 
 
 class Receiver(NamedTuple):
-    """A node with what it is given; ``full_name`` None: it has the name of its program.
+    """A node with what it is given; ``full_name`` None: it has the name of its ``program``, in the ``namespace``.
 
-    ``host``: other nodes are loaded into it. ``composable``: it is one of these.
+    ``host``: other nodes are loaded into it. ``composable``: it is one of these. ``anonymous``: its name is made up for each start.
     """
 
     full_name: str | None
     host: bool
     passed: tuple[Passed, ...]
     composable: bool = False
+    anonymous: bool = False
+    program: str = ""
+    namespace: str = "/"
 
 
 def for_nobody(receivers: Sequence[Receiver], asks: Performs) -> Iterator[Problem]:
@@ -48,7 +51,8 @@ def for_nobody(receivers: Sequence[Receiver], asks: Performs) -> Iterator[Proble
         return reaching[key]
 
     for receiver in receivers:
-        if receiver.full_name is None:
+        if receiver.full_name is None or receiver.anonymous:
+            yield from _unnamed(receiver, reaches_any, asks)
             continue
         for given in receiver.passed:
             if given.file is None or given.unknown or given.file in nameless or given.given is not None:
@@ -61,6 +65,28 @@ def for_nobody(receivers: Sequence[Receiver], asks: Performs) -> Iterator[Proble
                     # What a container is given counts for all nodes in it, those that somebody else loads as well.
                     if problem.near == "namespace" or not receiver.host:
                         yield problem
+
+
+def _unnamed(receiver: Receiver, reaches_any: _Reaches, asks: Performs) -> Iterator[Problem]:
+    """Files in which all that may be for a node stands under a name that it is not given."""
+    namespace = receiver.namespace.rstrip("/")
+    for given in receiver.passed:
+        table = None if given.file is None or given.unknown or given.given is not None else table_of(given.file, asks)
+        if not isinstance(table, Table):
+            continue
+        keys = [key.name for key in table.keys.values() if key.parameters][:_MOST_LOOKED_AT]
+        if not keys or any("*" in key for key in keys) or any(reaches_any(key) for key in keys):
+            continue  # it may be for all, or is one file for several nodes
+        fits = any(f"/{key.lstrip('/')}".rpartition("/")[0] == namespace for key in keys)
+        yield NamedForUnnamed(
+            origin=given.origin,
+            file=given.file or "",
+            program=receiver.program,
+            keys=tuple(keys[:_MOST_KEYS]),
+            namespace=namespace or "/",
+            anonymous=receiver.anonymous,
+            certain=not fits,
+        )
 
 
 def _of_file(table: Table, given: Passed, node: str, last_names: Iterable[str], reaches_any: _Reaches) -> Iterator[ParametersForNobody]:

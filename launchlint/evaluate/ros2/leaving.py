@@ -63,7 +63,7 @@ def _quietly(walk: Walk, text: Text) -> Value | None:
     literal = text.literal
     if literal is not None:
         return literal
-    if any(isinstance(part, Substitution) and part.name == "anon" for part, _ in parts_of(text)):
+    if is_anonymous(text):
         return None
     mine = walk.performer
     quiet = Performer(mine.session, mine.context, mine.entry, mine.rules, mine.where, mine.spend, _nothing, mine.table)
@@ -71,6 +71,11 @@ def _quietly(walk: Walk, text: Text) -> Value | None:
         return quiet.perform(text)
     except Failure:
         return None
+
+
+def is_anonymous(text: Text) -> bool:
+    """Whether a name is made up for each start, as it is written."""
+    return any(isinstance(part, Substitution) and part.name == "anon" for part, _ in parts_of(text))
 
 
 def _nothing(problem: Problem) -> None:

@@ -10,7 +10,7 @@ from launchlint.evaluate.ros2.components import load, met_components
 from launchlint.evaluate.ros2.context import Value
 from launchlint.evaluate.ros2.judged_keys import Receiver
 from launchlint.evaluate.ros2.judged_parameters import judged
-from launchlint.evaluate.ros2.leaving import note_leaks
+from launchlint.evaluate.ros2.leaving import is_anonymous, note_leaks
 from launchlint.evaluate.ros2.names import name_fault, namespace_fault, prefixed
 from launchlint.evaluate.ros2.namespaces import namespace_of, namespace_with_slash
 from launchlint.evaluate.ros2.parameters import Passed, node_parameters
@@ -70,7 +70,16 @@ def node(walk: Walk, action: described.Node) -> None:
     if fate is not None:
         for problem in judged(sources, known, fate, fate.full_name or text_of(executable), walk.performer):
             walk.record_once(problem)
-        walk.receivers.append(Receiver(fate.full_name, action.kind == "container", tuple(sources)))
+        walk.receivers.append(
+            Receiver(
+                fate.full_name,
+                action.kind == "container",
+                tuple(sources),
+                anonymous=action.name is not None and is_anonymous(action.name),
+                program=text_of(executable),
+                namespace=namespace_with_slash(named.namespace),
+            )
+        )
     unknown, patterns = _unknown({"name": named.name, "namespace": named.namespace, "package": package, "executable": executable})
     if any(isinstance(word, Unknown) for word in arguments):
         unknown.add("arguments")

@@ -129,6 +129,31 @@ class ParametersForNobody(Problem):
         return ParametersForNobody(**vars(self) | {"wildcards": False})
 
 
+class NamedForUnnamed(Problem):
+    """A ``file`` of params under names (``keys``) that is given to a node whose name the launch does not say: its ``program`` has one.
+
+    ``anonymous``: it has one that is made up for each start. ``certain``: whatever its name is, no key is for it, since none is in its
+    ``namespace``.
+    """
+
+    file: str
+    program: str
+    keys: tuple[str, ...]
+    namespace: str
+    anonymous: bool
+    certain: bool
+
+
+class CommandReadAsYaml(Problem):
+    """The output of a command that writes XML, as the value of the param ``name``: launch reads it as YAML.
+
+    ``typed``: it would take a type.
+    """
+
+    name: str
+    typed: bool
+
+
 class ComponentKeyIgnored(Problem):
     """A ``key`` with wildcards in a ``file`` for the composable node ``node``: launch reads the file, and knows ``/**`` alone."""
 

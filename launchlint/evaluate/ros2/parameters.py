@@ -10,12 +10,13 @@ import posixpath
 from collections.abc import Iterable
 from typing import Any, NamedTuple, Protocol
 
-from launchlint.evaluate.ros2.parameter_problems import ContentNoYaml, ParameterValueType
+from launchlint.evaluate.ros2.parameter_problems import CommandReadAsYaml, ContentNoYaml, ParameterValueType
 from launchlint.evaluate.ros2.typed import TypeFault, by_yaml_rules, convert, is_uniform, load_file
+from launchlint.late import late
 from launchlint.model import StandIn, Unknown, UnknownText, shown_text
 from launchlint.rcl.table import ANY
 from launchlint.source import Source
-from launchlint.syntax.ros2.description import Parameter, ParameterFile, Parameters, Text
+from launchlint.syntax.ros2.description import Parameter, ParameterFile, Parameters, Substitution, Text
 from launchlint.yaml.refusals import YamlError
 from launchlint.yaml.tree import YamlBeyond
 
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 
 PARAMETERS = "ros__parameters"
 _QUOTES = ("'", '"', "&quot;", "&apos;")
+_DESCRIBES = late(r"\bxacro\b|\.(?:xacro|urdf|sdf|srdf)\b")
 LETTERS = ("y", "Y", "n", "N")
 """Texts to everybody but rcl: letters."""
 
@@ -289,6 +291,8 @@ def _value(name: str, value: TypedValue, asks: Performs) -> Any:
 def _converted(name: str, text: Text, wanted: str | None, asks: Performs) -> Any:
     performed = asks.perform(text)
     if isinstance(performed, Unknown):
+        if wanted is None:
+            _note_command(name, text, performed, asks, typed=True)
         return performed
     try:
         return convert(performed, wanted, asks.digits_are_boolean)
@@ -296,6 +300,12 @@ def _converted(name: str, text: Text, wanted: str | None, asks: Performs) -> Any
         _refuse(name, text.place, performed, wanted, fault, asks)
     except YamlBeyond as beyond:
         return Unknown(performed[:100], beyond.message)
+
+
+def _note_command(name: str, text: Text, performed: Unknown, asks: Performs, *, typed: bool) -> None:
+    """Record that what a command prints is read as YAML, where that is a robot description: it prints XML."""
+    if any(isinstance(piece, Substitution) and piece.name == "command" for piece in text.pieces) and _DESCRIBES.search(performed.text):
+        asks.notice(CommandReadAsYaml(origin=asks.where(text.place), name=name, typed=typed))
 
 
 def _by_yaml_rules(name: str | Unknown, value: TypedValue, asks: Performs) -> Any:
@@ -308,6 +318,7 @@ def by_rules(name: str, text: Text, asks: Performs) -> Any:
     """The value of a text as ``evaluate_parameter_dict`` reads it; a list becomes a tuple. Raises where launch stops."""
     performed = asks.perform(text)
     if isinstance(performed, Unknown):
+        _note_command(name, text, performed, asks, typed=False)
         return performed
     try:
         return by_yaml_rules(performed)

@@ -1,7 +1,8 @@
 """What is executed later, by a `<timer>` or when something ends, uses a value of the group around it, which is gone by then.
 
-What it does: it looks at what waits in a group for a timer, or for the end of a process: at each `$(var x)` that reads what the group has set, and at nodes and includes
-that are to be in the namespace that the group has pushed. Where the launch configuration does not exist any more it is an error.
+What it does: it looks at what waits in a group for a timer, or for the end of a process: at each `$(var x)` that reads what the group has
+set, and at nodes and includes that are to be in the namespace that the group has pushed. Where the launch configuration does not exist any
+more it is an error.
 
 ## Why it matters
 
