@@ -13,6 +13,7 @@ from launchlint.evaluate.ros2.parameter_problems import (
     ComponentKeyIgnored,
     LaterValueLost,
     ListBecomesText,
+    NamedForUnnamed,
     NumberStaysText,
     ParameterDies,
     ParametersFileDies,
@@ -128,7 +129,7 @@ def test_what_is_set_for_all_nodes_may_be_overridden_and_a_later_file_may_win() 
 def nobody(asks: Asked, *nodes: tuple[str | None, str]) -> list[tuple[Any, ...]]:
     """What is told of nodes with a file each: the node, the key, why it is thought to be meant."""
     receivers = [Receiver(name, False, tuple(node_parameters((file(path),), (), None, asks))) for name, path in nodes]
-    found = list(for_nobody(receivers, asks))
+    found = [each for each in for_nobody(receivers, asks) if not isinstance(each, NamedForUnnamed)]
     assert all(isinstance(each, ParametersForNobody) for each in found)
     return [(getattr(each, "node", ""), getattr(each, "key", ""), getattr(each, "near", "")) for each in found]
 
@@ -151,6 +152,34 @@ def test_keys_that_reach_nobody() -> None:
     assert nobody(asks, ("/n", "/w/other.yaml")) == [("/n", "", "")]
     assert nobody(asks, ("/n", "/w/all.yaml"), ("/n", "/w/empty.yaml"), (None, "/w/other.yaml")) == []
     assert nobody(asks, ("/s/n", "/w/bare.yaml"), (None, "/w/bare.yaml")) == []
+
+
+def unnamed(asks: Asked, path: str, *, namespace: str = "/", anonymous: bool = False) -> list[tuple[bool, bool]]:
+    """What is told of a node that the launch gives no name to: whether it is made up, and whether nothing can reach it."""
+    given = tuple(node_parameters((file(path),), (), None, asks))
+    name = "/talker_anon1" if anonymous else None
+    other = Receiver("/listener", False, tuple(node_parameters((file("/w/all.yaml"),), (), None, asks)))
+    found = for_nobody([Receiver(name, False, given, anonymous=anonymous, program="talker", namespace=namespace), other], asks)
+    return [(each.anonymous, each.certain) for each in found if isinstance(each, NamedForUnnamed)]
+
+
+def test_named_params_for_a_node_whose_name_the_launch_does_not_say() -> None:
+    asks = Asked(
+        files={
+            "bare.yaml": "talker:\n  ros__parameters: {a: 1}\n",
+            "front.yaml": "/front/talker:\n  ros__parameters: {a: 1}\n",
+            "any.yaml": "/**/talker:\n  ros__parameters: {a: 1}\n",
+            "two.yaml": "talker:\n  ros__parameters: {a: 1}\nlistener:\n  ros__parameters: {a: 1}\n",
+            "all.yaml": "/**:\n  ros__parameters: {a: 1}\n",
+        }
+    )
+    assert unnamed(asks, "/w/bare.yaml") == [(False, False)]
+    assert unnamed(asks, "/w/bare.yaml", namespace="/front/") == [(False, True)]
+    assert unnamed(asks, "/w/front.yaml", namespace="/front/") == [(False, False)]
+    assert unnamed(asks, "/w/front.yaml") == [(False, True)]
+    assert unnamed(asks, "/w/bare.yaml", anonymous=True) == [(True, False)]
+    assert unnamed(asks, "/w/any.yaml", namespace="/front/") == []
+    assert unnamed(asks, "/w/two.yaml", anonymous=True) == []
 
 
 def component(asks: Asked, *own: ParameterSource) -> list[Problem]:
