@@ -3,8 +3,8 @@
 What it does: it looks for the target of each `<load_composable_node>` among the nodes of the launch. A target is a text: the namespace that
 a group or an include pushes is not put before it. It is an error where a container of that name is in another namespace, or of nearly that
 name in the same one; a warning where there are others only. Nothing is said where the launch starts no container at all, since that may be
-there already; where the file is the part of a launch in which the container gets a namespace put before its name; and where not all is known
-that is started.
+there already; where the file is the part of a launch in which the container gets a namespace put before its name; and where not all that is
+started is known.
 
 ## Why it matters
 
