@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
+from launchlint.python import containers, functions, strings
 from launchlint.python.text import ANY, braces, distribute, joined, path_joined, template, text
 from launchlint.python.values import (
     COMPLETE,
     ENTRIES,
     ITEMS,
     MISSING,
+    MOST_EXACT,
     MOST_ITEMS,
     SIGNS,
     UNKNOWN,
@@ -24,7 +26,9 @@ from launchlint.python.values import (
     Seq,
     Text,
     Value,
+    alternatives,
     choice,
+    is_maybe,
 )
 
 TYPE_CHECKING = False
@@ -52,12 +56,17 @@ _CHANGING = frozenset(("sort", "reverse", "discard", "remove", "pop", "clear", "
 
 
 def function(run: Expressions, name: str, positional: Sequence[Value], keywords: dict[str, Value]) -> Value:
-    """The value of a call of a built-in function."""
+    """The value of a call of a built-in function. Raises Raised where the program is followed to the letter."""
+    made = run.exactly(lambda: run.spread(lambda *each: functions.call(run, name, each, keywords), *positional))
+    if made is not MISSING and (made is not UNKNOWN or run.exact):
+        return made
+    if run.exact:
+        return _of_unknown(run, name, positional)
     first = positional[0] if positional else MISSING
     if name in ("str", "unicode", "repr", "format", "ascii"):
         if name == "repr" or isinstance(first, (Seq, Map)):
             return UNKNOWN
-        return "" if first is MISSING else distribute(_as_text, first)
+        return "" if first is MISSING else distribute(as_text, first)
     if name in ("int", "float", "bool", "long", "abs", "round"):
         return _number(name, first)
     if name in ("list", "tuple", "set", "sorted", "reversed", "frozenset", "iter"):
@@ -84,7 +93,43 @@ def function(run: Expressions, name: str, positional: Sequence[Value], keywords:
     return UNKNOWN
 
 
-def _as_text(value: Value) -> Value:
+def _of_unknown(run: Expressions, name: str, positional: Sequence[Value]) -> Value:
+    """What is known of the value of a built-in function all the same."""
+    first = positional[0] if positional else MISSING
+    if name in ("str", "format") and len(positional) == 1:
+        return run.as_text(first)
+    if isinstance(first, Seq) and first.kind == "iterator":
+        run.risks += 1
+        return Seq([], False)  # its items may have been taken
+    if name in ("list", "tuple", "sorted", "reversed", "iter", "set", "frozenset") and isinstance(first, (Seq, Map)):
+        items, complete = run.rounds(first)
+        known = [each for each in items if complete or each is not UNKNOWN]
+        ordered = name in ("list", "tuple", "iter")
+        return Seq(
+            known if ordered or complete else [],
+            complete and (ordered or name == "reversed"),
+            kind=name if name in KEEPING_KIND else "list",
+        )
+    if name == "enumerate" and isinstance(first, Seq):
+        items, complete = run.rounds(first)
+        pairs: list[Value] = [
+            Choice(((each.alternatives[0][0], Seq([UNKNOWN, each.alternatives[0][1]], is_tuple=True)),))
+            if is_maybe(each)
+            else Seq([UNKNOWN, each], is_tuple=True)
+            for each in items
+            if complete or each is not UNKNOWN
+        ]
+        return Seq(pairs, complete)
+    return run.unknown()
+
+
+KEEPING_KIND = ("list", "tuple", "set", "frozenset")
+
+
+def as_text(value: Value) -> Value:
+    """What ``str()`` makes of a value that is no list or dict, as far as it is known."""
+    if isinstance(value, (Seq, Map)):
+        return UNKNOWN
     return value if isinstance(value, (Outside, Text)) else text(template(value))
 
 
@@ -150,7 +195,19 @@ def _is_instance(value: Value, types: Value) -> Value:
 
 
 def method(run: Expressions, receiver: Value, name: str, positional: Sequence[Value], keywords: dict[str, Value]) -> Value:
-    """The value of a call of a method of a string, list or dict."""
+    """The value of a call of a method of a string, list or dict. Raises Raised where the program is followed to the letter."""
+    made: Value = MISSING
+    if isinstance(receiver, (Seq, Map)):
+        if isinstance(receiver, Map) or run.exact or not (positional and isinstance(positional[0], Argv)):
+            made = run.exactly(lambda: containers.method(run, receiver, name, positional, keywords))
+    elif isinstance(receiver, str) and name not in ("encode", "decode"):
+        made = run.exactly(lambda: run.spread(lambda *each: strings.method(run, receiver, name, each, keywords), *positional))
+    if made is not MISSING and (made is not UNKNOWN or run.exact):
+        return made
+    if run.exact:
+        run.risks += 1
+        if isinstance(receiver, (Seq, Map)):
+            return _partly(run, receiver, name, positional)
     if isinstance(receiver, Seq):
         return _seq_method(run, receiver, name, positional)
     if isinstance(receiver, Map):
@@ -175,6 +232,37 @@ def _text_method(run: Expressions, receiver: Value, name: str, positional: Seque
         known = run.recogniser.text_method(receiver.template, name, positional)
         return _open_text_method(receiver.template, name, positional) if known is MISSING else known
     return receiver.method(name, positional) if isinstance(receiver, Outside) else UNKNOWN
+
+
+_READING = frozenset("index count copy get keys values items union intersection difference issubset issuperset isdisjoint".split())
+
+
+def _partly(run: Expressions, receiver: Seq | Map, name: str, positional: Sequence[Value]) -> Value:
+    """A method of a list or dict of which it is not known what it does: what may have been changed is not known any more."""
+    first = positional[0] if len(positional) == 1 else UNKNOWN
+    if name in _READING:
+        return _read_of(receiver, name, positional)
+    if isinstance(receiver, Map):
+        others = dict(first.entries) if name == "update" and isinstance(first, Map) else {}
+        run.store(receiver.content, ENTRIES, dict(receiver.entries) if name == "setdefault" else others)
+    elif name in ("extend", "update", "append", "add"):
+        added = [each for each in run.rounds(first)[0] if each is not UNKNOWN] if name in ("extend", "update") else list(positional)
+        run.store(receiver.content, ITEMS, [*receiver.items, *added][:MOST_EXACT])
+    elif name not in ("sort", "reverse"):
+        run.store(receiver.content, ITEMS, [each if is_maybe(each) else Choice((("", each),)) for each in receiver.items])
+    run.store(receiver.content, COMPLETE, False)
+    return None if name in ("extend", "update", "append", "add", "sort", "reverse", "insert", "remove", "discard", "clear") else UNKNOWN
+
+
+def _read_of(receiver: Seq | Map, name: str, positional: Sequence[Value]) -> Value:
+    """What is asked of a list or dict that is known in part: one of the values of a dict, by a key that is not known."""
+    if not isinstance(receiver, Map) or name != "get" or not positional or not receiver.complete:
+        return UNKNOWN
+    default = positional[1] if len(positional) > 1 else None
+    first = positional[0]
+    if isinstance(first, (str, int)) and first in receiver.entries:
+        return choice([*alternatives(receiver.entries[first]), ("", default)])
+    return choice([*((f"{key!r} is asked for", each) for key, each in receiver.entries.items()), ("something else is asked for", default)])
 
 
 _PURE = frozenset(

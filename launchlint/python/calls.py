@@ -5,44 +5,59 @@ from __future__ import annotations
 import ast
 from collections.abc import Sequence
 
-from launchlint.python import builtins
+from launchlint.python import builtins, functions
+from launchlint.python.arguments import check_arguments, is_generator, own_names
 from launchlint.python.call import Call
-from launchlint.python.expressions import Expressions
-from launchlint.python.memory import ENDED, GOES_ON, Ended
+from launchlint.python.failures import Raised, failure, is_failure_class
+from launchlint.python.letter import LATER, MORE_ITEMS
+from launchlint.python.members import FIELDS, Members, has_known_attributes
+from launchlint.python.memory import ENDED, GOES_ON, RETURNED, Ended, Exhausted
+from launchlint.python.plain import SIMPLE
 from launchlint.python.recogniser import Recogniser
-from launchlint.python.text import may_be
 from launchlint.python.values import (
     MISSING,
     MORE,
+    MOST_EXACT,
     UNKNOWN,
     Argv,
     Bound,
     Choice,
     Class,
     External,
+    Failure,
     Function,
     Handle,
     Instance,
     Map,
-    Module,
     Outside,
     Partial,
     Scope,
     Seq,
-    Super,
     Text,
     Unknown,
     Value,
     alternatives,
     choice,
     conjunction,
+    is_maybe,
 )
 
 DEEPEST_CALL = 30
 MOST_CALLBACKS = 500
+_PLAIN_BASES = ("abc.ABC", "typing.Protocol", "typing.Generic")
+DATA = "\0data"
+"""In a class: it is a data class."""
 MOST_INSTANCES = 2_000
 MOST_SPENT = 15_000
 """Steps in calls of one function that made nothing, before it is not followed any more."""
+
+
+_KNOWN = frozenset("all any max min next reversed sum tuple list set frozenset iter callable type".split())
+"""Functions that keep nothing of what they are given but in what they give back."""
+
+
+def _has(type_: Class, name: str) -> bool:
+    return any(isinstance(each, Class) and name in each.attributes for each in type_.order)
 
 
 class Callback:
@@ -59,7 +74,7 @@ class Callback:
         self.condition = condition
 
 
-class Calls(Expressions):
+class Calls(Members):
     """Calling and attributes."""
 
     def __init__(self, recogniser: Recogniser) -> None:
@@ -71,8 +86,6 @@ class Calls(Expressions):
         self.instances: list[Instance] = []
         self.escaped: list[Instance] = []
         self.given_classes: list[Class] = []
-        self.unknown_methods: set[str] = set()
-        self.function_attributes: dict[int, dict[str, Value]] = {}
         self._returns: list[list[tuple[str, Value]]] = []
         self._yields: list[list[Value]] = []
         self._marks: list[int] = []
@@ -88,10 +101,6 @@ class Calls(Expressions):
 
     def made_code(self, word: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
         """Code, or the name of a module, that the program has worked out."""
-        raise NotImplementedError
-
-    def submodule(self, module: Module, name: str) -> Value:
-        """A module of a package, by its name in it; MISSING where there is none."""
         raise NotImplementedError
 
     # -- calling ------------------------------------------------------------------------------------------------------
@@ -116,6 +125,9 @@ class Calls(Expressions):
                 return self.call(method, positional, keywords, node, scope)
         if isinstance(function, Choice):
             return choice([(condition, self.call(each, positional, keywords, node, scope)) for condition, each in function.alternatives])
+        if self.exact and isinstance(function, (*SIMPLE, Seq, Map, Failure)):
+            return self.fails("TypeError", "object is not callable")
+        self.risks += 1
         self._give([*positional, *keywords.values()], node, scope)
         return UNKNOWN
 
@@ -132,7 +144,11 @@ class Calls(Expressions):
             word = name[len("builtins.") :]
             keywords = {key: value for key, value in keywords.items() if key != MORE}
             if word in ("exit", "quit"):
-                raise Ended
+                raise failure("SystemExit") if self.exact else Ended
+            if self.exact:
+                made = self._builtin_exactly(word, positional, keywords, node, scope)
+                if made is not MISSING:
+                    return made
             if word in ("eval", "exec", "execfile", "__import__"):
                 return self.made_code(word, positional, keywords, node, scope)
             if word == "object.__new__" and positional and isinstance(positional[0], Class):
@@ -150,10 +166,60 @@ class Calls(Expressions):
                 items, complete = self.rounds(positional[1])
                 results = [self.call(positional[0], [item], {}, node, scope) for item in items]
                 return Seq(results if word == "map" else items, complete and word == "map")
-            if word not in builtins.KEEPING:
+            if word not in builtins.KEEPING and not (self.exact and word in _KNOWN):
                 self.escape([*positional, *keywords.values()], "start")
             return builtins.function(self, word, positional, keywords)
-        return self.recogniser.call(name, positional, keywords, node, scope)
+        made = self.recogniser.call(name, positional, keywords, node, scope)
+        self.risks += isinstance(made, Unknown)
+        return made
+
+    def _builtin_exactly(self, word: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
+        """Functions that call others, or ask for attributes; MISSING for all others, and where not enough is known."""
+        first = positional[0] if positional else MISSING
+        if word == "print":
+            return None
+        if word == "map" and len(positional) > 1:
+            lists = [self.rounds(each) for each in positional[1:]]
+            known = all(complete for _, complete in lists) and (
+                len(lists) == 1 or not any(is_maybe(each) for one, _ in lists for each in one)
+            )
+            found: list[Value] = []
+            for row in zip(*(items for items, _ in lists), strict=False):
+                if len(lists) == 1 and is_maybe(row[0]):
+                    said, value = row[0].alternatives[0]
+                    found.append(Choice(((said, self.call(first, [value], {}, node, scope)),)))
+                else:
+                    found.append(self.call(first, list(row), {}, node, scope))
+            return Seq(found, known, kind="iterator")
+        if word == "filter" and len(positional) == 2:
+            items, complete = self.rounds(positional[1])
+            kept: list[Value] = []
+            for each in items:
+                known_of = self.truth(each if first is None else self.call(first, [each], {}, node, scope))
+                if known_of is not False:
+                    kept.append(each if known_of or is_maybe(each) else Choice((("", each),)))
+            return Seq(kept, complete, kind="iterator")
+        if word == "str" and len(positional) == 1 and isinstance(first, Instance):
+            return self.as_text(first)
+        if word == "len" and len(positional) == 1 and isinstance(first, Instance):
+            return self._by_method(first, "__len__", [])
+        if word in ("getattr", "hasattr") and len(positional) in (2, 3) and isinstance(positional[1], str) and has_known_attributes(first):
+            try:
+                value = self.attribute(first, positional[1], node, scope)
+            except Raised:
+                return False if word == "hasattr" else (positional[2] if len(positional) == 3 else MISSING)
+            return True if word == "hasattr" else value
+        if word == "delattr" and len(positional) == 2 and isinstance(first, Instance) and positional[1] in first.attributes:
+            self.store(first.attributes, positional[1], MISSING)
+            return None
+        return MISSING
+
+    def as_text(self, value: Value) -> Value:
+        """``str(value)``."""
+        if isinstance(value, Instance) and self.exact:
+            return self._by_method(value, "__str__", [])
+        made = functions.text_of(self, value)
+        return made if made is not MISSING else builtins.as_text(value)
 
     def call_method(
         self, receiver: Value, name: Value, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
@@ -178,6 +244,8 @@ class Calls(Expressions):
         """Call a function of the program with its parameters bound."""
         node = function.node
         self.step()
+        if self.exact and is_generator(node):
+            return self._generator_of(function, positional, keywords)
         spent = self._spent.get(id(node), 0)
         if self.active.count(id(node)) >= 2 or len(self.active) >= DEEPEST_CALL or spent > MOST_SPENT:
             if id(node) not in self.executed:
@@ -191,9 +259,23 @@ class Calls(Expressions):
             self._spent[id(node)] = 0
         return result
 
+    def _generator_of(self, function: Function, positional: list[Value], keywords: dict[str, Value]) -> Value:
+        """What a generator function gives: it runs when something is taken of that."""
+
+        def later() -> tuple[list[Value], bool]:
+            made = self._run(function, positional, keywords)
+            return (made.items, made.complete) if isinstance(made, Seq) else ([], True)
+
+        made = Seq([], kind="iterator")
+        made.content[LATER] = later
+        return made
+
     def _run(self, function: Function, positional: list[Value], keywords: dict[str, Value]) -> Value:
         node = function.node
         scope = Scope(function.scope.module, function.scope)
+        if self.exact:
+            check_arguments(function, positional, keywords)
+            scope.own = own_names(node)
         self._bind(function, positional, keywords, scope)
         if function.owner is not None:
             scope.variables["__class__"] = function.owner
@@ -204,7 +286,7 @@ class Calls(Expressions):
                 return self.evaluate(node.body, scope)
             finally:
                 self.active.pop()
-        mark = len(self.conditions)
+        mark, opened = len(self.conditions), self.opened
         self._returns.append([])
         self._yields.append([])
         self._marks.append(mark)
@@ -212,11 +294,18 @@ class Calls(Expressions):
         flow = ENDED
         try:
             flow = self.execute(node.body, scope)
+            if self.opened > opened:
+                flow = self._leave(opened, flow, scope)
         finally:
             self.active.pop()
             self._marks.pop()
             returned, yielded = self._returns.pop(), self._yields.pop()
             del self.conditions[mark:]
+        if flow == ENDED and self.exact:
+            raise self.raised or Ended
+        if self.exact and is_generator(node):
+            items = [each for each in yielded if each != MORE_ITEMS]
+            return Seq(items, len(items) == len(yielded))
         if yielded:
             return Seq(yielded, False)
         if flow == ENDED and not returned:
@@ -224,6 +313,18 @@ class Calls(Expressions):
         if flow == GOES_ON:
             returned.append(("", None))
         return choice(returned)
+
+    def _leave(self, opened: int, flow: int, scope: Scope) -> int:
+        """All ways through a function come together at its end; how the function ends."""
+        ways = self.settle(opened, flow)
+        staying = [(condition, way) for condition, way in ways if way.flow != ENDED]
+        if len(staying) < len(ways):
+            self.may_end()
+        if not staying:
+            self.raised = ways[0][1].raised if len(ways) == 1 else None
+            return ENDED
+        self.unite(staying, scope.variables)
+        return GOES_ON if any(way.flow == GOES_ON for _, way in staying) else RETURNED
 
     def returned(self, value: Value) -> None:
         """Take what a ``return`` gives."""
@@ -233,12 +334,16 @@ class Calls(Expressions):
     def yielded(self, value: Value) -> None:
         """Take what a generator gives."""
         if self._yields:
-            self._yields[-1].append(value)
+            conditions = conjunction(self.conditions[self._marks[-1] :])
+            self._yields[-1].append(Choice(((conditions, value),)) if conditions and self.exact and value != MORE_ITEMS else value)
+            if len(self._yields[-1]) > MOST_EXACT:
+                raise Exhausted
 
     def _bind(self, function: Function, positional: list[Value], keywords: dict[str, Value], scope: Scope) -> None:
         arguments = function.node.args
         names = [each.arg for each in (*arguments.posonlyargs, *arguments.args)]
         variables = scope.variables
+        variables.update(dict.fromkeys(names, UNKNOWN))  # the first of them is what ``super()`` is for
         for name, default in zip(names[len(names) - len(function.defaults) :], function.defaults, strict=True):
             variables[name] = default
         variables.update(function.keyword_defaults)
@@ -250,7 +355,7 @@ class Calls(Expressions):
         for name in known:
             variables.setdefault(name, UNKNOWN)
         if arguments.vararg is not None:
-            variables[arguments.vararg.arg] = Seq(positional[len(names) :])
+            variables[arguments.vararg.arg] = Seq(positional[len(names) :], is_tuple=True)
         if arguments.kwarg is not None:
             others = {name: value for name, value in keywords.items() if name not in known and name != MORE}
             variables[arguments.kwarg.arg] = Map(others, MORE not in keywords)
@@ -266,10 +371,20 @@ class Calls(Expressions):
         for base in type_.order:
             if not isinstance(base, (Class, External)):
                 self.doubt(f"{type_.name} inherits from a class that is not known", *place)
-            elif isinstance(base, External) and self.recogniser.is_open(base.name):
+            elif (
+                isinstance(base, External)
+                and self.recogniser.is_open(base.name)
+                and not is_failure_class(base)
+                and base.name not in _PLAIN_BASES
+            ):
                 self.doubt(f"it inherits from {base.name}, whose source was not given", *place)
         foreign = False
+        if self.exact and self._made_of_fields(type_, instance, positional, keywords):
+            return instance
         for base in type_.order:
+            if self.exact and is_failure_class(base):
+                self.store(instance.attributes, "args", Seq(positional, is_tuple=True))
+                break
             if isinstance(base, External) and base.name != "builtins.object" and not foreign:
                 self.recogniser.inherited(base.name, instance, positional, keywords, node, scope)
                 foreign = True
@@ -281,7 +396,33 @@ class Calls(Expressions):
                     if isinstance(each, Function):
                         self.call_function(each, [instance, *positional], keywords)
                 break
+        else:
+            if self.exact and (positional or keywords.keys() - {MORE}) and not foreign and not _has(type_, "__new__"):
+                self.fails("TypeError", f"{type_.name}() takes no arguments")
         return instance
+
+    def _made_of_fields(self, type_: Class, instance: Instance, positional: list[Value], keywords: dict[str, Value]) -> bool:
+        """Make an object of a data class: whether the class is one."""
+        if not any(isinstance(each, Class) and DATA in each.attributes for each in type_.order):
+            return False
+        fields: dict[str, Value] = {}
+        for each in reversed([base for base in type_.order if isinstance(base, Class)]):
+            for name in each.attributes.get(FIELDS, ()):
+                fields[name] = each.attributes.get(name, MISSING)
+        if MORE in keywords or len(positional) > len(fields) or set(keywords) - set(fields):
+            raise failure("TypeError", f"{type_.name}.__init__() got other arguments than it takes")
+        given = {**dict(zip(fields, positional, strict=False)), **keywords}
+        for name, default in fields.items():
+            value = given.get(name, default)
+            if isinstance(value, Partial) and value.function == External("dataclasses.field") and self.here is not None:
+                value = self.call(value.positional[0], [], {}, *self.here)
+            if value is MISSING:
+                raise failure("TypeError", f"{type_.name}.__init__() missing a required argument: {name!r}")
+            self.store(instance.attributes, name, value)
+        after = self.attribute(instance, "__post_init__", *self.here) if self.here is not None and _has(type_, "__post_init__") else None
+        if isinstance(after, Bound) and self.here is not None:
+            self.call(after, [], {}, *self.here)
+        return True
 
     def instance(self, type_: Class) -> Instance:
         """A new object of a class, before its constructor is called."""
@@ -292,136 +433,7 @@ class Calls(Expressions):
             self.doubt("it makes too many objects to be followed", type_.scope.module.path, 1)
         return instance
 
-    def _names(self, word: str, positional: list[Value], scope: Scope) -> Value:
-        """``locals()``, ``dir(x)`` and the like."""
-        names: dict[Value, Value] = {}
-        if not positional:
-            names = dict((scope.module.scope if word == "globals" else scope).variables)
-        elif isinstance(positional[0], (Instance, Class)):
-            type_ = positional[0].type if isinstance(positional[0], Instance) else positional[0]
-            for each in reversed([base for base in type_.order if isinstance(base, Class)]):
-                names.update(each.attributes)
-            names.update(positional[0].attributes)
-        else:
-            return UNKNOWN
-        return Seq(sorted(str(name) for name in names)) if word == "dir" else Map(names)
-
-    def _super(self, positional: list[Value], scope: Scope) -> Value:
-        if len(positional) >= 2 and isinstance(positional[0], Class):
-            return Super(positional[0], positional[1])
-        here: Scope | None = scope
-        while here is not None and "__class__" not in here.variables:
-            here = here.outer
-        if here is None:
-            return UNKNOWN
-        return Super(here.variables["__class__"], next(iter(here.variables.values()), UNKNOWN))
-
-    def _getattr(self, word: str, positional: list[Value], node: ast.AST, scope: Scope) -> Value:
-        if word == "getattr" and not isinstance(positional[1], str):
-            for _, owner in alternatives(positional[0]):
-                self._any_attribute(owner, positional[1], node, scope)
-        if word == "hasattr" or not isinstance(positional[1], str):
-            return UNKNOWN
-        found = self.attribute(positional[0], positional[1], node, scope)
-        return found if not isinstance(found, Unknown) or len(positional) < 3 else choice([("", UNKNOWN), ("", positional[2])])
-
-    def _any_attribute(self, owner: Value, pattern: Value, node: ast.AST, scope: Scope) -> None:
-        """An attribute is asked for by a name that is not known."""
-        if isinstance(owner, External):
-            for name in self.recogniser.mattering(owner.name):
-                if may_be(name, pattern):
-                    reason = f"something of {owner.name} is asked for by a name that is not known"
-                    self.doubt(reason, scope.module.path, getattr(node, "lineno", 1))
-                    break
-            return
-        names: list[str] = []
-        if isinstance(owner, (Instance, Class)):
-            type_ = owner.type if isinstance(owner, Instance) else owner
-            names = [name for each in type_.order if isinstance(each, Class) for name in each.attributes]
-        elif isinstance(owner, Module):
-            names = list(owner.scope.variables)
-        fitting = [name for name in dict.fromkeys(names) if may_be(name, pattern)]
-        if isinstance(pattern, Text) or isinstance(owner, Module):
-            self.escape([self.attribute(owner, name, node, scope) for name in fitting], "start")
-        else:
-            self.unknown_methods.update(fitting)
-
     # -- attributes -----------------------------------------------------------------------------------------------------
-
-    def attribute(self, value: Value, name: str, node: ast.AST, scope: Scope) -> Value:
-        """``value.name``."""
-        if isinstance(value, Choice):
-            return choice([(condition, self.attribute(each, name, node, scope)) for condition, each in value.alternatives])
-        if isinstance(value, Instance):
-            return self._of_instance(value, name)
-        if isinstance(value, External):
-            return self.recogniser.attribute(value.name, name)
-        if isinstance(value, Module):
-            found = value.scope.variables.get(name, MISSING)
-            return self.submodule(value, name) if found is MISSING else found
-        if isinstance(value, Class):
-            return self._of_class(value, name, None, value)
-        if isinstance(value, Super):
-            return self._of_super(value, name)
-        if isinstance(value, Handle):
-            found = value.state.get(("attribute", name), MISSING)
-            if found is MISSING:
-                found = self.recogniser.member(value, name)
-            return Bound(value, name) if found is MISSING else found
-        if isinstance(value, (str, Text, Outside, Seq, Map, Argv)):
-            return Bound(value, name)
-        if isinstance(value, Unknown):
-            self.unknown_methods.add(name)
-        code = value.function if isinstance(value, Bound) else value
-        if isinstance(code, Function) and name in self.function_attributes.get(id(code.node), ()):
-            return self.function_attributes[id(code.node)][name]
-        if isinstance(value, Function) and name == "__name__" and not isinstance(value.node, ast.Lambda):
-            return value.node.name
-        return UNKNOWN
-
-    def _of_instance(self, instance: Instance, name: str) -> Value:
-        if name in instance.attributes:
-            return instance.attributes[name]
-        if name == "__class__":
-            return instance.type
-        found = self._of_class(instance.type, name, instance, instance.type)
-        if isinstance(found, Unknown):
-            self.unknown_methods.add(name)
-        return found
-
-    def _of_super(self, value: Super, name: str) -> Value:
-        receiver = value.receiver
-        type_ = receiver.type if isinstance(receiver, Instance) else receiver
-        order = type_.behind(value.after) if isinstance(type_, Class) else value.after.order[1:]
-        found = self._found(order, name, receiver if isinstance(receiver, Instance) else None, type_ if isinstance(type_, Class) else None)
-        return External("builtins.object.__new__") if isinstance(found, Unknown) and name == "__new__" else found
-
-    def _of_class(self, type_: Class, name: str, receiver: Instance | None, cls: Class | None) -> Value:
-        if name == "__name__":
-            return type_.name
-        return self._found(type_.order, name, receiver, cls)
-
-    def _found(self, order: Sequence[Value], name: str, receiver: Instance | None, cls: Class | None) -> Value:
-        for base in order:
-            if isinstance(base, External):
-                if base.name == "builtins.object":
-                    continue
-                return Bound(receiver, External(f"{base.name}.{name}")) if receiver is not None else External(f"{base.name}.{name}")
-            if isinstance(base, Class) and name in base.attributes:
-                found = base.attributes[name]
-                return choice([(condition, self._bound(each, receiver, cls)) for condition, each in alternatives(found)])
-        return UNKNOWN
-
-    def _bound(self, found: Value, receiver: Instance | None, cls: Class | None) -> Value:
-        if not isinstance(found, Function):
-            return found
-        if found.kind == "static":
-            return found
-        if found.kind == "class":
-            return Bound(cls, found)
-        if receiver is None:
-            return found
-        return self.call_function(found, [receiver], {}) if found.kind == "property" else Bound(receiver, found)
 
     def lost(self, values: list[Value]) -> None:
         """Values that can be one of too many to be told apart any more: what can be called may be."""

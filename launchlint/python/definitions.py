@@ -5,8 +5,8 @@ from __future__ import annotations
 import ast
 
 from launchlint.python.call import Call
-from launchlint.python.calls import Calls
-from launchlint.python.memory import GOES_ON
+from launchlint.python.calls import DATA, Calls
+from launchlint.python.memory import ENDED, GOES_ON, Ended
 from launchlint.python.recogniser import Recogniser
 from launchlint.python.source import Source, SourceError, parse_text
 from launchlint.python.values import (
@@ -16,6 +16,7 @@ from launchlint.python.values import (
     Function,
     Module,
     Outside,
+    Partial,
     Scope,
     Seq,
     Text,
@@ -29,6 +30,12 @@ SETTER = "\0set "
 LONGEST_CODE = 10_000
 _KEEPING = ("functools.lru_cache", "functools.cache", "contextlib.", "abc.", "builtins.", "typing.", "dataclasses.", "enum.")
 """Decorators that leave what they decorate as it is, seen from outside."""
+
+
+def _is_data(decorator: Value) -> bool:
+    """``dataclass``, or what it gives where it is called with options."""
+    made = decorator.function if isinstance(decorator, Partial) else decorator
+    return isinstance(made, External) and made.name == "dataclasses.dataclass"
 
 
 class Definitions(Calls):
@@ -68,6 +75,10 @@ class Definitions(Calls):
         """What the decorators make of a function or class: itself, where they give back what is not known."""
         for decorator in reversed(node.decorator_list):
             made = self.evaluate(decorator, scope)
+            if _is_data(made):
+                if isinstance(value, Class):
+                    self.store(value.attributes, DATA, True)
+                continue
             if isinstance(made, External) and made.name.startswith(_KEEPING):
                 continue
             result = self.call(made, [value], {}, decorator, scope)
@@ -84,7 +95,8 @@ class Definitions(Calls):
         type_ = Class(node.name, bases, inner)
         inner.variables["__qualname__"] = node.name
         inner.variables["__owner__"] = type_
-        self.execute(node.body, inner)
+        if self.execute(node.body, inner) == ENDED and self.exact:
+            raise self.raised or Ended
         for keyword in node.keywords:
             if keyword.arg == "metaclass":
                 self.call(self.evaluate(keyword.value, scope), [node.name, Seq(bases), UNKNOWN], {}, node, scope)

@@ -6,15 +6,17 @@ import ast
 import operator
 from collections.abc import Callable, Sequence
 
+from launchlint.python import operations
 from launchlint.python.arity import takes_fewer
 from launchlint.python.conditions import negated, written
-from launchlint.python.memory import Ended, Memory
+from launchlint.python.letter import METHODS, MORE_ITEMS
+from launchlint.python.memory import ENDED, Ended
 from launchlint.python.recogniser import Recogniser
-from launchlint.python.text import interpolated, joined, may_be, or_default, percent
+from launchlint.python.subscripts import Subscripts
+from launchlint.python.text import interpolated, joined, or_default, percent
 from launchlint.python.values import (
     MISSING,
     MORE,
-    MOST_ALTERNATIVES,
     UNKNOWN,
     Argv,
     Bound,
@@ -33,11 +35,10 @@ from launchlint.python.values import (
     Text,
     Thing,
     Value,
-    alternatives,
     choice,
+    is_maybe,
 )
 
-MOST_ROUNDS = 64
 DEEPEST = 350
 
 _COMPARE: dict[type[ast.cmpop], Callable[[Value, Value], bool]] = {
@@ -60,7 +61,7 @@ _CONSTANT = (str, int, float, bool, type(None))
 _THING = (Class, Function, Bound, Handle, Instance, Module, Thing, Partial)
 
 
-class Expressions(Memory):
+class Expressions(Subscripts):
     """Evaluation. What calls and statements need of each other is declared here and given by the classes below."""
 
     def __init__(self, recogniser: Recogniser) -> None:
@@ -102,6 +103,10 @@ class Expressions(Memory):
         finally:
             self.depth -= 1
 
+    def as_text(self, value: Value) -> Value:
+        """``str(value)``."""
+        raise NotImplementedError
+
     # -- parts ----------------------------------------------------------------------------------------------------
 
     def _constant(self, node: ast.Constant, scope: Scope) -> Value:
@@ -120,8 +125,14 @@ class Expressions(Memory):
         for argument in node.args:
             if isinstance(argument, ast.Starred):
                 value = self.evaluate(argument.value, scope)
-                positional += value.items if isinstance(value, Seq) else [UNKNOWN]
-                more = more or not isinstance(value, Seq) or not value.complete
+                if self.exact:
+                    items, complete = self.rounds(value)
+                    complete = complete and not any(map(is_maybe, items))
+                else:
+                    items = value.items if isinstance(value, Seq) else [UNKNOWN]
+                    complete = isinstance(value, Seq) and value.complete
+                positional += items
+                more = more or not complete
             else:
                 positional.append(self.evaluate(argument, scope))
         keywords: dict[str, Value] = {}
@@ -129,13 +140,19 @@ class Expressions(Memory):
             value = self.evaluate(keyword.value, scope)
             if keyword.arg is not None:
                 keywords[keyword.arg] = value
+            elif self.exact and isinstance(value, (*_CONSTANT, Seq)):
+                self.fails("TypeError", "argument after ** must be a mapping")
             elif isinstance(value, Map):
+                if self.exact and any(not isinstance(key, (str, Text)) for key in value.entries):
+                    self.fails("TypeError", "keywords must be strings")
                 keywords.update({key: item for key, item in value.entries.items() if isinstance(key, str)})
-                more = more or not value.complete
+                more = more or not value.is_sure
             else:
                 more = True
         if more:
+            self.risks += 1
             keywords[MORE] = UNKNOWN
+        self.here = (node, scope)
         if not isinstance(function, Choice):
             return self._called(function, positional, keywords, node, scope)
         results: list[tuple[str, Value]] = []
@@ -144,9 +161,12 @@ class Expressions(Memory):
             with self.branch(condition) as branch:
                 try:
                     results.append((condition, self._called(each, list(positional), dict(keywords), node, scope)))
-                except Ended:
-                    branch.flow = 4
+                except Ended as error:
+                    branch.flow, branch.raised = ENDED, error
+                    self.risks += 1
             ways.append((condition, branch))
+        if self.exact and not results:
+            raise ways[-1][1].raised or Ended
         self.join(ways, scope.variables)
         result = choice(results)
         return UNKNOWN if result is MISSING else result
@@ -163,11 +183,21 @@ class Expressions(Memory):
 
     def combine(self, left: Value, operation: type[ast.operator], right: Value) -> Value:
         """``left operation right``."""
+        if isinstance(left, Choice) or isinstance(right, Choice):
+            if self.exact:
+                return self.spread(lambda one, other: self.combine(one, operation, other), left, right)
+        else:
+            made = self.exactly(lambda: operations.binary(left, operation, right))
+            if made is not MISSING:
+                return made
+            if self.exact and isinstance(left, Instance):
+                return self._by_method(left, METHODS.get(operation, ""), [right])
+            self.risks += 1
         if operation is ast.Mod and isinstance(left, str):
             if isinstance(right, Map):
                 return percent(left, (), right.entries)
             return percent(left, right.items if isinstance(right, Seq) else [right], None)
-        if isinstance(left, Seq) and isinstance(right, Seq) and operation is ast.Add:
+        if isinstance(left, Seq) and isinstance(right, Seq) and operation is ast.Add and not self.exact:
             return Seq([*left.items, *right.items], left.complete and right.complete)
         if isinstance(left, Argv) or isinstance(right, Argv):
             return UNKNOWN
@@ -185,6 +215,8 @@ class Expressions(Memory):
         return UNKNOWN
 
     def _boolean(self, node: ast.BoolOp, scope: Scope) -> Value:
+        if self.exact:
+            return self._boolean_exactly(node.values, isinstance(node.op, ast.Or), scope)
         is_or = isinstance(node.op, ast.Or)
         options: list[tuple[str, Value]] = []
         conditions: list[str] = []
@@ -217,11 +249,17 @@ class Expressions(Memory):
         if isinstance(node.op, ast.Not):
             known = self.truth(value)
             return UNKNOWN if known is None else not known
-        if isinstance(value, _NUMBER):
-            return -value if isinstance(node.op, ast.USub) else +value if isinstance(node.op, ast.UAdd) else UNKNOWN
-        return UNKNOWN
+        if isinstance(value, Choice):
+            return self.spread(lambda each: self._negative(node.op, each), value)
+        return self._negative(node.op, value)
+
+    def _negative(self, operation: ast.unaryop, value: Value) -> Value:
+        made = self.exactly(lambda: operations.unary(type(operation), value))
+        return self.unknown() if made is MISSING else made
 
     def _compare(self, node: ast.Compare, scope: Scope) -> Value:
+        if self.exact:
+            return self._compare_exactly(node, scope)
         values = [self.evaluate(each, scope) for each in (node.left, *node.comparators)]
         if len(node.ops) != 1:
             return UNKNOWN
@@ -257,6 +295,9 @@ class Expressions(Memory):
         if known is not None:
             return self.evaluate(node.body if known else node.orelse, scope)
         said = written(node.test)
+        if self.exact:
+            ways = [(said, lambda: self.evaluate(node.body, scope)), (negated(said), lambda: self.evaluate(node.orelse, scope))]
+            return choice(self.either(list(ways), scope))
         options = []
         for condition, part in ((said, node.body), (negated(said), node.orelse)):
             self.conditions.append(condition)
@@ -272,10 +313,19 @@ class Expressions(Memory):
             if isinstance(each, ast.FormattedValue):
                 spec = self.evaluate(each.format_spec, scope) if each.format_spec is not None else ""
                 value = self.evaluate(each.value, scope)
-                parts.append(interpolated(value, spec, each.conversion) if isinstance(spec, str) else UNKNOWN)
+                parts.append(self._interpolated(value, spec, each.conversion) if isinstance(spec, str) else UNKNOWN)
             else:
                 parts.append(self.evaluate(each, scope))
         return joined(parts)
+
+    def _interpolated(self, value: Value, spec: str, conversion: int) -> Value:
+        if not isinstance(value, Choice):
+            made = self.exactly(lambda: operations.shown(value, spec, chr(conversion) if conversion > 0 else ""))
+            if made is not MISSING:
+                return made
+            if self.exact and not spec and conversion in (-1, ord("s")):
+                return self.as_text(value)
+        return interpolated(value, spec, conversion)
 
     def _sequence(self, node: ast.List | ast.Tuple | ast.Set, scope: Scope) -> Value:
         items: list[Value] = []
@@ -283,10 +333,18 @@ class Expressions(Memory):
         for each in node.elts:
             if isinstance(each, ast.Starred):
                 inner = self.evaluate(each.value, scope)
+                if self.exact:
+                    more, known = self.rounds(inner)
+                    items += [one for one in more if known or one is not UNKNOWN]
+                    complete = complete and known
+                    continue
                 items += inner.items if isinstance(inner, Seq) else []
                 complete = complete and isinstance(inner, Seq) and inner.complete
             else:
                 items.append(self.evaluate(each, scope))
+        self.spend(len(items))
+        if isinstance(node, ast.Set):
+            return self.make_set(items, complete)
         return Seq(items, complete, isinstance(node, ast.Tuple))
 
     def _mapping(self, node: ast.Dict, scope: Scope) -> Value:
@@ -298,114 +356,23 @@ class Expressions(Memory):
             if key is None and isinstance(value, Map):
                 entries.update(value.entries)
                 complete = complete and value.complete
-            elif hashable(name):
+                continue
+            if key is None and self.exact:
+                self.risks += 1
+                if isinstance(value, (*_CONSTANT, Seq)):
+                    self.fails("TypeError", "object is not a mapping")
+                entries, complete = {}, False
+                continue
+            name = self.key(name)
+            if name is not MISSING and not isinstance(name, Text):
+                entries[name] = value
+            elif self.exact:
+                entries, complete = {}, False
+            elif name is not MISSING:
                 entries[name] = value
             else:
                 complete = False
         return Map(entries, complete)
-
-    def _subscript(self, node: ast.Subscript, scope: Scope) -> Value:
-        value = self.evaluate(node.value, scope)
-        index = self._slice(node.slice, scope)
-        results = [(condition, self.item(each, index)) for condition, each in alternatives(value)]
-        return choice(results)
-
-    def _slice(self, node: ast.expr, scope: Scope) -> Value:
-        if not isinstance(node, ast.Slice):
-            return self.evaluate(node, scope)
-        bounds = [self.evaluate(each, scope) for each in (node.lower, node.upper, node.step)]
-        known = all(each is None or (isinstance(each, int) and abs(each) < 1 << 31 and each != 0) or each == 0 for each in bounds)
-        return slice(*bounds) if known and bounds[2] != 0 else UNKNOWN
-
-    def item(self, value: Value, index: Value) -> Value:
-        """``value[index]``."""
-        if isinstance(value, Argv) and isinstance(index, int) and not isinstance(index, bool):
-            position = value.offset + index if index >= 0 else index
-            return Text(f"{{arg:{position}}}") if position and abs(position) < 1000 else UNKNOWN
-        if isinstance(value, Argv) and isinstance(index, slice) and index.step is None and (index.start or 0) >= 0:
-            return Argv(value.offset + (index.start or 0)) if index.stop is None else UNKNOWN
-        if isinstance(value, Map):
-            if hashable(index) and index in value.entries:
-                return value.entries[index]
-            return self._one_of(value, index)
-        if isinstance(value, (Seq, str)) and isinstance(index, (int, slice)):
-            content = value if isinstance(value, str) else value.items
-            if isinstance(value, Seq) and not value.complete:
-                return UNKNOWN
-            try:
-                found = content[index]
-            except IndexError:
-                return UNKNOWN
-            return Seq(found) if isinstance(found, list) else found
-        if isinstance(value, Seq) and value.complete and value.items and len(value.items) <= 8:
-            return choice([(f"item {at} is asked for", each) for at, each in enumerate(value.items)])
-        return value.item(index) if isinstance(value, Outside) else UNKNOWN
-
-    def _one_of(self, value: Map, index: Value) -> Value:
-        """An item of a dict by a key that is not known: any whose key looks so. Of many functions each is called."""
-        found = [(f"{key!r} is asked for", each) for key, each in value.entries.items() if not isinstance(key, str) or may_be(key, index)]
-        if not value.complete or not found:
-            return UNKNOWN
-        if len(found) > MOST_ALTERNATIVES:
-            self.escape([each for _, each in found], "start")
-        return choice(found)
-
-    # -- comprehensions and functions -----------------------------------------------------------------------------------
-
-    def _comprehension(self, node: ast.ListComp | ast.SetComp | ast.GeneratorExp, scope: Scope) -> Value:
-        found: list[Value] = []
-        inner = Scope(scope.module, scope)
-        complete = self._generate(node.generators, inner, lambda: found.append(self.evaluate(node.elt, inner)))
-        return Seq(found, complete)
-
-    def _mapping_comprehension(self, node: ast.DictComp, scope: Scope) -> Value:
-        entries: dict[Value, Value] = {}
-        inner = Scope(scope.module, scope)
-        unhashable: list[bool] = []
-
-        def take() -> None:
-            key, value = self.evaluate(node.key, inner), self.evaluate(node.value, inner)
-            if hashable(key):
-                entries[key] = value
-            else:
-                unhashable.append(True)
-
-        complete = self._generate(node.generators, inner, take)
-        return Map(entries, complete and not unhashable)
-
-    def _generate(self, generators: Sequence[ast.comprehension], scope: Scope, take: Callable[[], None]) -> bool:
-        """Go through the loops of a comprehension; whether all of their rounds were gone through."""
-        if not generators:
-            take()
-            return True
-        first = generators[0]
-        items, complete = self.rounds(self.evaluate(first.iter, scope))
-        for item in items:
-            self.assign(first.target, item, scope)
-            mark = len(self.conditions)
-            skipped = False
-            for test in first.ifs:
-                known = self.truth(self.evaluate(test, scope))
-                skipped = skipped or known is False
-                if known is None:
-                    complete = False
-                    self.conditions.append(written(test))
-            if not skipped:
-                complete = self._generate(generators[1:], scope, take) and complete
-            del self.conditions[mark:]
-        return complete
-
-    def rounds(self, value: Value) -> tuple[list[Value], bool]:
-        """What a loop over ``value`` takes, and whether that is everything; one unknown thing where nothing is known."""
-        if isinstance(value, Seq) and len(value.items) <= MOST_ROUNDS:
-            if value.complete:
-                return value.items, True
-            return [*value.items, UNKNOWN], False
-        if isinstance(value, Map) and value.complete and len(value.entries) <= MOST_ROUNDS:
-            return list(value.entries), True
-        if isinstance(value, str) and len(value) <= MOST_ROUNDS:
-            return list(value), True
-        return [UNKNOWN], False
 
     def _function(self, node: ast.Lambda, scope: Scope) -> Value:
         return self.function(node, scope)
@@ -425,6 +392,8 @@ class Expressions(Memory):
 
     def _named(self, node: ast.NamedExpr, scope: Scope) -> Value:
         value = self.evaluate(node.value, scope)
+        while scope.around is not None:  # a comprehension has no variables but those of its loops
+            scope = scope.around
         self.assign(node.target, value, scope)
         return value
 
@@ -433,8 +402,13 @@ class Expressions(Memory):
 
     def _yielded(self, node: ast.Yield | ast.YieldFrom, scope: Scope) -> Value:
         value = self.evaluate(node.value, scope)
+        if isinstance(node, ast.YieldFrom) and self.exact:
+            items, complete = self.rounds(value)
+            for each in items if complete else [*items, MORE_ITEMS]:
+                self.yielded(each)
+            return UNKNOWN
         self.yielded(value if isinstance(node, ast.Yield) else UNKNOWN)
-        return UNKNOWN
+        return None if self.exact else UNKNOWN
 
     def yielded(self, value: Value) -> None:
         """Take what a generator gives."""
@@ -444,6 +418,13 @@ class Expressions(Memory):
         """Whether a value counts as true; None where that is not known."""
         if isinstance(value, _CONSTANT):
             return bool(value)
+        if self.exact and isinstance(value, Instance):
+            return self._truth_of(value)
+        if self.exact and isinstance(value, (Seq, Map)):
+            inner = value.items if isinstance(value, Seq) else list(value.entries.values())
+            if isinstance(value, Seq) and value.kind == "iterator":
+                return True
+            return True if any(not is_maybe(each) for each in inner) else (None if inner or not value.complete else False)
         if isinstance(value, _THING):
             return True
         if isinstance(value, Seq) and (value.items or value.complete):
@@ -483,11 +464,6 @@ _EVALUATE: dict[type[ast.expr], Callable[[Expressions, Value, Scope], Value]] = 
     ast.Yield: Expressions._yielded,
     ast.YieldFrom: Expressions._yielded,
 }
-
-
-def hashable(value: Value) -> bool:
-    """Whether a value can be a key of a followed dict."""
-    return isinstance(value, (*_CONSTANT, Text, External))
 
 
 def _is_text(value: Value) -> bool:

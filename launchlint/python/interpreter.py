@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import os
 
-from launchlint.python.memory import Exhausted
+from launchlint.python.memory import ENDED, Ended, Exhausted
 from launchlint.python.modules import ModuleFinder
 from launchlint.python.recogniser import Recogniser
 from launchlint.python.source import Source, SourceError
@@ -109,5 +109,10 @@ class Interpreter(Statements):
         module = Module(name, self.shown(path), source)
         module.scope.variables.update({"__name__": name, "__file__": UNKNOWN, "__doc__": UNKNOWN})
         self.modules[key] = module
-        self.execute(source.tree.body, module.scope)
+        mark = self.opened
+        flow = self.execute(source.tree.body, module.scope)
+        if self.opened > mark:
+            flow = self._leave(mark, flow, module.scope)
+        if self.exact and flow == ENDED:
+            raise self.raised or Ended
         return module

@@ -16,11 +16,13 @@ from launchlint.python.values import (
     Unknown,
     Value,
     choice,
+    is_maybe,
     same,
 )
 
 MOST_STEPS = 150_000
 """Statements and expressions that are looked at for one program."""
+_LARGE = 64
 
 Log = dict[tuple[int, Any], tuple[dict[Any, Any], Any, Any]]
 """What was there before something was written: (which mapping, key) → (mapping, key, value)."""
@@ -35,35 +37,56 @@ class Ended(Exception):
 
 
 class Branch:
-    """One way through a piece of a program: what it has written, and how it ended."""
+    """One way through a piece of a program: what it has written, how it ended, and with which exception."""
 
-    __slots__ = ("flow", "written")
+    __slots__ = ("flow", "raised", "written")
 
-    def __init__(self) -> None:
-        self.flow = 0
+    def __init__(self, flow: int = 0) -> None:
+        self.flow = flow
+        self.raised: Ended | None = None
         self.written: dict[tuple[int, Any], tuple[dict[Any, Any], Any, Any]] = {}
 
 
 class Memory:
-    """Conditions, the count of steps and the log of writes."""
+    """Conditions, the count of steps and the log of writes.
+
+    ``exact``: the program is followed to the letter, once, from its first statement to its last. Otherwise it is looked through for what it
+    may do: all of its ways, its functions in any order.
+    """
+
+    exact = False
+    most_steps = MOST_STEPS
 
     def __init__(self) -> None:
+        self.risks = 0  # how much was done that may have raised an exception
+        self.raised: Ended | None = None
         self.conditions: list[str] = []
         self.outcome = 0  # how much has come of the program, in whatever the recogniser counts
         self.steps = 0
+        self.rewritten: set[tuple[int, Any]] = set()  # what was written more than once on one way
         self._logs: list[Log] = []
         self.kept = 0
 
     def step(self) -> None:
         """Count one piece of work. Raises :class:`Exhausted` where it is too much."""
         self.steps += 1
-        if self.steps > MOST_STEPS:
+        if self.steps > self.most_steps:
             raise Exhausted
+
+    def spend(self, size: int) -> None:
+        """Count work on something large. Raises :class:`Exhausted`."""
+        if size > _LARGE:
+            self.steps += size // _LARGE
+            self.step()
 
     def store(self, mapping: dict[Any, Any], key: Any, value: Any) -> None:
         """Write, so that it can be taken back."""
         if self._logs:
-            self._logs[-1].setdefault((id(mapping), key), (mapping, key, mapping.get(key, MISSING)))
+            place, log = (id(mapping), key), self._logs[-1]
+            if place in log:
+                self.rewritten.add(place)
+            else:
+                log[place] = (mapping, key, mapping.get(key, MISSING))
         if value is MISSING:
             mapping.pop(key, None)
         else:
@@ -116,7 +139,7 @@ class Memory:
 
     def merged(self, key: Any, outcomes: list[tuple[str, Any]]) -> Any:
         """What stands under ``key`` behind several ways, each with its condition and what it has written there."""
-        return _merged(key, outcomes)
+        return (_merged_exactly if self.exact else _merged)(key, outcomes)
 
     def lost(self, values: list[Value]) -> None:
         """Values that can be one of too many to be told apart any more."""
@@ -139,6 +162,50 @@ def _merged(key: Any, outcomes: list[tuple[str, Any]]) -> Any:
     if key == ENTRIES:
         return _merged_entries(outcomes)
     return choice(outcomes)
+
+
+def _merged_exactly(key: Any, outcomes: list[tuple[str, Any]]) -> Any:
+    if len(outcomes) == 1:
+        return outcomes[0][1]
+    if key == COMPLETE:
+        return all(value is True for _, value in outcomes)
+    if key == ITEMS:
+        return _joined_items([(condition, value) for condition, value in outcomes if isinstance(value, list)])
+    if key == ENTRIES:
+        return _joined_entries([(condition, value) for condition, value in outcomes if isinstance(value, dict)])
+    return choice(outcomes)
+
+
+def _joined_items(lists: list[tuple[str, list[Value]]]) -> list[Value]:
+    """A list that is one of several: what they begin and end with alike is in it, the rest may be."""
+    shortest = min(len(value) for _, value in lists)
+    first = lists[0][1]
+    begin = end = 0
+    while begin < shortest and all(same(value[begin], first[begin]) for _, value in lists):
+        begin += 1
+    while end < shortest - begin and all(same(value[-1 - end], first[-1 - end]) for _, value in lists):
+        end += 1
+    rests = [(condition, value[begin : len(value) - end]) for condition, value in lists]
+    if len({len(rest) for _, rest in rests}) == 1:
+        middle = [_one_of([(condition, rest[at]) for condition, rest in rests]) for at in range(len(rests[0][1]))]
+    else:
+        middle = [each if is_maybe(each) else Choice(((condition, each),)) for condition, rest in rests for each in rest]
+    return [*first[:begin], *middle, *first[len(first) - end :]]
+
+
+def _one_of(options: list[tuple[str, Value]]) -> Value:
+    """An item that is one of several, and may be missing where one of them may be."""
+    made = choice([each.alternatives[0] if is_maybe(each) else (condition, each) for condition, each in options])
+    return Choice((("", made),)) if any(is_maybe(each) for _, each in options) else made
+
+
+def _joined_entries(mappings: list[tuple[str, dict[Any, Value]]]) -> dict[Any, Value]:
+    found: dict[Any, Value] = {}
+    for key in dict.fromkeys(key for _, value in mappings for key in value):
+        options = [(condition, value[key]) for condition, value in mappings if key in value]
+        made = _one_of(options)
+        found[key] = made if len(options) == len(mappings) or is_maybe(made) else Choice((("", made),))
+    return found
 
 
 def _merged_items(outcomes: list[tuple[str, Any]]) -> list[Value]:

@@ -6,16 +6,20 @@ import ast
 from collections.abc import Callable, Iterator, Sequence
 
 from launchlint.python import builtins
+from launchlint.python.comprehensions import MOST_ROUNDS
 from launchlint.python.conditions import negated, written
-from launchlint.python.definitions import SETTER, Definitions
-from launchlint.python.expressions import DEEPEST, MOST_ROUNDS, hashable
+from launchlint.python.definitions import SETTER
+from launchlint.python.expressions import DEEPEST
+from launchlint.python.failures import failure
+from launchlint.python.letter import hashable
+from launchlint.python.members import FIELDS
 from launchlint.python.memory import BROKEN, CONTINUED, ENDED, GOES_ON, RETURNED, Branch, Ended
+from launchlint.python.plain import SIMPLE
 from launchlint.python.recogniser import Recogniser
 from launchlint.python.values import (
     COMPLETE,
     ENTRIES,
     ITEMS,
-    MISSING,
     UNKNOWN,
     Argv,
     Bound,
@@ -33,9 +37,10 @@ from launchlint.python.values import (
     Value,
     alternatives,
 )
+from launchlint.python.writing import Writing
 
 
-class Statements(Definitions):
+class Statements(Writing):
     """Execution."""
 
     def __init__(self, recogniser: Recogniser) -> None:
@@ -52,7 +57,8 @@ class Statements(Definitions):
             self.depth += 1
             try:
                 flow = method(self, statement, scope)
-            except Ended:
+            except Ended as error:
+                self.raised = error
                 return ENDED
             finally:
                 self.depth -= 1
@@ -76,13 +82,17 @@ class Statements(Definitions):
     def _annotated(self, node: ast.AnnAssign, scope: Scope) -> int:
         if node.value is not None:
             self.assign(node.target, self.evaluate(node.value, scope), scope)
+        if "__qualname__" in scope.variables and isinstance(node.target, ast.Name):
+            self.store(scope.variables, FIELDS, (*scope.variables.get(FIELDS, ()), node.target.id))
         return GOES_ON
 
     def _augmented(self, node: ast.AugAssign, scope: Scope) -> int:
         left = self.evaluate(node.target, scope)
         right = self.evaluate(node.value, scope)
-        if isinstance(left, Seq) and isinstance(node.op, ast.Add):
+        if isinstance(left, Seq) and isinstance(node.op, ast.Add) and not (self.exact and left.kind != "list"):
             builtins.method(self, left, "extend", [right], {})
+        elif self.exact and (word := _in_place(left, type(node.op), right)):
+            builtins.method(self, left, word, [right], {})
         else:
             self.assign(node.target, self.combine(left, type(node.op), right), scope)
         return GOES_ON
@@ -92,11 +102,19 @@ class Statements(Definitions):
         if isinstance(target, ast.Name):
             self.store(scope.shared.get(target.id, scope).variables, target.id, value)
         elif isinstance(target, ast.Attribute):
-            for _, owner in alternatives(self.evaluate(target.value, scope)):
+            owners = self.evaluate(target.value, scope)
+            if self.exact:
+                self._each(owners, scope, lambda each: self._set_attribute(each, target.attr, value))
+                return
+            for _, owner in alternatives(owners):
                 self._set_attribute(owner, target.attr, value)
         elif isinstance(target, (ast.Tuple, ast.List)):
             self._unpack(target.elts, value, scope)
         elif isinstance(target, ast.Subscript):
+            if self.exact:
+                owner = self.evaluate(target.value, scope)
+                self._each(owner, scope, self._writing(self._slice(target.slice, scope), value))
+                return
             index = self.evaluate(target.slice, scope)
             for _, owner in alternatives(self.evaluate(target.value, scope)):
                 self._set_item(owner, index, value)
@@ -125,6 +143,11 @@ class Statements(Definitions):
             self.escape([value], "start")
 
     def _set_item(self, owner: Value, index: Value, value: Value) -> None:
+        if self.exact and isinstance(owner, (*SIMPLE, Function)):
+            raise failure("TypeError", "object does not support item assignment")
+        if self.exact and isinstance(owner, (Seq, Map, Instance)):
+            self._set_item_exactly(owner, index, value)
+            return
         if isinstance(owner, Map):
             if hashable(index) and len(owner.entries) < 1_000:
                 self.store(owner.content, ENTRIES, {**owner.entries, index: value})
@@ -139,12 +162,17 @@ class Statements(Definitions):
             else:
                 self.store(owner.content, COMPLETE, False)
                 self.escape([value], "start")
-        elif not isinstance(value, Unknown):
-            self.escape([value], "start")
+        else:
+            self.risks += 1
+            if not isinstance(value, Unknown):
+                self.escape([value], "start")
 
     def _unpack(self, targets: Sequence[ast.expr], value: Value, scope: Scope) -> None:
         items: list[Value] = [UNKNOWN] * len(targets)
         starred = any(isinstance(each, ast.Starred) for each in targets)
+        if self.exact:
+            self._unpack_exactly(targets, value, scope)
+            return
         if isinstance(value, Seq) and value.complete and len(value.items) == len(targets) and not starred:
             items = value.items
         elif isinstance(value, Argv):
@@ -152,17 +180,13 @@ class Statements(Definitions):
         for target, item in zip(targets, items, strict=True):
             self.assign(target, item, scope)
 
-    def _delete(self, node: ast.Delete, scope: Scope) -> int:
-        for target in node.targets:
-            if isinstance(target, ast.Name):
-                self.store(scope.variables, target.id, MISSING)
-        return GOES_ON
-
     def _return(self, node: ast.Return, scope: Scope) -> int:
         self.returned(self.evaluate(node.value, scope))
         return RETURNED
 
     def _raise(self, node: ast.Raise, scope: Scope) -> int:
+        if self.exact:
+            return self.raise_exactly(node, scope)
         if node.exc is not None:
             self.evaluate(node.exc, scope)
         return ENDED
@@ -174,6 +198,8 @@ class Statements(Definitions):
         return CONTINUED
 
     def _assert(self, node: ast.Assert, scope: Scope) -> int:
+        if self.exact:
+            return self.assert_exactly(node, scope)
         self.evaluate(node.test, scope)
         return GOES_ON
 
@@ -194,6 +220,8 @@ class Statements(Definitions):
     def lookup(self, name: str, scope: Scope) -> Value:
         """The value of a variable."""
         here: Scope | None = scope.shared.get(name, scope)
+        if name in scope.own and name not in scope.variables and name not in scope.shared:
+            raise failure("UnboundLocalError", f"cannot access local variable {name!r} where it is not associated with a value")
         while here is not None:
             if name in here.variables:
                 return here.variables[name]
@@ -202,6 +230,8 @@ class Statements(Definitions):
                 here = here.outer  # the names in a class body are not seen in its methods
         if name in builtins.NAMES:
             return External(f"builtins.{name}")
+        if self.exact and not scope.module.stars:
+            raise failure("NameError", f"name {name!r} is not defined")
         return self.from_stars(name, scope.module)
 
     def from_stars(self, name: str, module: Module) -> Value:
@@ -211,6 +241,8 @@ class Statements(Definitions):
     # -- ways ---------------------------------------------------------------------------------------------------------
 
     def _if(self, node: ast.If, scope: Scope) -> int:
+        if self.exact:
+            return self.if_exactly(node, scope)
         known = self.truth(self.evaluate(node.test, scope))
         if known is not None:
             now, other = (node.body, node.orelse) if known else (node.orelse, node.body)
@@ -254,6 +286,8 @@ class Statements(Definitions):
         return GOES_ON
 
     def _for(self, node: ast.For | ast.AsyncFor, scope: Scope) -> int:
+        if self.exact:
+            return self.for_exactly(node, scope)
         items, complete = self.rounds(self.evaluate(node.iter, scope))
         mark = len(self.conditions)
         if not complete:
@@ -291,6 +325,8 @@ class Statements(Definitions):
         return self._else(node, scope)
 
     def _while(self, node: ast.While, scope: Scope) -> int:
+        if self.exact:
+            return self.while_exactly(node, scope)
         mark = len(self.conditions)
         constant = isinstance(node.test, ast.Constant) or not any(isinstance(each, ast.Compare) for each in ast.walk(node.test))
         flow = GOES_ON
@@ -334,6 +370,8 @@ class Statements(Definitions):
         return self.evaluate(target, scope) if isinstance(target, (ast.Name, ast.Attribute)) else UNKNOWN
 
     def _try(self, node: ast.Try, scope: Scope) -> int:
+        if self.exact:
+            return self.try_exactly(node, scope)
         flow = self.execute(node.body, scope)
         if flow == GOES_ON:
             flow = self.execute(node.orelse, scope)
@@ -352,6 +390,8 @@ class Statements(Definitions):
         return self.execute(node.finalbody, scope) or result
 
     def _with(self, node: ast.With | ast.AsyncWith, scope: Scope) -> int:
+        if self.exact:
+            return self.with_exactly(node, scope)
         left: list[Instance] = []
         for item in node.items:
             value = self.evaluate(item.context_expr, scope)
@@ -370,6 +410,8 @@ class Statements(Definitions):
         return flow
 
     def _match(self, node: ast.Match, scope: Scope) -> int:
+        if self.exact:
+            return self.match_exactly(node, scope)
         self.evaluate(node.subject, scope)
         subject = ast.unparse(node.subject)
         ways: list[tuple[str, Branch]] = []
@@ -382,6 +424,24 @@ class Statements(Definitions):
                 branch.flow = self.execute(case.body, scope)
             ways.append((said, branch))
         return self._meet([*ways, ("", Branch())], scope)
+
+
+def _in_place(left: Value, operation: type[ast.operator], right: Value) -> str:
+    """The method that changes what stands left of an operator such as ``|=``; empty where there is none."""
+    if isinstance(left, Map):
+        return _IN_PLACE.get(("dict", operation), "")
+    if isinstance(left, Seq) and isinstance(right, Seq) and left.kind == "set" and right.kind in ("set", "frozenset"):
+        return _IN_PLACE.get(("set", operation), "")
+    return ""
+
+
+_IN_PLACE: dict[tuple[str, type[ast.operator]], str] = {
+    ("set", ast.BitOr): "update",
+    ("set", ast.BitAnd): "intersection_update",
+    ("set", ast.Sub): "difference_update",
+    ("dict", ast.BitOr): "update",
+}
+"""Operators that change what stands left of them."""
 
 
 def _changed(statement: ast.stmt) -> Iterator[tuple[ast.expr, bool]]:

@@ -28,6 +28,8 @@ MORE = "\0more"
 
 MOST_ALTERNATIVES = 8
 MOST_ITEMS = 256
+MOST_EXACT = 20_000
+"""Items of a list where a program is followed to the letter."""
 MOST_ANCESTORS, MOST_BASES = 60, 30
 LONGEST_TEXT = 1_000
 
@@ -85,6 +87,16 @@ class Thing:
     __slots__ = ()
 
 
+class Failure(Thing):
+    """An exception: ``type`` is the class that it is of, as a value."""
+
+    __slots__ = ("arguments", "type")
+
+    def __init__(self, type_: Value, arguments: tuple[Value, ...] = ()) -> None:
+        self.type = type_
+        self.arguments = arguments
+
+
 class Missing:
     """No value: a variable that is not set, a default that is not given."""
 
@@ -97,14 +109,25 @@ MISSING = Missing()
 class Seq:
     """A list, tuple or set. Its content is in a mapping, so that changing it can be taken back: its items and whether they are all.
 
-    ``is_tuple``: it is known to be a tuple.
+    ``kind`` is ``list``, ``tuple``, ``set``, ``frozenset``, ``range``, ``view`` (of a dict) or ``iterator`` (its items are taken once).
+    An item that may be there or not is a :class:`Choice` with one alternative.
     """
 
-    __slots__ = ("content", "is_tuple")
+    __slots__ = ("content", "kind")
 
-    def __init__(self, items: list[Value], complete: bool = True, is_tuple: bool = False) -> None:
-        self.is_tuple = is_tuple
-        self.content: dict[Any, Any] = {ITEMS: items[:MOST_ITEMS], COMPLETE: complete and len(items) <= MOST_ITEMS}
+    def __init__(self, items: list[Value], complete: bool = True, is_tuple: bool = False, kind: str = "list") -> None:
+        self.kind = "tuple" if is_tuple else kind
+        self.content: dict[Any, Any] = {ITEMS: items[:MOST_EXACT], COMPLETE: complete and len(items) <= MOST_EXACT}
+
+    @property
+    def is_tuple(self) -> bool:
+        """Whether it is known to be a tuple."""
+        return self.kind == "tuple"
+
+    @property
+    def is_sure(self) -> bool:
+        """Whether it is known how many items there are, and in which order."""
+        return self.complete and not any(map(is_maybe, self.items))
 
     @property
     def items(self) -> list[Value]:
@@ -116,6 +139,21 @@ class Seq:
     def complete(self) -> bool:
         """Whether there are no others."""
         return bool(self.content[COMPLETE])
+
+
+class Key:
+    """A tuple as the key of a dict."""
+
+    __slots__ = ("items",)
+
+    def __init__(self, items: tuple[Any, ...]) -> None:
+        self.items = items
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Key) and self.items == other.items
+
+    def __hash__(self) -> int:
+        return hash(self.items)
 
 
 class Map:
@@ -137,6 +175,11 @@ class Map:
         """Whether there is nothing else in it."""
         return bool(self.content[COMPLETE])
 
+    @property
+    def is_sure(self) -> bool:
+        """Whether it is known which keys there are."""
+        return self.complete and not any(map(is_maybe, self.entries.values()))
+
 
 class Argv(NamedTuple):
     """``sys.argv`` from ``offset`` on."""
@@ -145,13 +188,18 @@ class Argv(NamedTuple):
 
 
 class Scope:
-    """Variables of a module, function or class, and where to look further."""
+    """Variables of a module, function or class, and where to look further; of a comprehension ``around`` is what it stands in.
 
-    __slots__ = ("module", "outer", "shared", "variables")
+    ``own`` are the names that a function writes: they are its own even before it has written them.
+    """
+
+    __slots__ = ("around", "module", "outer", "own", "shared", "variables")
 
     def __init__(self, module: Module, outer: Scope | None) -> None:
         self.module = module
         self.outer = outer
+        self.around: Scope | None = None
+        self.own: frozenset[str] = frozenset()
         self.variables: dict[Any, Any] = {}
         self.shared: dict[str, Scope] = {}
 
@@ -272,6 +320,11 @@ class Choice(NamedTuple):
     """One of several values, each with the condition under which it is that one (empty: not known)."""
 
     alternatives: tuple[tuple[str, Value], ...]
+
+
+def is_maybe(value: Value) -> bool:
+    """Whether an item of a list, or an entry of a dict, may be there or not."""
+    return isinstance(value, Choice) and len(value.alternatives) == 1
 
 
 def alternatives(value: Value) -> tuple[tuple[str, Value], ...]:

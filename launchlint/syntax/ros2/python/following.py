@@ -5,12 +5,10 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Sequence
 
-from launchlint.python.memory import ENDED, Branch, Ended
+from launchlint.python.memory import ENDED, Ended
 from launchlint.python.modules import ModuleFinder
 from launchlint.python.values import (
     COMPLETE,
-    ENTRIES,
-    ITEMS,
     MISSING,
     UNKNOWN,
     Choice,
@@ -23,7 +21,6 @@ from launchlint.python.values import (
     Unknown,
     Value,
     alternatives,
-    same,
 )
 from launchlint.source import Place, Span
 from launchlint.source import Source as Written
@@ -33,13 +30,16 @@ from launchlint.workspace import looking
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    pass
 
 MOST_DEEP = 8
 
 
 class Following(Noticing):
     """Follows one launch file, and the modules of the workspace that it imports."""
+
+    exact = True
+    most_steps = 300_000
 
     def __init__(self, written: Written, outside: Outside, root: str, package: str, finder: ModuleFinder) -> None:
         recogniser = LaunchRecogniser(self, outside, self.place)
@@ -101,13 +101,9 @@ class Following(Noticing):
 
     def item(self, value: Value, index: Value) -> Value:
         """``value[index]``; one that is not there ends the program."""
-        if isinstance(value, Handle):
+        if isinstance(value, Handle) and not isinstance(index, Choice):
             found = self.known.running.item(value, index)
-            if found is MISSING:
-                raise Ended(f"KeyError: {index}")
-            return found
-        if isinstance(value, Map) and value.complete and isinstance(index, str) and index not in value.entries:
-            raise Ended(f"KeyError: {index}")
+            return self.fails("KeyError", index) if found is MISSING else found
         return super().item(value, index)
 
     def _set_item(self, owner: Value, index: Value, value: Value) -> None:
@@ -116,47 +112,12 @@ class Following(Noticing):
         else:
             super()._set_item(owner, index, value)
 
-    def _contained(self, left: Value, right: Value, positive: bool) -> Value:
-        if isinstance(right, Handle):
+    def compared(self, left: Value, operation: type[ast.cmpop], right: Value) -> Value:
+        """``left operation right``."""
+        if operation in (ast.In, ast.NotIn) and isinstance(right, Handle):
             found = self.known.running.item(right, left)
-            return found if isinstance(found, Unknown) else (found is not MISSING) is positive
-        return super()._contained(left, right, positive)
-
-    # -- ways that may be taken ----------------------------------------------------------------------------------------
-
-    def merged(self, key: Any, outcomes: list[tuple[str, Any]]) -> Any:
-        """What is known behind several ways: of lists what is in all of them, and what may be."""
-        if key == COMPLETE:
-            return all(value is True for _, value in outcomes) and not self._open_rounds
-        if key == ITEMS:
-            return _together([(condition or "a way that is not known", value) for condition, value in outcomes if isinstance(value, list)])
-        if key == ENTRIES:
-            return _entries(outcomes)
-        return super().merged(key, outcomes)
-
-    def join(self, ways: list[tuple[str, Branch]], local: dict[Any, Any]) -> None:
-        """Go on after one of several ways was taken: what has rounds of which not all are known, may have more in its lists."""
-        if self._open_rounds:
-            for mapping, key, _ in [each for _, way in ways for each in way.written.values()]:
-                if key in (ITEMS, ENTRIES):
-                    self.store(mapping, COMPLETE, False)
-        super().join(ways, local)
-
-    def _some_rounds(self, node: ast.For | ast.AsyncFor, items: list[Value], scope: Scope) -> int:
-        self._open_rounds += 1
-        try:
-            return super()._some_rounds(node, items, scope)
-        finally:
-            self._open_rounds -= 1
-
-    def _meet(self, ways: list[tuple[str, Branch]], scope: Scope) -> int:
-        """Where one of two ways ends with an error, the other one is taken for the one that people take."""
-        going = [way for _, way in ways if way.flow != ENDED]
-        if len(going) == 1 and len(ways) > 1:
-            for mapping, key, value in going[0].written.values():
-                self.store(mapping, key, value)
-            return going[0].flow
-        return super()._meet(ways, scope)
+            return found if isinstance(found, Unknown) else (found is not MISSING) is (operation is ast.In)
+        return super().compared(left, operation, right)
 
     def attempt(self, work: Callable[[], Value]) -> Value:
         """What ``work`` gives, with all that it has written taken back; MISSING where it ends."""
@@ -174,40 +135,6 @@ def _why(node: ast.AST) -> str:
     if len(said) > 60:
         said = said[:59] + "…"
     return f"what {said} gives is not known"
-
-
-def _together(lists: list[tuple[str, list[Value]]]) -> list[Value]:
-    """What all lists begin and end with is there; what stands between in one of them may be."""
-    if not lists:
-        return []
-    first = lists[0][1]
-    shortest = min(len(each) for _, each in lists)
-    start = 0
-    while start < shortest and all(same(each[start], first[start]) for _, each in lists):
-        start += 1
-    end = 0
-    while end < shortest - start and all(same(each[-1 - end], first[-1 - end]) for _, each in lists):
-        end += 1
-    between = [_perhaps(condition, item) for condition, each in lists for item in each[start : len(each) - end]]
-    return [*first[:start], *between, *(first[len(first) - end :] if end else [])]
-
-
-def _perhaps(condition: str, item: Value) -> Value:
-    if isinstance(item, Choice) and len(item.alternatives) == 1:
-        return item
-    return Choice(tuple((condition, each) for _, each in alternatives(item)))
-
-
-def _entries(outcomes: list[tuple[str, Any]]) -> dict[Any, Value]:
-    mappings = [(condition, value) for condition, value in outcomes if isinstance(value, dict)]
-    found: dict[Any, Value] = {}
-    for key in dict.fromkeys(key for _, value in mappings for key in value):
-        held = [(condition or "a way that is not known", value[key]) for condition, value in mappings if key in value]
-        if all(same(each, held[0][1]) for _, each in held) and len(held) == len(mappings):
-            found[key] = held[0][1]
-        else:
-            found[key] = Choice(tuple((condition, each) for condition, one in held for _, each in alternatives(one)))
-    return found
 
 
 def _offset(source: Written, line: int, column: int) -> int:

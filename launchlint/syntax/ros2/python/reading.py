@@ -9,6 +9,7 @@ from itertools import chain
 
 from launchlint.problem import Problem
 from launchlint.python.memory import Ended, Exhausted
+from launchlint.python.modules import ModuleFinder
 from launchlint.python.source import Source as Parsed
 from launchlint.python.source import SourceError, parse_text
 from launchlint.python.values import Choice, Function, Handle
@@ -19,7 +20,6 @@ from launchlint.syntax.ros2.python.entry import ENTRY, gives, needs_arguments, t
 from launchlint.syntax.ros2.python.following import Following
 from launchlint.syntax.ros2.python.imports import wrong_imports
 from launchlint.syntax.ros2.python.loading import runs_at_load
-from launchlint.syntax.ros2.python.loose import LetterModules, loose
 from launchlint.syntax.ros2.python.making import Maker
 from launchlint.syntax.ros2.python.performed import performed_as_boolean
 from launchlint.syntax.ros2.python.recogniser import Outside
@@ -60,7 +60,7 @@ def read(data: bytes, path: str, file: str, outside: Outside, package: str = "")
     except (ValueError, RecursionError, MemoryError) as error:
         return _reading(source, (described.Open(f"it is no Python: {error}", everything),), ())
     root = package or os.path.dirname(file)
-    run = Following(source, outside, root, package, LetterModules({}))
+    run = Following(source, outside, root, package, ModuleFinder({}))
     try:
         actions = _actions(run, source, outside, tree, parsed)
     except Ended as ended:
@@ -87,9 +87,6 @@ def _actions(run: Following, source: Source, outside: Outside, tree: ast.Module,
     if missing is not None:
         run.record(missing)
         return (described.Open(f"it has no function {ENTRY}", everything),)
-    reason = loose(tree)
-    if reason:
-        return (described.Open(reason, everything),)
     run.look_at(parsed.tree)
     caller = Caller(run, run.known.running, main.scope)
     maker = caller.maker = Maker(run.known.texts, caller.calls)

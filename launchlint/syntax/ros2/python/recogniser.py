@@ -9,8 +9,8 @@ from typing import Any
 
 from launchlint.python import builtins, standard
 from launchlint.python.call import Call
-from launchlint.python.memory import Ended
-from launchlint.python.values import COMPLETE, ITEMS, MISSING, UNKNOWN, External, Handle, Instance, Map, Scope, Seq, Unknown, Value
+from launchlint.python.failures import Raised
+from launchlint.python.values import COMPLETE, ITEMS, MISSING, UNKNOWN, External, Failure, Handle, Instance, Map, Scope, Seq, Unknown, Value
 from launchlint.python.values import Text as Open
 from launchlint.source import Place
 from launchlint.syntax.ros2.python.arguments import wrong_action, wrong_values
@@ -113,7 +113,7 @@ class LaunchRecogniser:
             return Unknown("which package it is, is not known", place)
         directory = self._outside.share(package)
         if directory is None:
-            raise Ended(f"the package {package} is not here")
+            raise Raised(Failure(External("ament_index_python.packages.PackageNotFoundError"), (f"the package {package} is not here",)))
         if not shared:
             return f"/opt/ros/{self._outside.distro}"
         self.shares[directory] = package

@@ -1,0 +1,127 @@
+"""Comprehensions and generator expressions, and what loops go through."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Sequence
+
+from launchlint.python.conditions import written
+from launchlint.python.letter import LATER, ToTheLetter
+from launchlint.python.values import (
+    MISSING,
+    UNKNOWN,
+    Choice,
+    Map,
+    Scope,
+    Seq,
+    Value,
+    is_maybe,
+)
+
+MOST_ROUNDS = 64
+
+
+class Comprehensions(ToTheLetter):
+    """Loops in expressions."""
+
+    def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
+        """Write to a variable, attribute, item or several of them."""
+        raise NotImplementedError
+
+    def _comprehension(self, node: ast.ListComp | ast.SetComp | ast.GeneratorExp, scope: Scope) -> Value:
+        found: list[Value] = []
+        inner = Scope(scope.module, scope)
+        inner.around = scope
+        if self.exact and isinstance(node, ast.GeneratorExp):
+            return self._generator(node, inner, scope)
+        complete = self._generate(node.generators, inner, lambda: found.append(self.evaluate(node.elt, inner)), found)
+        return self.make_set(found, complete) if isinstance(node, ast.SetComp) else Seq(found, complete)
+
+    def _generator(self, node: ast.GeneratorExp, inner: Scope, scope: Scope) -> Value:
+        """A generator: what it goes through is worked out now, the rest when something is taken of it."""
+        first = self.evaluate(node.generators[0].iter, scope)
+
+        def later() -> tuple[list[Value], bool]:
+            found: list[Value] = []
+            complete = self._generate(node.generators, inner, lambda: found.append(self.evaluate(node.elt, inner)), found, first)
+            return found, complete
+
+        made = Seq([], kind="iterator")
+        made.content[LATER] = later
+        return made
+
+    def _mapping_comprehension(self, node: ast.DictComp, scope: Scope) -> Value:
+        entries: dict[Value, Value] = {}
+        inner = Scope(scope.module, scope)
+        inner.around = scope
+        unhashable: list[bool] = []
+
+        def take() -> None:
+            key, value = self.key(self.evaluate(node.key, inner)), self.evaluate(node.value, inner)
+            if key is not MISSING:
+                entries[key] = value
+            else:
+                unhashable.append(True)
+
+        complete = self._generate(node.generators, inner, take, entries)
+        return Map(entries, complete and not unhashable)
+
+    def _generate(
+        self,
+        generators: Sequence[ast.comprehension],
+        scope: Scope,
+        take: Callable[[], None],
+        found: list[Value] | dict[Value, Value],
+        over: Value = MISSING,
+    ) -> bool:
+        """Go through the loops of a comprehension; whether all of their rounds were gone through. What only may be found says so."""
+        if not generators:
+            take()
+            return True
+        first = generators[0]
+        items, complete = self.rounds(self.evaluate(first.iter, scope) if over is MISSING else over)
+        for item in items:
+            mark, count = len(self.conditions), len(found)
+            conditions = []
+            if self.exact and is_maybe(item):
+                said, item = item.alternatives[0]
+                conditions.append(said)
+            self.assign(first.target, item, scope)
+            skipped = False
+            for test in first.ifs:
+                known = self.truth(self.evaluate(test, scope))
+                skipped = skipped or known is False
+                if skipped:
+                    break
+                if known is None:
+                    complete = complete and self.exact
+                    conditions.append(written(test))
+                    self.conditions.append(written(test))
+            if not skipped and conditions and self.exact:
+                inner: list[bool] = []
+                ways = [(" and ".join(conditions), lambda inner=inner: inner.append(self._generate(generators[1:], scope, take, found)))]
+                self.either([*ways, ("", None)], scope)
+                complete = complete and inner == [True]
+            elif not skipped:
+                complete = self._generate(generators[1:], scope, take, found) and complete
+            if not skipped:
+                if conditions and self.exact and isinstance(found, list):
+                    found[count:] = [each if is_maybe(each) else Choice(((" and ".join(conditions), each),)) for each in found[count:]]
+                elif conditions and self.exact:
+                    complete = False
+            del self.conditions[mark:]
+        return complete
+
+    def rounds(self, value: Value) -> tuple[list[Value], bool]:
+        """What a loop over ``value`` takes, and whether that is everything; one unknown thing where nothing is known."""
+        if self.exact:
+            return self._rounds_exactly(value)
+        if isinstance(value, Seq) and len(value.items) <= MOST_ROUNDS:
+            if value.complete:
+                return value.items, True
+            return [*value.items, UNKNOWN], False
+        if isinstance(value, Map) and value.complete and len(value.entries) <= MOST_ROUNDS:
+            return list(value.entries), True
+        if isinstance(value, str) and len(value) <= MOST_ROUNDS:
+            return list(value), True
+        return [UNKNOWN], False
