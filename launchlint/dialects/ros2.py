@@ -49,9 +49,9 @@ def _evaluate(session: Session, file: str, given: Pairs) -> Evaluation:
 
 def _configurations(session: Session, file: str, given: Pairs) -> Iterator[Evaluation]:
     from launchlint.evaluate.configurations import configurations
-    from launchlint.evaluate.ros2.arg_flow import ROS2_LAUNCH
+    from launchlint.evaluate.ros2.arg_flow import ros2_launch
 
-    return (_with_documents(session, each) for each in configurations(session, file, given, ROS2_LAUNCH))
+    return (_with_documents(session, each) for each in configurations(session, file, given, ros2_launch()))
 
 
 def _with_documents(session: Session, evaluation: Evaluation) -> Evaluation:

@@ -58,8 +58,8 @@ class Flow(Protocol):
 class Way(NamedTuple):
     """How the files of a dialect are evaluated, and what is known of their args then.
 
-    ``most_work``: conditions, nodes, includes and args of all evaluations together, where each evaluation is done from the beginning: a
-    launch of thousands of nodes is evaluated a few times only.
+    ``most_work``: conditions, nodes, includes and args of all evaluations together: a launch of thousands of nodes is evaluated a few
+    times only.
     """
 
     enter: Enter

@@ -43,6 +43,14 @@ _EXECUTE: dict[type, Callable[[Walk, Any], None]] = {
 }
 
 
+_KEPT = frozenset((described.Include, described.Group, described.Node, described.LoadComponents))
+"""Actions that take long enough for it to pay to look whether it is known what comes of them."""
+
+
 def execute(walk: Walk, action: Action) -> None:
     """Execute one action whose condition holds."""
-    _EXECUTE[type(action)](walk, action)
+    perform = _EXECUTE[type(action)]
+    if walk.repeats is None or type(action) not in _KEPT:
+        perform(walk, action)
+    else:
+        walk.repeats.execute(walk, action, perform)

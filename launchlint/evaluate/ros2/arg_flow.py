@@ -8,6 +8,7 @@ from launchlint.evaluate.assemble import Evaluation
 from launchlint.evaluate.block import Side
 from launchlint.evaluate.configurations import Way
 from launchlint.evaluate.ros2.launch import evaluate
+from launchlint.evaluate.ros2.repeating import Repeats
 from launchlint.evaluate.session import Session
 from launchlint.model import Branch
 
@@ -66,10 +67,12 @@ class ArgFlow:
         return False
 
 
-def _enter(session: Session, file: str, given: Pairs, pinned: frozenset[str], seen: Set[Side] | None) -> Evaluation | None:
-    """Evaluate an entry file; whether there is anything new in it shows when it has been evaluated."""
-    return evaluate(session, file, given, pinned)
+def ros2_launch() -> Way:
+    """The way of ROS 2, for one entry file: what comes of an action is kept for the other configurations."""
+    repeats = Repeats()
 
+    def enter(session: Session, file: str, given: Pairs, pinned: frozenset[str], seen: Set[Side] | None) -> Evaluation | None:
+        """Evaluate an entry file; whether there is anything new in it shows when it has been evaluated."""
+        return evaluate(session, file, given, pinned, repeats)
 
-ROS2_LAUNCH = Way(_enter, ArgFlow, most_work=16_000)
-"""The way of ROS 2. Nothing of an evaluation is kept for the next one, since all files share one context."""
+    return Way(enter, ArgFlow, most_work=16_000)

@@ -19,7 +19,7 @@ _MARK = "configuration_"
 def same_as(performer: Performer, text: Text) -> str | None:
     """The arg whose value ``text`` stands for as a whole, if it does."""
     name = _only_variable(text)
-    setting = None if name is None else performer.context.configurations.get(name)
+    setting = None if name is None else performer.context.get(name)
     return setting.same if setting is not None else name
 
 
@@ -31,12 +31,12 @@ def _only_variable(text: Text) -> str | None:
 
 def _note(performer: Performer, name: str | None, values: Iterable[str]) -> None:
     if name is not None:
-        performer.compared.setdefault(name, {}).update(dict.fromkeys(values))
+        performer.compared.append((name, tuple(values)))
 
 
 def note_choices(performer: Performer, name: str, choices: tuple[str, ...] | None) -> None:
     """The choices of an arg."""
-    setting = performer.context.configurations.get(name)
+    setting = performer.context.get(name)
     if choices is not None and setting is not None:
         _note(performer, setting.same, choices)
 

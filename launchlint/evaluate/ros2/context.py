@@ -74,6 +74,37 @@ class Environment:
             self.changes = dict(changes)
 
 
+class Uses:
+    """What some actions did with the launch configurations: each that they ``read`` before they set it, as it was (None: not set), those
+    that they have ``written`` and among these the ``added``, which were not there before.
+
+    ``asked``: the files that they looked into, by the includes that led to them, when these were executed already. ``all_names``: they
+    looked through the names of all configurations. ``open``: they did more than can be said so.
+    """
+
+    __slots__ = ("added", "all_names", "asked", "open", "read", "written")
+
+    def __init__(self) -> None:
+        self.read: dict[str, Setting | None] = {}
+        self.written: set[str] = set()
+        self.added: set[str] = set()
+        self.asked: dict[tuple[int, ...], object] = {}
+        self.all_names = False
+        self.open = False
+
+    def join(self, later: Uses) -> None:
+        """Add what was done by actions that were executed after these."""
+        for name, setting in later.read.items():
+            if name not in self.written:
+                self.read.setdefault(name, setting)
+        self.written |= later.written
+        self.added |= later.added
+        for way, found in later.asked.items():
+            self.asked.setdefault(way, found)
+        self.all_names = self.all_names or later.all_names
+        self.open = self.open or later.open
+
+
 class _Saved(NamedTuple):
     configurations: dict[str, Setting]
     remaps: list[Remap] | None
@@ -82,6 +113,8 @@ class _Saved(NamedTuple):
     unread: bool
     remaps_count: int
     parameters_count: int
+    written: set[str]
+    added: set[str]
 
 
 class Context:
@@ -89,7 +122,8 @@ class Context:
 
     ``unread``: a launch file was included that is not read, and may have set configurations and variables of names that are not known; a
     group puts that back, too. ``unread_parameters`` says the same of params, which leak out of groups. ``leaked`` are the remaps and params
-    that were set in a group whose end is passed, and are still in the lists, each by its identity.
+    that were set in a group whose end is passed, and are still in the lists, each by its identity. ``uses`` is what is done with the
+    configurations from now on.
     """
 
     __slots__ = (
@@ -103,6 +137,7 @@ class Context:
         "stack",
         "unread",
         "unread_parameters",
+        "uses",
     )
 
     def __init__(self, session: Session) -> None:
@@ -116,6 +151,38 @@ class Context:
         self.unread = False
         self.unread_parameters = False
         self.leaked: dict[int, Remap | GlobalSource] = {}
+        self.uses = Uses()
+
+    def get(self, name: str) -> Setting | None:
+        """A launch configuration, None where it is not set."""
+        setting = self.configurations.get(name)
+        uses = self.uses
+        if name not in uses.written:
+            uses.read[name] = setting
+        return setting
+
+    def set(self, name: str, setting: Setting) -> None:
+        """Set a launch configuration."""
+        uses = self.uses
+        uses.written.add(name)
+        if name not in self.configurations:
+            uses.added.add(name)
+        self.configurations[name] = setting
+
+    def unset(self, name: str) -> None:
+        """Forget a launch configuration."""
+        self.uses.open = True
+        self.configurations.pop(name, None)
+
+    def everything(self) -> Mapping[str, Setting]:
+        """All launch configurations, to be looked through."""
+        self.uses.open = True
+        return self.configurations
+
+    def names(self) -> tuple[str, ...]:
+        """The names of all launch configurations that are set, sorted."""
+        self.uses.all_names = True
+        return tuple(sorted(self.configurations))
 
     def include_unread(self) -> None:
         """A launch file is included that is not read: whatever is not set here may be set by it."""
@@ -123,6 +190,7 @@ class Context:
 
     def push(self) -> None:
         """Begin a scope: everything is inherited (PushLaunchConfigurations, PushEnvironment)."""
+        uses = self.uses
         self.stack.append(
             _Saved(
                 dict(self.configurations),
@@ -132,6 +200,8 @@ class Context:
                 self.unread,
                 len(self.remaps or ()),
                 len(self.parameters or ()),
+                set(uses.written),
+                set(uses.added),
             )
         )
 
@@ -143,9 +213,11 @@ class Context:
         self.leaked.update((id(each), each) for each in (self.parameters or ())[saved.parameters_count :])
         self.environment.restore(saved.environment)
         self.unread = saved.unread
+        self.uses.written, self.uses.added = saved.written, saved.added
 
     def forget(self, keep: Mapping[str, Setting]) -> None:
         """Drop all launch configurations but ``keep`` (ResetLaunchConfigurations), remaps and params among them."""
+        self.uses.open = True
         self.configurations = dict(keep)
         self.remaps = None
         self.parameters = None
@@ -153,5 +225,5 @@ class Context:
     @property
     def namespace(self) -> Value | None:
         """The pushed namespace, if any."""
-        setting = self.configurations.get(NAMESPACE)
+        setting = self.get(NAMESPACE)
         return None if setting is None else setting.value

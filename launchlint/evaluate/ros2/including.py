@@ -59,7 +59,7 @@ def include(walk: Walk, action: described.Include) -> None:
     context.file = os.path.abspath(file)
     context.directory = os.path.dirname(context.file)
     outer = walk.here
-    step = IncludeStep(action.place, outer.step)
+    step = walk.step_to(action.place)
     if known is None:  # Python: what it starts is not looked into
         walk.files.append(file)
         walk.entered.append(Entered(way, step, None, (), ""))
@@ -86,6 +86,7 @@ def include(walk: Walk, action: described.Include) -> None:
         )
     )
     walk.executed[way] = known.description
+    walk.executions.append((way, known.description))
     walk.here = Here(
         file, step, (*outer.files, context.file), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way
     )
@@ -96,7 +97,7 @@ def include(walk: Walk, action: described.Include) -> None:
 
 def _unread(walk: Walk) -> None:
     """Go on behind an included file that is not read: it may start more nodes, and set what others read."""
-    walk.complete = False
+    walk.unread.append(walk.here.file)
     walk.context.include_unread()
 
 
@@ -109,7 +110,7 @@ def enter(walk: Walk, file: str, known: Reading, given: Mapping[str, str]) -> No
     told = _missing(walk, known.description, list(given), None)
     for name, value in given.items():
         steer = frozenset() if name in walk.pinned else frozenset((name,))
-        context.configurations[name] = Setting(value, None, "given", steer, same=name)
+        context.set(name, Setting(value, None, "given", steer, same=name))
     walk.here = Here(file, None, (context.file,), told=told)
     walk.entered.append(Entered((), None, _names_in(known, file), (), known.source.path, known.refusal is not None))
     _run(walk, known, file)
@@ -122,7 +123,7 @@ def _names_in(known: Reading, file: str) -> Description | None:
 
 def _run(walk: Walk, known: Reading, file: str) -> None:
     walk.files.append(file)
-    walk.readings[known.source.path] = known
+    walk.readings.append(known)
     walk.execute(known.description.actions)
 
 
@@ -138,10 +139,8 @@ def _pass(walk: Walk, action: described.Include, way: tuple[int, ...]) -> dict[s
 
 def _tell_refusals(walk: Walk, known: Reading, step: IncludeStep | None) -> None:
     """What is wrong with a file as it is written: the whole of it is read before anything is executed."""
-    if known.source.path in walk.readings:
-        return
-    for problem in known.problems:
-        walk.record(problem.but(origin=Origin(problem.place, step)))
+    for number, problem in enumerate(known.problems):
+        walk.record(problem.but(origin=Origin(problem.place, step)), ("as it is written", known.source.path, number))
 
 
 def _missing(
@@ -176,7 +175,7 @@ def _tell_missing(
     passed = tuple(sorted(names))
     if action is not None:
         origin = walk.at(action.file.place)
-        if argument.name in walk.context.configurations:
+        if walk.context.get(argument.name) is not None:
             walk.record(
                 RequiredArgNotPassed(origin=origin, refused=True, related=related, name=argument.name, file=source.path, passed=passed,
                                      target=source.file)
@@ -191,11 +190,10 @@ def _tell_missing(
         IncludeMissingArg(origin=origin, refused=True, related=related, name=argument.name, file=source.path, passed=passed,
                           target=source.file, pass_all=False)
     )  # fmt: skip
-    if argument.name not in walk.context.configurations:
+    if walk.context.get(argument.name) is None:
         missing = Told("", f"the arg {argument.name} has no value")
-        walk.context.configurations[argument.name] = Setting(
-            missing, walk.at(argument.place), "missing", frozenset((argument.name,)), same=argument.name
-        )
+        steer = frozenset((argument.name,))
+        walk.context.set(argument.name, Setting(missing, walk.at(argument.place), "missing", steer, same=argument.name))
 
 
 def _too_deep(walk: Walk, action: described.Include, file: str) -> None:

@@ -20,6 +20,7 @@ from launchlint.syntax.problems import UnreadableFile
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.evaluate.ros2.repeating import Repeats
     from launchlint.syntax.ros2.reading import Reading
 
 DEEPEST_STACK = 12_000
@@ -31,14 +32,16 @@ def evaluate(
     file: str,
     given: tuple[tuple[str, str], ...] = (),
     pinned: frozenset[str] = frozenset(),
+    repeats: Repeats | None = None,
 ) -> Evaluation:
     """What ``ros2 launch FILE name:=value …`` would start. Never raises for anything the file holds.
 
-    ``pinned`` names args that people fixed, which therefore do not count as steering any condition.
+    ``pinned`` names args that people fixed, which therefore do not count as steering any condition. ``repeats`` holds what is known of the
+    other configurations of the same entry file.
     """
     if sys.getrecursionlimit() < DEEPEST_STACK:
         sys.setrecursionlimit(DEEPEST_STACK)
-    walk = Walk(session, file, rules_of(session.distro), pinned, execute)
+    walk = Walk(session, file, rules_of(session.distro), pinned, execute, repeats)
     known = walk.read(file)
     if isinstance(known, Read):
         source = Source(session.shown(file), "", file)
@@ -57,7 +60,7 @@ def evaluate(
             walk.record(told)
     except Exhausted as exhausted:
         walk.record(exhausted.args[0])
-        walk.complete = False
+        walk.exhausted = True
     return _evaluation(walk, known, given)
 
 
@@ -81,7 +84,7 @@ def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...]) 
         declarations=tuple(walk.declared),
         branches=tuple(walk.branches),
         files=tuple(walk.files),
-        complete=walk.complete,
+        complete=not walk.unread and not walk.exhausted,
         dialect=ROS2,
         distro=walk.rules.distro,
         programs=tuple(walk.programs),
@@ -90,8 +93,10 @@ def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...]) 
             for shown in walk.lister.list_executed(known.description, walk.executed).values()
         ),
         late=tuple(walk.late),
-        settled=walk.settled,
+        settled=not walk.unsettled,
     )
-    documents = {path: reading.document for path, reading in walk.readings.items() if reading.document is not None}
-    compared = {name: tuple(values) for name, values in walk.performer.compared.items()}
-    return Evaluation(launch, documents, {}, compared)
+    documents = {reading.source.path: reading.document for reading in walk.readings if reading.document is not None}
+    compared: dict[str, dict[str, None]] = {}
+    for name, values in walk.performer.compared:
+        compared.setdefault(name, {}).update(dict.fromkeys(values))
+    return Evaluation(launch, documents, {}, {name: tuple(values) for name, values in compared.items()})

@@ -84,7 +84,10 @@ def _nothing(problem: Problem) -> None:
 
 def undeclared(walk: Walk) -> Iterator[Problem]:
     """What included files read and neither declare nor set, nor any file that they include: only who includes them does."""
-    foreign, executed = walk.performer.foreign, walk.executed
+    executed = walk.executed
+    foreign: dict[tuple[tuple[int, ...], str], tuple[Origin, Setting]] = {}
+    for way, name, origin, setting in walk.performer.foreign:
+        foreign.setdefault((way, name), (origin, setting))
     if len(foreign) * len(executed) > _MOST_WORK:
         return
     for (way, name), (origin, setting) in foreign.items():
@@ -129,7 +132,7 @@ def note_leaks(walk: Walk, place: Place, node: str) -> None:
 
 def note_namespace(walk: Walk, own: Value | None, place: Place) -> None:
     """Record that something gets a namespace that an included file has pushed, and left when its end was reached."""
-    setting = walk.context.configurations.get(NAMESPACE)
+    setting = walk.context.get(NAMESPACE)
     if setting is None or setting.origin is None or not setting.is_left_at(walk.here.way) or not isinstance(setting.value, str):
         return
     absolute = own is not None and (not isinstance(own, str) or own.startswith("/"))
@@ -146,7 +149,7 @@ def note_namespace(walk: Walk, own: Value | None, place: Place) -> None:
 
 def _starts_something(walk: Walk, way: tuple[int, ...]) -> bool:
     """Whether the file that ``way`` leads to is known to start anything, in whatever branch."""
-    description = walk.executed.get(way)
+    description = walk.context.uses.asked[way] = walk.executed.get(way)
     return description is not None and walk.session.once(description, _starts)
 
 

@@ -124,7 +124,7 @@ def node(walk: Walk, action: described.Node) -> None:
         )
     )  # fmt: skip
     if action.kind == "container" and named.full is not None:
-        walk.performer.containers[action.place.key] = named.full
+        walk.performer.containers.append((action.place.key, named.full))
     if components:
         load(walk, components, named.full if named.full is not None else Told("", "the container has no name"), None)
     exits(walk, action.process)

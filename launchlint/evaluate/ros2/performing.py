@@ -69,9 +69,9 @@ class Performer:
     ``steer`` and ``outside`` collect what the texts performed since they were emptied depend on: configurations that can be given another
     value, and whether an environment variable is read. ``where`` makes an origin of a place, ``spend`` counts characters, ``notice`` takes
     what is worth knowing and keeps nothing from going on. ``table`` says what is put in place of each substitution.
-    ``containers`` are the full names of those that were executed, by their places.
-    ``compared`` collects what launch configurations that can be given from outside are compared with. ``way`` leads to the file that is
-    executed; ``foreign`` collects what files read that was set outside of them: each name in each file, by its first place and its setting.
+    ``containers`` are the full names of those that were executed, each with its place.
+    ``compared`` collects what launch configurations that can be given from outside are compared with, each with its name. ``way`` leads to
+    the file that is executed; ``foreign`` collects what files read that was set outside of them: file and name, with place and setting.
     """
 
     __slots__ = (
@@ -112,12 +112,12 @@ class Performer:
         self.notice = notice
         self.table = table
         self.anonymous = 0
-        self.compared: dict[str, dict[str, None]] = {}
-        self.containers: dict[tuple[str, int], Value] = {}
+        self.compared: list[tuple[str, tuple[str, ...]]] = []
+        self.containers: list[tuple[tuple[str, int], Value]] = []
         self.steer: set[str] = set()
         self.outside = False
         self.way: tuple[int, ...] = ()
-        self.foreign: dict[tuple[tuple[int, ...], str], tuple[Origin, Setting]] = {}
+        self.foreign: list[tuple[tuple[int, ...], str, Origin, Setting]] = []
 
     def perform(self, text: Text) -> Value:
         """The string that a text stands for now. Raises Failure where launch stops."""

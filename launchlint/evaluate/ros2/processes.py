@@ -51,7 +51,7 @@ def prepare(walk: Walk, process: described.Process, words: Iterable[Value], tag:
     if process.prefix is not None:
         prefix = walk.value(process.prefix)
     else:
-        setting = walk.context.configurations.get(PREFIX)
+        setting = walk.context.get(PREFIX)
         if setting is not None:
             prefix = setting.value
     first = words[0] if words else ""

@@ -57,7 +57,7 @@ class Live:
 
     def configuration(self, name: str) -> Value | None:
         """A launch configuration; None where it is not set."""
-        setting = self._walk.context.configurations.get(name)
+        setting = self._walk.context.get(name)
         if setting is not None:
             return setting.value
         return Unknown(name, "it may be set by what is not known") if self._walk.context.unread else None
@@ -66,12 +66,12 @@ class Live:
         """All of them; None where there may be others."""
         if self._walk.context.unread:
             return None
-        return {name: setting.value for name, setting in self._walk.context.configurations.items()}
+        return {name: setting.value for name, setting in self._walk.context.everything().items()}
 
     def configure(self, name: str, value: Value) -> None:
         """Set a launch configuration."""
         self._walk.spend(1, self._place)
-        self._walk.context.configurations[name] = Setting(value, self._walk.at(self._place), "let")
+        self._walk.context.set(name, Setting(value, self._walk.at(self._place), "let"))
 
     def variable(self, name: str) -> Value | None:
         """An environment variable; None where it is not set."""
@@ -93,6 +93,7 @@ def opaque(walk: Walk, action: described.Opaque) -> None:
 
 def _called(walk: Walk, call: Call, place: Place) -> tuple[described.Action, ...]:
     walk.spend(1, place)
+    walk.context.uses.open = True
     try:
         found = call(Live(walk, place))
     except Stopped as stopped:
@@ -122,12 +123,13 @@ def unset(walk: Walk, action: described.Unset) -> None:
     """A launch configuration is forgotten."""
     name = walk.value(action.name)
     if isinstance(name, str):
-        walk.context.configurations.pop(name, None)
+        walk.context.unset(name)
 
 
 def opened(walk: Walk, action: described.Open) -> None:
     """From here on there may be more than is known."""
-    walk.complete = walk.settled = False
+    walk.unread.append(walk.here.file)
+    walk.unsettled.append(walk.here.file)
     walk.context.include_unread()
 
 

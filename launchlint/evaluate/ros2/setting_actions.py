@@ -29,8 +29,7 @@ ENVIRONMENT_SEPARATOR = os.pathsep
 def argument(walk: Walk, action: described.Argument) -> None:
     """``<arg>``: a default is performed only where nothing is set (launch.actions.DeclareLaunchArgument.execute)."""
     name, origin = action.name, walk.at(action.place)
-    configurations = walk.context.configurations
-    setting = configurations.get(name)
+    setting = walk.context.get(name)
     given = setting is not None
     if setting is not None:
         note_overruled(walk, action, setting)
@@ -42,7 +41,7 @@ def argument(walk: Walk, action: described.Argument) -> None:
         else:
             value, steer, outside = walk.known(action.default)
             setting = Setting(value, origin, "default", steer | {name}, outside, name, walk.here.way)
-        configurations[name] = setting
+        walk.context.set(name, setting)
     value = setting.value
     written = None if action.default is None else action.default.literal
     default = None if action.default is None else written if written is not None else Unknown(action.default.place.text, "it is computed")
@@ -74,10 +73,10 @@ def configure(walk: Walk, pair: Pair, *, passed: tuple[int, ...] | None = None) 
     how: How = "let" if passed is None else "passed"
     origin: Origin | None = walk.at(pair.place)
     way = walk.here.way if passed is None else passed
-    before = walk.context.configurations.get(name)
+    before = walk.context.get(name)
     if passed is not None and before is not None and before.value == value and not before.is_left_at(walk.here.way):
         origin, way = before.origin, before.way  # it would have it anyway
-    walk.context.configurations[name] = Setting(value, origin, how, steer, outside, same_as(walk.performer, pair.value), way)
+    walk.context.set(name, Setting(value, origin, how, steer, outside, same_as(walk.performer, pair.value), way))
     return name, value
 
 
@@ -134,8 +133,7 @@ def push_namespace(walk: Walk, action: described.PushNamespace) -> None:
         if namespace_fault(joined):
             walk.record(InvalidNamespace(origin=walk.at(action.namespace.place), refused=True, namespace=pushed, private=False))
             after = Told(pushed, "it is no namespace")
-    setting = Setting(after, walk.at(action.place), "namespace", steer, outside, way=walk.here.way)
-    walk.context.configurations[NAMESPACE] = setting
+    walk.context.set(NAMESPACE, Setting(after, walk.at(action.place), "namespace", steer, outside, way=walk.here.way))
     scope = walk.here.scope
     if scope is not None and isinstance(after, str):
         walk.here = walk.here._replace(scope=scope._replace(namespace=after.rstrip("/") + "/"))

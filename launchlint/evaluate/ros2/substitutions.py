@@ -69,20 +69,20 @@ def _of_known(function: Callable[[Performer, Substitution], Value]) -> Perform:
 def _var(performer: Performer, substitution: Substitution) -> Value:
     """``$(var name default)``: the default is performed only where it is needed."""
     name = _known(performer, substitution, 0)
-    setting = performer.context.configurations.get(name)
+    setting = performer.context.get(name)
     if setting is not None:
         performer.steer |= setting.steer
         performer.outside |= setting.outside
         way = performer.way
         if way and (setting.way[: len(way)] != way or (setting.how == "passed" and setting.way == way)):
-            performer.foreign.setdefault((way, name), (performer.where(substitution.place), setting))
+            performer.foreign.append((way, name, performer.where(substitution.place), setting))
         return setting.value
     performer.steer.add(name)  # giving it a value would be enough
     if len(substitution.arguments) > 1:
         return performer.perform(substitution.arguments[1])
     if performer.context.unread:
         return Unknown(substitution.place.text, UNREAD)
-    known = tuple(sorted(performer.context.configurations))
+    known = performer.context.names()
     performer.spend(CHARACTERS_PER_KNOWN * len(known), substitution.place)
     origin = performer.where(substitution.place)
     raise Failure(
@@ -188,12 +188,14 @@ def _log_directory(performer: Performer, substitution: Substitution) -> Value:
 def _anonymous(performer: Performer, substitution: Substitution) -> Value:
     """A name that is made once, and kept as a launch configuration: so it is another one again behind the group that it was made in."""
     name = _known(performer, substitution, 0)
-    configurations = performer.context.configurations
-    if "anon" + name not in configurations:
+    context = performer.context
+    setting = context.get("anon" + name)
+    if setting is None:
         performer.anonymous += 1
         made = f"{name.translate(_FOLD)}_anon{performer.anonymous}"
-        configurations["anon" + name] = Setting(made, performer.where(substitution.place), "anonymous")
-    return configurations["anon" + name].value
+        setting = Setting(made, performer.where(substitution.place), "anonymous")
+        context.set("anon" + name, setting)
+    return setting.value
 
 
 def _truth(performer: Performer, substitution: Substitution, index: int) -> bool:
@@ -324,7 +326,8 @@ def _not_known(performer: Performer, substitution: Substitution) -> Value:
 
 def _full_name(performer: Performer, substitution: Substitution) -> Value:
     """The full name of a container: as it was when that was executed, or else as it would be now."""
-    known = performer.containers.get(substitution.place.key)
+    performer.context.uses.open = True
+    known = dict(performer.containers).get(substitution.place.key)
     if known is not None:
         return known
     namespace, name = _known(performer, substitution, 0), _known(performer, substitution, 1)

@@ -29,6 +29,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.evaluate.ros2.judged_keys import Receiver
     from launchlint.evaluate.ros2.passing import Entered
+    from launchlint.evaluate.ros2.repeating import Logs, Repeats, Said
     from launchlint.evaluate.session import Session
     from launchlint.syntax.ros2.reading import Reading
 
@@ -157,7 +158,16 @@ class Body(NamedTuple):
 class Walk:
     """One evaluation of an entry file in one configuration: the context, and what has come of it so far."""
 
-    def __init__(self, session: Session, entry: str, rules: Rules, pinned: frozenset[str], handle: Callable[[Walk, Action], None]) -> None:
+    def __init__(
+        self,
+        session: Session,
+        entry: str,
+        rules: Rules,
+        pinned: frozenset[str],
+        handle: Callable[[Walk, Action], None],
+        repeats: Repeats | None = None,
+    ) -> None:
+        self.repeats = repeats
         self.session = session
         self.entry = entry
         self.rules = rules
@@ -179,15 +189,18 @@ class Walk:
         self.declared: list[Declaration] = []
         self.branches: list[Branch] = []
         self.files: list[str] = []
-        self.readings: dict[str, Reading] = {}
+        self.readings: list[Reading] = []
         self.executed: dict[tuple[int, ...], described.Description] = {}
+        self.executions: list[tuple[tuple[int, ...], described.Description]] = []
         self.launch = object()
-        self.complete = True
-        self.settled = True
+        self.unread: list[str] = []
+        self.unsettled: list[str] = []
+        self.exhausted = False
         self.receivers: list[Receiver] = []
         self.entered: list[Entered] = []
-        self._recorded: set[tuple[object, ...]] = set()
         self.waiting: list[Body] = []
+        self.said: Said = []
+        self._recorded: set[tuple[object, ...]] = set()
 
     # -- files -------------------------------------------------------------------------------------------------
 
@@ -209,16 +222,40 @@ class Walk:
             return self.session.exists(file)
         return not file.endswith(".xml") and holds_python(file, self.session.read(file).data or b"")
 
+    def step_to(self, place: Place) -> IncludeStep:
+        """The step from here to what an include at ``place`` includes."""
+        step = self.here.step
+        return IncludeStep(place, step) if self.repeats is None else self.repeats.step(place, step)
+
     # -- recording ---------------------------------------------------------------------------------------------
 
     def at(self, place: Place) -> Origin:
         """A place in the file that is executed, as where something comes from."""
         return Origin(place, self.here.step)
 
-    def record(self, problem: Problem) -> None:
-        """Record ``problem``; under a condition of unknown value it may never come to pass, so that it refuses nothing."""
+    @property
+    def logs(self) -> Logs:
+        """All that is collected in the order in which it comes, but problems: see ``said``."""
+        return (
+            self.nodes, self.programs, self.includes, self.declared, self.branches, self.files, self.readings, self.executions, self.unread,
+            self.unsettled, self.receivers, self.entered, self.performer.compared, self.performer.containers, self.performer.foreign,
+        )  # fmt: skip
+
+    def record(self, problem: Problem, key: tuple[object, ...] | None = None) -> None:
+        """Record ``problem``, unless one has been by the same ``key``; under a condition of unknown value it may never come to pass, so
+        that it refuses nothing.
+        """
         if self.here.assumed:
             problem = problem.but(assumed=True, refused=False)
+        self.keep(problem, key)
+
+    def keep(self, problem: Problem, key: tuple[object, ...] | None) -> None:
+        """The same for a problem that has been recorded before, in another configuration."""
+        self.said.append((key, problem))
+        if key is not None:
+            if key in self._recorded:
+                return
+            self._recorded.add(key)
         self.problems.append(problem)
         if not problem.refused:
             return
@@ -230,16 +267,17 @@ class Walk:
     def record_once(self, problem: Problem) -> None:
         """Record ``problem``, unless it has been for another node: what stands at one place kills them all for the same reason."""
         texts = (value for name, value in vars(problem).items() if isinstance(value, str) and name != "node")
-        key = (type(problem), problem.place.key, *texts)
-        if key not in self._recorded:
-            self._recorded.add(key)
-            self.record(problem)
+        self.record(problem, (type(problem), problem.place.key, *texts))
 
     def spend(self, actions: int, place: Place) -> None:
         """Count work at ``place`` that is worth that many actions. Raises Exhausted, at the bound of the whole evaluation."""
         self.looked_at += actions
         if self.looked_at > LARGEST_EVALUATION:
             raise Exhausted(EvaluationBound(origin=self.at(place), elements=LARGEST_EVALUATION))
+
+    def has_left(self, actions: int) -> bool:
+        """Whether so much work can be done before the bound."""
+        return self.looked_at + actions <= LARGEST_EVALUATION
 
     def spend_characters(self, count: int, place: Place) -> None:
         """Count a text of ``count`` characters. Raises Exhausted."""
@@ -320,7 +358,7 @@ class Walk:
         for name, setting in context.configurations.items():
             if configurations.get(name) is not setting:
                 unknown = Unknown(name, reason)
-                context.configurations[name] = setting._replace(value=unknown, steer=setting.steer, same=None)
+                context.set(name, setting._replace(value=unknown, steer=setting.steer, same=None))
         for name in context.environment.changes:
             if name not in environment or environment[name] != context.environment.changes[name]:
                 context.environment.set(name, Unknown(name, reason))
@@ -365,7 +403,7 @@ class Walk:
         """A configuration with a value, or, without one, with not being set (launch.conditions.LaunchConfigurationEquals)."""
         name = condition.operands[0].literal or ""
         expected, steer, outside = self.performed(condition.operands[1]) if len(condition.operands) > 1 else _NOT_SET
-        setting = self.context.configurations.get(name)
+        setting = self.context.get(name)
         if setting is None:
             unset, steer = not self.context.unread, steer | {name}
             found: Value | None = None if unset else Unknown(name, "an included file may set it")

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from launchlint.evaluate.configurations import MOST_EVALUATIONS, configurations
-from launchlint.evaluate.ros2.arg_flow import ROS2_LAUNCH
+from launchlint.evaluate.ros2.arg_flow import ros2_launch
 from tests.evaluate.ros2.launching import Workspace
 
 NODE = '<node pkg="pk" exec="{}"/>'
@@ -16,7 +16,7 @@ NODE = '<node pkg="pk" exec="{}"/>'
 def shown(directory: Path, main: str, *given: tuple[str, str], **others: str) -> list[tuple[str, list[str]]]:
     """The args of each configuration, and what it starts."""
     workspace = Workspace(directory, main, {f"{name}.launch.xml": text for name, text in others.items()})
-    found = configurations(workspace.session(), str(workspace.launch_files / "main.launch.xml"), given, ROS2_LAUNCH)
+    found = configurations(workspace.session(), str(workspace.launch_files / "main.launch.xml"), given, ros2_launch())
     return [
         (" ".join(f"{name}:={value}" for name, value in each.launch.given), [node.executable for node in each.launch.nodes])
         for each in found

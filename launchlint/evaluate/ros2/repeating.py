@@ -1,0 +1,169 @@
+"""What executing an action came to, for the next configuration of the same entry file: most of a launch is the same in all of them.
+
+All that an action can depend on is compared: where the walk is, what is in force, and those launch configurations that were read before
+they were set. Where all of it is equal once more, what came of the action is taken over, and nothing of it is executed.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from launchlint.evaluate.ros2.context import Setting, Uses
+from launchlint.source import IncludeStep, Place
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from launchlint.evaluate.ros2.context import Value
+    from launchlint.evaluate.ros2.parameters import GlobalSource
+    from launchlint.evaluate.ros2.walk import Here, Walk
+    from launchlint.model import Remap
+    from launchlint.problem import Problem
+    from launchlint.syntax.ros2.description import Action
+
+    Logs = tuple[list[Any], ...]
+    """What the walk collects, in the order in which it comes."""
+    Said = list[tuple[tuple[object, ...] | None, Problem]]
+    Key = tuple[int, tuple[int, ...]]
+    """An action, and the includes that lead to it: each by its identity."""
+
+MOST_KEPT = 6
+"""Outcomes of one action; the oldest goes first."""
+
+
+class Situation(NamedTuple):
+    """All that an action can depend on but launch configurations; ``remaps`` and ``parameters`` are None where there is no list,
+    ``leaked`` says of each of them whether its group is closed already.
+    """
+
+    here: Here
+    directory: str | None
+    file: str | None
+    unread: bool
+    unread_parameters: bool
+    environment: dict[str, Value | None]
+    remaps: tuple[Remap, ...] | None
+    parameters: tuple[GlobalSource, ...] | None
+    leaked: tuple[bool, ...]
+
+    @classmethod
+    def of(cls, walk: Walk) -> Situation:
+        """That of this moment."""
+        context = walk.context
+        remaps, parameters = context.remaps, context.parameters
+        return cls(
+            walk.here,
+            context.directory,
+            context.file,
+            context.unread,
+            context.unread_parameters,
+            dict(context.environment.changes),
+            None if remaps is None else tuple(remaps),
+            None if parameters is None else tuple(parameters),
+            tuple(id(each) in context.leaked for each in (*(remaps or ()), *(parameters or ()))) if context.leaked else (),
+        )
+
+
+class Outcome(NamedTuple):
+    """What one action came to in its ``situation``, with what it did to the launch configurations.
+
+    ``names`` are those that were set before it, where it looked through all of them. ``logged`` is what was added to each list of the walk.
+    """
+
+    situation: Situation
+    uses: Uses
+    names: frozenset[str] | None
+    asked: Mapping[tuple[int, ...], object]
+    settings: tuple[tuple[str, Setting], ...]
+    after: Situation
+    work: int
+    logged: tuple[tuple[Any, ...], ...]
+    said: tuple[tuple[tuple[object, ...] | None, Problem], ...]
+
+    def fits(self, situation: Situation, walk: Walk) -> bool:
+        """Whether it would come to the same now."""
+        if self.situation != situation:
+            return False
+        configurations = walk.context.configurations
+        if any(configurations.get(name) != setting for name, setting in self.uses.read.items()):
+            return False
+        if any(walk.executed.get(way) is not found for way, found in self.asked.items()):
+            return False
+        return self.names is None or self.names == configurations.keys()
+
+
+class Repeats:
+    """The outcomes of all configurations of one entry file."""
+
+    def __init__(self) -> None:
+        self._known: dict[Key, list[Outcome]] = {}
+        self._steps: dict[tuple[int, int], IncludeStep] = {}
+
+    def step(self, place: Place, parent: IncludeStep | None) -> IncludeStep:
+        """The step from ``parent`` to an include: always the same one, so that it takes no time to compare origins."""
+        known = self._steps.get((id(place), id(parent)))
+        if known is None:
+            known = self._steps[id(place), id(parent)] = IncludeStep(place, parent)
+        return known
+
+    def execute(self, walk: Walk, action: Action, perform: Callable[[Walk, Any], None]) -> None:
+        """Execute an action, or take over what came of it."""
+        key = (id(action), walk.here.way)
+        situation = Situation.of(walk)
+        outcomes = self._known.setdefault(key, [])
+        for outcome in outcomes:
+            if outcome.fits(situation, walk) and walk.has_left(outcome.work):
+                _take_over(walk, outcome)
+                return
+        outcome = _executed(walk, action, perform, situation)
+        if outcome is not None:
+            outcomes.insert(0, outcome)
+            del outcomes[MOST_KEPT:]
+
+
+def _executed(walk: Walk, action: Action, perform: Callable[[Walk, Any], None], situation: Situation) -> Outcome | None:
+    """Execute an action; None where the next one cannot take over what comes of it."""
+    context = walk.context
+    around = context.uses
+    uses = context.uses = Uses()
+    lists = context.remaps, context.parameters
+    logs = walk.logs
+    starts = [len(log) for log in logs]
+    executed = len(walk.executions)
+    said, work, waiting, anonymous = len(walk.said), walk.looked_at, len(walk.waiting), walk.performer.anonymous
+    perform(walk, action)
+    context.uses = around
+    around.join(uses)
+    after = Situation.of(walk)
+    leaked = lists != (context.remaps, context.parameters) or (after.remaps, after.parameters) != (situation.remaps, situation.parameters)
+    if leaked or uses.open or len(walk.waiting) > waiting or anonymous != walk.performer.anonymous:
+        return None
+    configurations = context.configurations
+    inside = {way for way, _ in walk.executions[executed:]}
+    return Outcome(
+        situation,
+        uses,
+        frozenset(configurations.keys() - uses.added) if uses.all_names else None,
+        {way: found for way, found in uses.asked.items() if found is None or way not in inside},
+        tuple((name, configurations[name]) for name in sorted(uses.written)),
+        after,
+        walk.looked_at - work,
+        tuple(tuple(log[start:]) for log, start in zip(logs, starts, strict=True)),
+        tuple(walk.said[said:]),
+    )
+
+
+def _take_over(walk: Walk, outcome: Outcome) -> None:
+    context, after, executed = walk.context, outcome.after, len(walk.executions)
+    context.uses.join(outcome.uses)
+    context.configurations.update(outcome.settings)
+    context.directory, context.file = after.directory, after.file
+    context.unread, context.unread_parameters = after.unread, after.unread_parameters
+    context.environment.restore(after.environment)
+    walk.looked_at += outcome.work
+    for log, logged in zip(walk.logs, outcome.logged, strict=True):
+        log.extend(logged)
+    walk.executed.update(walk.executions[executed:])
+    for key, problem in outcome.said:
+        walk.keep(problem, key)
