@@ -25,7 +25,7 @@ def _parse(session: Session, file: str) -> Document | Read:
     from launchlint.evaluate.session import Read
 
     reading = session.reading(file)
-    return reading if isinstance(reading, Read) else _document(reading)
+    return reading if isinstance(reading, Read) else session.once(reading, _document)
 
 
 def _document(reading: Reading) -> Document:
@@ -33,8 +33,7 @@ def _document(reading: Reading) -> Document:
     from launchlint.syntax.tree import Document
 
     document = Document(reading.source) if reading.document is None else reading.document
-    document.problems = list(reading.problems)
-    return document
+    return document.telling(reading.problems)
 
 
 def _validate(document: Document) -> Iterator[Problem]:
@@ -59,7 +58,7 @@ def _with_documents(session: Session, evaluation: Evaluation) -> Evaluation:
     from launchlint.evaluate.session import Read
 
     read = (session.reading(file) for file in dict.fromkeys(evaluation.launch.files) if not file.endswith(_PYTHON))
-    documents = (_document(each) for each in read if not isinstance(each, Read))
+    documents = (session.once(each, _document) for each in read if not isinstance(each, Read))
     return evaluation._replace(documents={each.source.path: each for each in documents})
 
 

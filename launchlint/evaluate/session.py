@@ -194,7 +194,9 @@ class Session:
             from launchlint.syntax.ros2.reading import read
 
             content = self.read(file)
-            known = content if content.data is None else read(content.data, self.shown(file), file, self.distro)
+            parsed = self._documents.get(absolute)
+            parsed = None if isinstance(parsed, Read) else parsed
+            known = content if content.data is None else read(content.data, self.shown(file), file, self.distro, parsed)
             self._readings[absolute] = known
         return known
 

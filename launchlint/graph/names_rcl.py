@@ -33,7 +33,7 @@ class RclNamer(Namer):
         unknown: remappings of which only patterns are known.
     """
 
-    __slots__ = ("_by_rule", "_names")
+    __slots__ = ("_by_rule", "_names", "_rules")
 
     has_action_topics = False
 
@@ -48,16 +48,18 @@ class RclNamer(Namer):
         self._is_rospy = False
         self._spelled = {}
         self._unknown = [(placed(source, self.namespace, node), placed(target, self.namespace, node)) for source, target in unknown]
+        self._rules = rules
         self._table: dict[str, Applied] = {}
-        for remap, rule in reversed(rules):
-            source = self._expanded(rule.match) if rule.match else None
-            target = self._expanded(rule.replacement)
-            if source is not None and target is not None:
-                self._table[source] = Applied(source, target, Rule(rule.match, rule.replacement, remap))
 
     @property
     def remappings(self) -> Mapping[str, Applied]:
         """The remappings of the node itself, by their resolved source: of several the one that counts."""
+        if not self._table:
+            for remap, rule in reversed(self._rules):
+                source = self._expanded(rule.match) if rule.match else None
+                target = self._expanded(rule.replacement)
+                if source is not None and target is not None:
+                    self._table[source] = Applied(source, target, Rule(rule.match, rule.replacement, remap))
         return self._table
 
     def resolve(self, name: str) -> Resolved:

@@ -5,6 +5,8 @@ Source: ``rcl/src/rcl/arguments.c`` (``_rcl_parse_remap_rule``) and ``remap.c``.
 
 from __future__ import annotations
 
+import re
+from functools import lru_cache
 from typing import NamedTuple
 
 from launchlint.rcl import lexer
@@ -28,8 +30,20 @@ class Rule(NamedTuple):
     replacement: str
 
 
+_TOKEN = "(?:[A-Za-z]|_(?!_))(?:[A-Za-z0-9]|(?<!_)_)*"
+_NAME = rf"(?:~?/)?{_TOKEN}(?:/{_TOKEN})*"
+_PLAIN = re.compile(rf"({_NAME}):=({_NAME})")
+"""What nearly all rules look like. They are as the lexemes say, which take far longer to tell."""
+
+
+@lru_cache(maxsize=4096)  # what is set for all nodes is on each command line
 def parse(text: str) -> Rule | Refused:
     """The rule that ``text`` stands for, or why rcl takes none from it."""
+    plain = None if "__" in text else _PLAIN.fullmatch(text)
+    return _parse(text) if plain is None else Rule("both", None, plain[1], plain[2])
+
+
+def _parse(text: str) -> Rule | Refused:
     lexemes = Lexemes(text)
     node = None
     if lexemes.kind == lexer.TOKEN and lexemes.following() == lexer.COLON:

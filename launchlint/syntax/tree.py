@@ -11,13 +11,14 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
+from copy import copy
 
 from launchlint.problem import Problem
 from launchlint.source import Place, Source, Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from launchlint.syntax.parts import Parts
 
@@ -299,6 +300,12 @@ class Document:
     def place(self, span: Span) -> Place:
         """``span`` as a place in this file."""
         return Place(self.source, span)
+
+    def telling(self, problems: Iterable[Problem]) -> Document:
+        """The same file with other problems: what is wrong with it to another launcher."""
+        other = copy(self)
+        other.problems = list(problems)
+        return other
 
     def element_from(self, offset: int) -> Element | None:
         """The first element that starts at or after ``offset``."""

@@ -51,12 +51,11 @@ class Setting(NamedTuple):
 class Environment:
     """The environment variables, as what differs from those that launch was started with (None: not set any more)."""
 
-    __slots__ = ("changes", "session", "version")
+    __slots__ = ("changes", "session")
 
     def __init__(self, session: Session) -> None:
         self.session = session
         self.changes: dict[str, Value | None] = {}
-        self.version = 0
 
     def get(self, name: str) -> Value | None:
         """The value of a variable, None where it is not set."""
@@ -65,12 +64,10 @@ class Environment:
     def set(self, name: str, value: Value | None) -> None:
         """Set a variable, or unset it."""
         self.changes[name] = value
-        self.version += 1
 
     def restore(self, changes: Mapping[str, Value | None]) -> None:
         """Make the variables what they were."""
         if self.changes != changes:
-            self.version += 1
             self.changes = dict(changes)
 
 

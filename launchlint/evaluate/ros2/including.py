@@ -153,10 +153,8 @@ def _missing(
     listing = walk.lister.list(description)
     passed = set(names)
     told: set[tuple[str, tuple[str, int]]] = set()
-    for shown in listing.shown:
+    for shown in listing.required:
         argument = shown.argument
-        if shown.conditional or argument.default is not None:
-            continue
         if shown.through is not None:
             passed |= listing.passed[shown.through] or frozenset()
         at = (argument.name, argument.place.key)

@@ -18,8 +18,11 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import TypeAlias
 
+    from launchlint.evaluate.ros2.context import Value
+
     Names: TypeAlias = frozenset[str] | None
     """What includes pass, all together; None where that cannot be told without a context, which launch does not expect."""
+    Changes: TypeAlias = tuple[tuple[str, Value | None], ...]
     Way: TypeAlias = tuple[int, ...]
     """The includes that lead to a file, each by its identity."""
 
@@ -36,9 +39,11 @@ class Shown(NamedTuple):
 
 
 class Listing(NamedTuple):
-    """All args that one file shows, the first of each name; ``passed``: for each of its includes, what that and those below it pass."""
+    """The args that one file shows and that must be given, the first of each name; ``passed``: for each of its includes, what that and
+    those below it pass.
+    """
 
-    shown: tuple[Shown, ...]
+    required: tuple[Shown, ...]
     passed: tuple[Names, ...]
 
 
@@ -49,21 +54,44 @@ class _Below(NamedTuple):
     passed: Names
 
 
-class Lister:
-    """Lists files. ``read`` gives the description of a file, None where launch cannot load it; ``performer`` has an empty context."""
+class Listings:
+    """What has been listed for one entry file, by file and by what the environment was."""
 
-    def __init__(self, performer: Performer, read: Callable[[str], Description | None], version: Callable[[], int]) -> None:
+    def __init__(self) -> None:
+        self.files: dict[tuple[int, Changes], Listing] = {}
+        self.below: dict[tuple[str, Changes], _Below] = {}
+        self.reached: dict[int, tuple[tuple[Action, bool], ...]] = {}
+
+
+class Lister:
+    """Lists files.
+
+    ``read`` gives the description of a file, None where launch cannot load it; ``performer`` has an empty context; ``kept`` is what has
+    been listed already.
+    """
+
+    def __init__(self, performer: Performer, read: Callable[[str], Description | None], kept: Listings) -> None:
         self._performer = performer
         self._read = read
-        self._version = version
-        self._below: dict[tuple[str, int], _Below] = {}
+        self._kept = kept
         self._open: set[str] = set()
 
     def list(self, description: Description) -> Listing:
-        """The args that a file shows."""
+        """The args that a file shows and that must be given."""
+        key = (id(description), self._changes())
+        known = self._kept.files.get(key)
+        if known is None:
+            known = self._kept.files[key] = self._listed(description)
+        return known
+
+    def _changes(self) -> Changes:
+        """What has been done to the environment."""
+        return tuple(self._performer.context.environment.changes.items())
+
+    def _listed(self, description: Description) -> Listing:
         shown: dict[str, Shown] = {}
         passed: list[Names] = []
-        for action, conditional in _reached(description.actions, conditional=False):
+        for action, conditional in self._reached(description):
             if isinstance(action, Argument):
                 shown.setdefault(action.name, Shown(action, conditional or action.condition is not None, None, None))
             elif isinstance(action, Include):
@@ -71,16 +99,18 @@ class Lister:
                 passed.append(_together(self._names(action), below.passed))
                 for argument, uncertain in below.shown:
                     shown.setdefault(argument.name, Shown(argument, uncertain, len(passed) - 1, action))
-        return Listing(tuple(shown.values()), tuple(passed))
+        required = (each for each in shown.values() if not each.conditional and each.argument.default is None)
+        return Listing(tuple(required), tuple(passed))
 
     def list_executed(self, description: Description, executed: Mapping[Way, Description], way: Way = ()) -> dict[str, Shown]:
         """The same when all has been executed: launch knows the files of the includes that it has executed, whatever their names are made
         of. ``executed`` has them by the includes that lead to them.
         """
         shown: dict[str, Shown] = {}
-        for action, conditional in _reached(description.actions, conditional=False):
+        for action, conditional in self._reached(description):
             if isinstance(action, Argument):
-                shown.setdefault(action.name, Shown(action, conditional or action.condition is not None, None, None))
+                if action.name not in shown:
+                    shown[action.name] = Shown(action, conditional or action.condition is not None, None, None)
             elif isinstance(action, Include):
                 inner = (*way, id(action))
                 if inner in executed:
@@ -91,6 +121,13 @@ class Lister:
                     shown.setdefault(argument.name, Shown(argument, uncertain, None, action))
         return shown
 
+    def _reached(self, description: Description) -> tuple[tuple[Action, bool], ...]:
+        """The args and includes of a file: see :func:`_reached`."""
+        key = id(description)
+        if key not in self._kept.reached:
+            self._kept.reached[key] = tuple(_reached(description.actions, conditional=False))
+        return self._kept.reached[key]
+
     def _included(self, include: Include) -> _Below:
         """What the file of an include adds; nothing where it cannot be told, or includes itself."""
         nothing = _Below((), frozenset())
@@ -100,21 +137,21 @@ class Lister:
             return nothing
         if isinstance(file, Unknown) or file in self._open:
             return nothing
-        key = (file, self._version())
-        known = self._below.get(key)
+        key = (file, self._changes())
+        known = self._kept.below.get(key)
         if known is None:
             description = self._read(file)
             if description is None:
                 return nothing
             self._open.add(file)
-            known = self._below[key] = self._all_below(description)
+            known = self._kept.below[key] = self._all_below(description)
             self._open.remove(file)
         return known
 
     def _all_below(self, description: Description) -> _Below:
         shown: dict[str, tuple[Argument, bool]] = {}
         passed: Names = frozenset()
-        for action, conditional in _reached(description.actions, conditional=False):
+        for action, conditional in self._reached(description):
             if isinstance(action, Argument):
                 shown.setdefault(action.name, (action, conditional or action.condition is not None))
             elif isinstance(action, Include):

@@ -6,6 +6,7 @@ useless only where neither the files executed from there on nor the rest of thos
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -45,6 +46,7 @@ def useless(entered: list[Entered], session: Session) -> Iterator[Problem]:
     files = _Files(entered, session)
     if files.work() > _MOST_WORK:
         return
+    files.prepare()
     for index, each in enumerate(entered):
         if each.description is None:
             continue
@@ -67,72 +69,116 @@ def useless(entered: list[Entered], session: Session) -> Iterator[Problem]:
 
 
 class _Files:
+    """The files that were executed, each by its place among them."""
+
     def __init__(self, entered: list[Entered], session: Session) -> None:
         self._entered = entered
         self._session = session
         self._at = {each.way: index for index, each in enumerate(entered)}
+        self._names = [self._names_of(each) for each in entered]
+        self._passed = [frozenset(name for name, _ in each.passed) for each in entered]
+
+    def prepare(self) -> None:
+        """Find what all questions are answered from."""
+        self._first, self._last = self._numbers()
+        self._missing = [self._last_missing(index) for index in range(len(self._entered))]
+        self._readers: dict[str, list[int]] = {}
+        for at, names in enumerate(self._names):
+            for name in () if names is None else names.read.keys() | names.declared.keys():
+                self._readers.setdefault(name, []).append(at)
+        unsure = (at for at, names in enumerate(self._names) if names is None or names.open or not self._all_entered(at, -1))
+        self._unsure = sorted(unsure, key=self._first.__getitem__)
+        self._unsure_first = [self._first[at] for at in self._unsure]
+
+    def _names_of(self, each: Entered) -> Names | None:
+        if each.description is None:
+            return None
+        return self._session.once(each.description, names_of_refused if each.refused else names_of)
+
+    def _numbers(self) -> tuple[list[int], list[int]]:
+        """For each file its number in the order of the tree of includes, and that of the last one below it.
+
+        Files are executed in that order, but for those that timers and ends of processes put off.
+        """
+        below: dict[tuple[int, ...], list[tuple[int, ...]]] = {}
+        for way in self._at:
+            below.setdefault(way[:-1], []).append(way) if way else None
+        first: dict[tuple[int, ...], int] = {}
+        last: dict[tuple[int, ...], int] = {}
+        waiting: list[tuple[tuple[int, ...], bool]] = [((), False)]
+        while waiting:
+            way, done = waiting.pop()
+            if done:
+                last[way] = len(first) - 1
+                continue
+            first[way] = len(first)
+            waiting.append((way, True))
+            waiting.extend((each, False) for each in reversed(below.get(way, ())))
+        return [first[each.way] for each in self._entered], [last[each.way] for each in self._entered]
+
+    def _last_missing(self, index: int) -> int:
+        """Where the last include of a file stands that has not been executed; -1 where all have been."""
+        names, way = self._names[index], self._entered[index].way
+        includes = () if names is None else names.includes
+        return max((include.place.span.start for include in includes if (*way, id(include)) not in self._at), default=-1)
 
     def work(self) -> int:
         """How often a file would be asked for a name."""
-        asked = sum(len(each.passed) + len(names.arguments) for at, each in enumerate(self._entered) if (names := self.names(at)))
+        asked = sum(len(each.passed) + len(names.arguments) for each, names in zip(self._entered, self._names, strict=True) if names)
         return asked * len(self._entered)
 
     def names(self, index: int) -> Names | None:
         """What the file reads."""
-        description = self._entered[index].description
-        return (
-            None if description is None else self._session.once(description, names_of_refused if self._entered[index].refused else names_of)
-        )
+        return self._names[index]
 
     def known_below(self, index: int) -> set[str]:
         """The args that the file and those below it declare."""
-        way = self._entered[index].way
-        names = (self.names(at) for at in range(index, len(self._entered)) if self._entered[at].way[: len(way)] == way)
+        names = (self._names[at] for at in range(index, len(self._entered)) if self._is_below(at, index))
         return {name for each in names if each is not None for name in each.declared}
 
     def below(self, index: int, name: str, *, own: bool = True) -> Readers:
         """Whether the file itself (``own``) or one that it includes can read ``name``."""
-        way = self._entered[index].way
-        found: Readers = "none"
-        for at in range(index if own else index + 1, len(self._entered)):
-            if self._entered[at].way[: len(way)] == way:
-                found = _worse(found, self._reads(at, name, passed=at == index))
-        return found if own else _worse(found, "none" if self._all_entered(index, -1) else "perhaps")
+        for at in self._readers.get(name, ()):
+            if self._is_below(at, index) and (own if at == index else name not in self._passed[at]):
+                return "some"
+        if not own and not self._all_entered(index, -1):
+            return "perhaps"
+        start = bisect_left(self._unsure_first, self._first[index])
+        for at in self._unsure[start : bisect_right(self._unsure_first, self._last[index])]:
+            if own if at == index else self._is_unsure(at, name):
+                return "perhaps"
+        return "none"
 
     def after(self, index: int, name: str) -> Readers:
         """Whether what is executed when the file has been can read ``name``: the files around it, and what they include."""
+        for at in reversed(self._readers.get(name, ())):
+            if at <= index:
+                break
+            if not self._is_below(at, index) and name not in self._passed[at]:
+                return "some"
+        unsure = (at for at in self._unsure if at > index and not self._is_below(at, index) and self._is_unsure(at, name))
+        found: Readers = "none" if next(unsure, None) is None else "perhaps"
         way, step = self._entered[index].way, self._entered[index].step
-        found: Readers = "none"
-        for at in range(index + 1, len(self._entered)):
-            if self._entered[at].way[: len(way)] != way:
-                found = _worse(found, self._reads(at, name))
         while way and step is not None:
             around = self._at.get(way[:-1])
-            names = None if around is None else self.names(around)
+            names = None if around is None else self._names[around]
             if around is None or names is None:
                 return "some"
             if names.last(name) > step.place.span.end:
                 return "some"
             if names.open or not self._all_entered(around, step.place.span.end):
-                found = _worse(found, "perhaps")
+                found = "perhaps"
             way, step = way[:-1], step.parent
         return found
 
-    def _reads(self, at: int, name: str, *, passed: bool = False) -> Readers:
-        names = self.names(at)
-        if names is None:
-            return "perhaps"
-        if not passed and any(name == other for other, _ in self._entered[at].passed):
-            return "none"  # it gets another one
-        if names.last(name) >= 0:
-            return "some"
-        return "perhaps" if names.open or not self._all_entered(at, -1) else "none"
+    def _is_below(self, at: int, index: int) -> bool:
+        """Whether a file is ``index`` itself or below it."""
+        return self._first[index] <= self._first[at] <= self._last[index]
+
+    def _is_unsure(self, at: int, name: str) -> bool:
+        """Whether one of the unsure files may read ``name``: not if it gets another one."""
+        return self._names[at] is None or name not in self._passed[at]
 
     def _all_entered(self, index: int, offset: int) -> bool:
         """Whether all that the file includes behind ``offset`` has been executed."""
-        names, way = self.names(index), self._entered[index].way
-        return names is not None and all((*way, id(include)) in self._at for include in names.includes if include.place.span.start > offset)
-
-
-def _worse(one: Readers, other: Readers) -> Readers:
-    return max(one, other, key=("none", "perhaps", "some").index)
+        return self._names[index] is not None and self._missing[index] <= offset

@@ -9,6 +9,8 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from launchlint.evaluate.ros2.context import Setting, Uses
+from launchlint.evaluate.ros2.listing import Listings
+from launchlint.model import Unknown
 from launchlint.source import IncludeStep, Place
 
 TYPE_CHECKING = False
@@ -86,11 +88,23 @@ class Outcome(NamedTuple):
         if self.situation != situation:
             return False
         configurations = walk.context.configurations
-        if any(configurations.get(name) != setting for name, setting in self.uses.read.items()):
-            return False
+        for name, setting in self.uses.read.items():
+            if not _is_same(configurations.get(name), setting):
+                return False
         if any(walk.executed.get(way) is not found for way, found in self.asked.items()):
             return False
         return self.names is None or self.names == configurations.keys()
+
+
+def _is_same(one: Setting | None, other: Setting | None) -> bool:
+    if one is other or one == other:
+        return True
+    if one is None or other is None or one[1:] != other[1:]:
+        return False
+    left, right = one.value, other.value
+    if not isinstance(left, Unknown) or type(left) is not type(right):
+        return False
+    return (left.text, left.reason, left.pattern) == (right.text, right.reason, right.pattern)
 
 
 class Repeats:
@@ -98,6 +112,7 @@ class Repeats:
 
     def __init__(self) -> None:
         self._known: dict[Key, list[Outcome]] = {}
+        self.listings = Listings()
         self._steps: dict[tuple[int, int], IncludeStep] = {}
 
     def step(self, place: Place, parent: IncludeStep | None) -> IncludeStep:
@@ -116,9 +131,9 @@ class Repeats:
             if outcome.fits(situation, walk) and walk.has_left(outcome.work):
                 _take_over(walk, outcome)
                 return
-        outcome = _executed(walk, action, perform, situation)
-        if outcome is not None:
-            outcomes.insert(0, outcome)
+        new = _executed(walk, action, perform, situation)
+        if new is not None:
+            outcomes.insert(0, new)
             del outcomes[MOST_KEPT:]
 
 

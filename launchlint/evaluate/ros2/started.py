@@ -6,6 +6,7 @@ The words are put together as ``launch_ros.actions.Node`` does.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from typing import Any, NamedTuple
 
 from launchlint.evaluate.ros2.parameters import PARAMETERS
@@ -143,11 +144,19 @@ def dumped(content: Any) -> str:
     """A mapping as launch_ros writes it for rcl: PyYAML's style, texts without quotes where PyYAML reads them as texts."""
     import yaml
 
+    return str(yaml.dump(_plain(content), Dumper=_dumper(), default_flow_style=False))
+
+
+@cache
+def _dumper() -> Any:
+    """PyYAML's, by libyaml where that is there; what is said twice is written twice."""
+    import yaml
+
     class Dumper(getattr(yaml, "CSafeDumper", yaml.SafeDumper)):  # type: ignore[misc]
         def ignore_aliases(self, data: Any) -> bool:
             return True
 
-    return str(yaml.dump(_plain(content), Dumper=Dumper, default_flow_style=False))
+    return Dumper
 
 
 def _plain(content: Any) -> Any:

@@ -14,7 +14,7 @@ from launchlint.evaluate.problems import ConditionNotBoolean, EvaluationBound
 from launchlint.evaluate.ros2.comparing import note_truth
 from launchlint.evaluate.ros2.context import Context, Setting, Value
 from launchlint.evaluate.ros2.leaving import lost_in
-from launchlint.evaluate.ros2.listing import Lister
+from launchlint.evaluate.ros2.listing import Lister, Listings
 from launchlint.evaluate.ros2.performing import Failure, Performer, Rules
 from launchlint.evaluate.ros2.substitutions import PERFORM
 from launchlint.evaluate.session import Read
@@ -177,7 +177,7 @@ class Walk:
         self.performer = Performer(session, self.context, entry, rules, self.at, self.spend_characters, self.record, PERFORM)
         quiet = Performer(session, Context(session), entry, rules, Origin, self.spend_characters, _nothing, PERFORM)
         quiet.context.environment = self.context.environment
-        self.lister = Lister(quiet, self.description_of, lambda: self.context.environment.version)
+        self.lister = Lister(quiet, self.description_of, Listings() if repeats is None else repeats.listings)
         self.here = Here(entry, None, ())
         self.looked_at = 0
         self.problems: list[Problem] = []

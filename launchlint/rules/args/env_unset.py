@@ -34,6 +34,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from launchlint.evaluate.problems import EnvUnset
 from launchlint.finding import Finding, Severity
@@ -132,6 +133,7 @@ def _names(package: str, document: Document) -> bool:
     )
 
 
+@lru_cache(maxsize=512)
 def slip_of(name: str) -> str | None:
     """The well-known variable that ``name`` is a slip of the pen for; ``None`` where there is none."""
     return one_slip(name, (*USUAL, *OPTIONAL))

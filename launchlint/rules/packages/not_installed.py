@@ -116,11 +116,14 @@ def check(view: LaunchView) -> Iterator[Finding]:
     root = root_of(view.launch.entry)
     texts = [document.source.text for document in view.documents.values()]
     only_by_share = any("find-pkg-share" in text for text in texts) and not any("dirname" in text for text in texts)
+    places: dict[str, Shared | None] = {}
     for use in _uses(view):
-        if not posixpath.isabs(use.file) or not _by_share(use, texts, only_by_share):
+        if not posixpath.isabs(use.file):
             continue
-        place = shared(view.packages, use.file)
-        if place is None or not exists(use.file) or not place.installed.lacks(place.path):
+        if use.file not in places:
+            places[use.file] = _lacking(view, use.file)
+        place = places[use.file]
+        if place is None or not _by_share(use, texts, only_by_share):
             continue
         if place.installed.share_paths(use.file) and not _written(place.path, use, texts):
             continue  # found at the place that it is installed to
@@ -137,6 +140,12 @@ def check(view: LaunchView) -> Iterator[Finding]:
             topic=place.path,
             cause=f"{severity.word} {place.package.directory} {top}",
         )
+
+
+def _lacking(view: LaunchView, file: str) -> Shared | None:
+    """Where ``file`` would lie below the share directory of its package, if it is there in the sources and is not installed."""
+    place = shared(view.packages, file)
+    return place if place is not None and exists(file) and place.installed.lacks(place.path) else None
 
 
 def together(findings: Sequence[Finding]) -> Finding:

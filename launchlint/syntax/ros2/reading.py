@@ -61,7 +61,7 @@ class Reading(NamedTuple):
         return next((problem for problem in self.problems if problem.refused), None)
 
 
-def read(data: bytes, path: str, file: str | None = None, distro: str = DEFAULT) -> Reading:
+def read(data: bytes, path: str, file: str | None = None, distro: str = DEFAULT, parsed: Document | None = None) -> Reading:
     """Read the content of a launch file in XML or YAML; never raises.
 
     Args:
@@ -69,6 +69,7 @@ def read(data: bytes, path: str, file: str | None = None, distro: str = DEFAULT)
         path: the name shown to people.
         file: the name under which the file was opened: its ending says which front end explains what none can read.
         distro: the distribution of ROS 2 whose tags, attributes and substitutions count.
+        parsed: what XML makes of the file, where that is known.
     """
     try:
         text = data.decode("utf-8-sig")
@@ -77,10 +78,10 @@ def read(data: bytes, path: str, file: str | None = None, distro: str = DEFAULT)
     parser = Parser(distribution(distro))
     start = text.lstrip()[:1]
     if start == "<" or (start == "" and not (file or path).endswith(_ENDS)):
-        return _xml(data, path, file, parser)
+        return _xml(data, path, file, parser, parsed)
     reading = _yaml(Source(path, text, file), parser)
     if reading is None:
-        return _xml(data, path, file, parser)
+        return _xml(data, path, file, parser, parsed)
     return reading
 
 
@@ -102,11 +103,12 @@ def _not_utf8(source: Source, data: bytes, start: int) -> Reading:
     return Reading(Description((), Place(source, Span(0, 0))), (problem,), source)
 
 
-def _xml(data: bytes, path: str, file: str | None, parser: Parser) -> Reading:
+def _xml(data: bytes, path: str, file: str | None, parser: Parser, parsed: Document | None) -> Reading:
     from launchlint.syntax.parse import parse
     from launchlint.syntax.ros2.xml import XmlEntity
 
-    document = parse(_as_utf8(data), path, file)
+    as_utf8 = _as_utf8(data)
+    document = parse(as_utf8, path, file) if parsed is None or as_utf8 is not data else parsed
     source = document.source
     for problem in document.problems:
         if isinstance(problem, MalformedXml):
