@@ -68,11 +68,12 @@ class Situation(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What one action came to in its ``situation``, with what it did to the launch configurations.
+    """What an ``action`` came to in its ``situation``, with what it did to the launch configurations.
 
     ``names`` are those that were set before it, where it looked through all of them. ``logged`` is what was added to each list of the walk.
     """
 
+    action: Action
     situation: Situation
     uses: Uses
     names: frozenset[str] | None
@@ -83,9 +84,9 @@ class Outcome(NamedTuple):
     logged: tuple[tuple[Any, ...], ...]
     said: tuple[tuple[tuple[object, ...] | None, Problem], ...]
 
-    def fits(self, situation: Situation, walk: Walk) -> bool:
-        """Whether it would come to the same now."""
-        if self.situation != situation:
+    def fits(self, action: Action, situation: Situation, walk: Walk) -> bool:
+        """Whether ``action`` would come to the same now."""
+        if self.action is not action or self.situation != situation:
             return False
         configurations = walk.context.configurations
         for name, setting in self.uses.read.items():
@@ -128,7 +129,7 @@ class Repeats:
         situation = Situation.of(walk)
         outcomes = self._known.setdefault(key, [])
         for outcome in outcomes:
-            if outcome.fits(situation, walk) and walk.has_left(outcome.work):
+            if outcome.fits(action, situation, walk) and walk.has_left(outcome.work):
                 _take_over(walk, outcome)
                 return
         new = _executed(walk, action, perform, situation)
@@ -157,6 +158,7 @@ def _executed(walk: Walk, action: Action, perform: Callable[[Walk, Any], None], 
     configurations = context.configurations
     inside = {way for way, _ in walk.executions[executed:]}
     return Outcome(
+        action,
         situation,
         uses,
         frozenset(configurations.keys() - uses.added) if uses.all_names else None,
