@@ -283,7 +283,15 @@ RULES: tuple[Entry, ...] = (
     Entry(
         "LL922", "not-a-substitution", "python.not_a_substitution", ERROR, dialects=(ROS2,), ros2=("NotASubstitution", "NotAParameterValue")
     ),
-    Entry("LL923", "condition-never-boolean", "python.condition_never_boolean", ERROR, dialects=(ROS2,), ros2=("NotACondition",)),
+    Entry(
+        "LL923",
+        "condition-never-boolean",
+        "python.condition_never_boolean",
+        ERROR,
+        on=(evaluate.EvalError,),
+        dialects=(ROS2,),
+        ros2=("NotACondition",),
+    ),
     Entry("LL924", "removed-keyword", "python.removed_keyword", ERROR, dialects=(ROS2,), ros2=("UnknownKeyword",)),
     Entry("LL925", "wrong-module", "python.wrong_module", ERROR, dialects=(ROS2,), ros2=("WrongModule",)),
     Entry(

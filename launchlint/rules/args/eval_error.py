@@ -48,6 +48,8 @@ def tell(problem: EvalError | EvalNotCovered | EvalNeverEqual, view: LaunchView)
     if of_ros2(view) and not isinstance(problem, EvalNeverEqual):
         from launchlint.rules.judging import ros2_args as ros2_words
 
+        if ros2_words.takes_text_for_name(problem):
+            return  # LL923 has more to say
         yield from ros2_words.expression(problem, RULE)
         return
     if isinstance(problem, EvalNeverEqual):

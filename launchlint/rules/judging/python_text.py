@@ -17,6 +17,12 @@ def level(problem: Problem) -> Severity:
     return Severity.WARNING if problem.assumed else Severity.ERROR
 
 
+def reads_environment(place: Place) -> bool:
+    """Whether a launch file in Python reads variables of the environment: a path or value may be another one where they are set."""
+    source = place.source
+    return source.path.endswith(".py") and any(each in source.text for each in ("getenv(", "environ[", "environ.get("))
+
+
 def shown(text: str) -> str:
     """What is written somewhere, on one line and not too long."""
     line = " ".join(text.split())

@@ -109,10 +109,11 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
         advice = f"write $(dirname)/{file}, or find it by its package: $(find-pkg-share PACKAGE)/…"
     elif len(others) == 1:
         advice = f"did you mean {shown(others[0], root_of(source))}?"
+    elsewhere = relative and source.path.endswith(".py")  # people start such files from the workspace they are made for
     yield rule.at(
         problem.origin,
         f"the included file {named} does not exist" if file else "the name of the included file is empty",
-        severity=Severity.INFO if problem.environment else Severity.WARNING if perhaps else None,
+        severity=Severity.INFO if problem.environment else Severity.WARNING if perhaps or elsewhere else None,
         label="not found",
         notes=tuple(notes),
         help=advice,
@@ -146,6 +147,13 @@ def environment(problem: EnvUnset, rule: Rule, view: LaunchView, reason: str, sl
         topic=name,
         cause=name,
     )
+
+
+def takes_text_for_name(problem: EvalError | EvalNotCovered) -> bool:
+    """Whether an expression of a launch file in Python fails since the ``true`` or ``false`` that it gets is no name of Python."""
+    if not isinstance(problem, EvalError) or not problem.place.source.path.endswith(".py"):
+        return False
+    return "'true'" in problem.reason or "'false'" in problem.reason
 
 
 def expression(problem: EvalError | EvalNotCovered, rule: Rule) -> Iterator[Finding]:

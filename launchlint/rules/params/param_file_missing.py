@@ -58,6 +58,7 @@ from launchlint.rules.judging.left_over import left_over_in
 from launchlint.rules.judging.made_file import cause_of, made
 from launchlint.rules.judging.moved import lacking, moved, told_as_moved
 from launchlint.rules.judging.other_file import root_of, shown
+from launchlint.rules.judging.python_text import reads_environment
 from launchlint.rules.judging.robot_file import advice, is_robots
 from launchlint.rules.judging.template import is_path_to_fill_in
 from launchlint.rules.rule import Rule
@@ -104,6 +105,9 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     elif maker is not None:
         severity = Severity.INFO
         notes.append(maker.why)
+    elif path and problem.relative and view.dialect.name == ROS2 and reads_environment(problem.place):
+        severity = Severity.INFO
+        notes.append("this launch file makes paths of environment variables, which may be set elsewhere")
     elif path and problem.relative and "(" not in path and has_arg(problem.place.text):
         severity = Severity.INFO
         notes.append("an arg says which file, so that this one may stand for any")

@@ -45,16 +45,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from launchlint.evaluate.problems import EvalError
 from launchlint.finding import Finding, Severity
-from launchlint.rules.judging.python_text import level, stops
+from launchlint.rules.judging.python_text import level, shown, stops
+from launchlint.rules.judging.ros2_args import takes_text_for_name
 from launchlint.rules.rule import Rule
 from launchlint.syntax.ros2.python.problems import NotACondition
 
 RULE = Rule("LL923", "condition-never-boolean", Severity.ERROR, roslaunch="refuses")
 
 
-def tell(problem: NotACondition, view: object) -> Iterator[Finding]:
+def tell(problem: NotACondition | EvalError, view: object) -> Iterator[Finding]:
     """Say what stands there, and what is wanted."""
+    if isinstance(problem, EvalError):
+        if takes_text_for_name(problem):
+            yield _name(problem)
+        return
     written = problem.place.text if len(problem.place.text) <= 40 else "…"
     yield RULE.at(
         problem.origin,
@@ -63,4 +69,15 @@ def tell(problem: NotACondition, view: object) -> Iterator[Finding]:
         label="no condition",
         notes=stops("an AttributeError when it comes to this action: it has no attribute 'evaluate'"),
         help=f"write IfCondition({written})" if problem.substitution else "use a plain if of Python, or IfCondition over a substitution",
+    )
+
+
+def _name(problem: EvalError) -> Finding:
+    word = "true" if "'true'" in problem.reason else "false"
+    return RULE.at(
+        problem.origin,
+        f"this expression comes to {shown(problem.expression)!r}, and Python knows no name {word}",
+        severity=Severity.ERROR if problem.refused else Severity.WARNING,
+        notes=stops(f"NameError: name '{word}' is not defined"),
+        help="put quotes around the value and compare it: PythonExpression([\"'\", LaunchConfiguration(…), \"' == 'true'\"])",
     )

@@ -52,12 +52,11 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS2, fix
-from launchlint.rules.judging.python_text import level, stops, write
+from launchlint.rules.judging.python_text import level, reads_environment, stops, write
 from launchlint.rules.rule import Rule
 from launchlint.syntax.ros2.python.problems import NotAParameterValue, NotASubstitution
 
 RULE = Rule("LL922", "not-a-substitution", Severity.ERROR, roslaunch="refuses", fixable="safe")
-_VARIABLES = ("getenv(", "environ")
 
 
 def tell(problem: NotASubstitution | NotAParameterValue, view: object) -> Iterator[Finding]:
@@ -88,7 +87,7 @@ def tell(problem: NotASubstitution | NotAParameterValue, view: object) -> Iterat
 
 def _level(problem: NotASubstitution | NotAParameterValue, found: str) -> Severity:
     # A variable of the environment that is not set here may be set where the file is launched.
-    if found == "None" and any(each in problem.place.source.text for each in _VARIABLES):
+    if found == "None" and reads_environment(problem.place):
         return Severity.INFO
     return level(problem)
 

@@ -70,6 +70,7 @@ def tell(problem: UnknownKeyword, view: object) -> Iterator[Finding]:
         help=f"write {new}" if new else f"did you mean {near}?" if near else "take it out",
         fix=_fix(problem, near),
         topic=keyword,
+        cause=f"{problem.place.source.path} {callee} {keyword}",
     )
 
 

@@ -37,8 +37,9 @@ def performed_as_boolean(tree: ast.Module, place: Callable[[ast.AST], Place]) ->
         inside = _assigned(routine, made)
         texts = _performed(routine, {**made, **inside})
         for node in ast.walk(routine):
-            whole = tested.get(id(node)) or _against_boolean(node)
-            side = node.left if whole is node and isinstance(node, ast.Compare) else node
+            against = _against_boolean(node)
+            whole = tested.get(id(node)) if against is None else against
+            side = node if against is None else against.left
             name = texts.get(side.id, "") if isinstance(side, ast.Name) else _configuration(side, {**made, **inside})
             if whole is not None and name in booleans:
                 origin = Origin(place(whole))
