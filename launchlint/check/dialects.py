@@ -1,8 +1,4 @@
-"""Leaving out what only looks like a launch file, and what nobody here reads.
-
-That are files of other programs with the same ending (Eclipse has ``.launch`` files, too), even where they hold a ``<launch>`` somewhere;
-and launch files in Python, which would have to be run.
-"""
+"""Leaving out what only looks like a launch file: files of other programs with the same ending (Eclipse has ``.launch`` files, too)."""
 
 from __future__ import annotations
 
@@ -12,43 +8,35 @@ from typing import NamedTuple
 
 from launchlint.check.options import EntryRequest
 from launchlint.evaluate.session import Session
-from launchlint.workspace.discovery import PYTHON_END, holds_python, is_in_python
+from launchlint.workspace.discovery import PYTHON_END, is_program
 
 
 class SortedOut(NamedTuple):
-    """Requests for launch files, and the paths of others: ``python`` launch files, ``other`` files with the name of their root."""
+    """Requests for launch files, and the paths of others, each with the name of its root."""
 
     kept: list[EntryRequest]
-    python: tuple[str, ...]
     other: tuple[tuple[str, str], ...]
 
 
 def sort_out(requests: Sequence[EntryRequest], named: Collection[str], session: Session) -> SortedOut:
-    """Tell launch files that can be read from others. Files in ``named`` (absolute) were asked for by name, and stay whatever they hold."""
+    """Tell launch files from others. Files in ``named`` (absolute) were asked for by name, and stay whatever they hold."""
     from launchlint.workspace.launch_root import other_root
 
     kept: list[EntryRequest] = []
-    python: dict[str, None] = {}
     other: dict[str, str] = {}
     for request in requests:
-        if is_in_python(request.at) and os.path.abspath(request.at) not in named and _describes_nothing(request.at, session):
-            continue
-        if is_in_python(request.at) and session.in_python(request.at) is None:
-            python[session.shown(request.at)] = None
-            continue
-        data = None if is_in_python(request.at) else session.read(request.file).data
-        if data is not None and holds_python(request.at, data):
-            if session.in_python(request.at) is not None:
+        if request.at.endswith(".py"):
+            if os.path.abspath(request.at) in named or not _describes_nothing(request.at, session):
                 kept.append(request)
-                continue
-            python[session.shown(request.at)] = None
             continue
-        root = None if data is None or os.path.abspath(request.at) in named else other_root(data)
+        data = session.read(request.file).data
+        is_other = data is not None and os.path.abspath(request.at) not in named and not is_program(request.at, data)
+        root = other_root(data) if data is not None and is_other else None
         if root is not None:
             other[session.shown(request.at)] = root
         else:
             kept.append(request)
-    return SortedOut(kept, tuple(python), tuple(other.items()))
+    return SortedOut(kept, tuple(other.items()))
 
 
 def _describes_nothing(path: str, session: Session) -> bool:

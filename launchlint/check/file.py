@@ -19,6 +19,11 @@ if TYPE_CHECKING:
     from launchlint.suppression import Suppression
 
 
+_PROGRAM = ".py"
+_OF_PROGRAMS = "launchlint.syntax.ros2.python."
+"""Where the problems are defined that only launch files in Python have: the fixes of their rules are Python."""
+
+
 class Guarded(NamedTuple):
     """A finding, and the conditional element around it (its index): where that is never evaluated, nobody is hurt yet."""
 
@@ -81,13 +86,19 @@ def _told(rule: Entry, problem: Problem, view: object) -> tuple[Finding, ...]:
         findings.extend(rule.load().tell(problem, view))
     except Exception as error:  # a rule must never take the run down
         findings.append(internal_error(f"rule {rule.id} {rule.name}", problem.place.source.path, error))
-    return tuple(findings)
+    return tuple(findings) if type(problem).__module__.startswith(_OF_PROGRAMS) else tuple(map(_as_in_markup, findings))
+
+
+def _as_in_markup(finding: Finding) -> Finding:
+    """A finding without a fix where that would have to be written into a program: it is made for XML or YAML."""
+    return finding._replace(fix=None) if finding.fix is not None and finding.location.path.endswith(_PROGRAM) else finding
 
 
 def run_rule(rule: Entry, view: object, path: str) -> Iterator[Finding | Fine]:
     """What a view rule says; a crash becomes a finding that names the rule and the file."""
     try:
-        yield from rule.load().check(view)
+        for found in rule.load().check(view):
+            yield _as_in_markup(found) if isinstance(found, Finding) else found
     except Exception as error:  # a rule must never take the run down
         yield internal_error(f"rule {rule.id} {rule.name}", path, error)
 

@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterable
 from launchlint.check.options import Arguments, EntryRequest, Options
 from launchlint.errors import UsageError
 from launchlint.finding import Severity
-from launchlint.workspace.discovery import holds_python, is_in_python
 
 STANDARD_INPUT = "stdin.launch"
 """What standard input is called where nobody says it."""
@@ -181,24 +180,17 @@ class EntryOptions:
         )
 
 
-def _in_python(request: EntryRequest, session: Session) -> bool:
-    return is_in_python(request.at) or holds_python(request.at, session.read(request.file).data or b"")
-
-
 def leave_others_out(entry: EntryOptions, requests: list[EntryRequest], session: Session) -> tuple[list[EntryRequest], tuple[str, ...]]:
-    """``requests`` without what is no launch file and nobody asked for by name, and what is in Python if that is not read; and notices."""
+    """``requests`` without those that are no launch files and nobody asked for by name; and notices of them."""
     named = entry.named
     if entry.entries is not None or entry.standard_input is not None:
         named = frozenset(os.path.abspath(each.at) for each in requests)
-    if named.issuperset(os.path.abspath(each.at) for each in requests) and not any(_in_python(each, session) for each in requests):
+    if named.issuperset(os.path.abspath(each.at) for each in requests):
         return requests, ()
     from launchlint.check.dialects import sort_out
 
-    kept, python, other = sort_out(requests, named, session)
+    kept, other = sort_out(requests, named, session)
     notices = []
-    if python:
-        files = f"{len(python)} launch files in Python such as {python[0]}" if len(python) > 1 else f"the launch file {python[0]}"
-        notices.append(f"left out {files}: those in Python stay as they are")
     if other:
         path, root = other[0]
         many = f"{len(other)} files such as {path}: their roots are others than <launch>, so that they are no launch files"

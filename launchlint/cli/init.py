@@ -71,7 +71,7 @@ def look(directory: str) -> Found:
     options = entry.options()
     requests, overlay = entry.requests()
     checker = EntryChecker(options, overlay)
-    kept, python, _ = sort_out(requests, (), checker.session)
+    kept, _ = sort_out(requests, (), checker.session)
     results = check_entries(kept, checker)
     outcome = merge(results, options, checker.packages, per_file_ignores(entry.configuration, options.root), asked=entry.paths)
     findings = told_once(outcome.findings)
@@ -82,7 +82,6 @@ def look(directory: str) -> Found:
     return Found(
         packages,
         shown,
-        python,
         [os.path.relpath(path, directory) for path in dict.fromkeys(shown) if path not in included],
         sum(finding.severity is Severity.ERROR for finding in findings),
         sum(finding.severity is Severity.WARNING for finding in findings),
@@ -96,8 +95,6 @@ def _told(found: Found, *, pre_commit: bool, github: bool) -> list[str]:
     from launchlint.cli import starting
 
     lines = [f"{counted(len(found.packages), 'package')}, {counted(len(found.read), 'launch file')}."]
-    if found.python:
-        lines.append(f"{counted(len(found.python), 'launch file')} in Python that cannot be read.")
     if found.errors or found.warnings:
         lines += [
             f"A check finds {counted(found.errors, 'error')} and {counted(found.warnings, 'warning')}: `launchlint check` shows them.",

@@ -30,7 +30,6 @@ def command(entry: EntryOptions, format_: str) -> int:
 
     requests, overlay = entry.requests()
     checker = EntryChecker(entry.options(everything=True), overlay)
-    checker.session.reads_python = True
     requests, notices = leave_others_out(entry, requests, checker.session)
     for notice in notices:
         tell(notice)

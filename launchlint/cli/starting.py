@@ -57,14 +57,13 @@ launchlint:
 
 
 class Found(NamedTuple):
-    """What is in a repository: names of ``packages``, paths of launch files that are ``read``, and of those in ``python``, and the CI.
+    """What is in a repository: names of ``packages``, paths of launch files that are ``read``, and the CI.
 
     ``started`` are the launch files that no other one includes; ``errors`` and ``warnings`` count what a check finds.
     """
 
     packages: Sequence[str]
     read: Sequence[str]
-    python: Sequence[str]
     started: Sequence[str]
     errors: int
     warnings: int

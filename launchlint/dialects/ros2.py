@@ -1,4 +1,4 @@
-"""The dialect of ``ros2 launch``: launch files in XML and YAML."""
+"""The dialect of ``ros2 launch``: launch files in XML, YAML and Python."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from launchlint.dialects.record import Dialect
 from launchlint.model import ROS2
+from launchlint.workspace.discovery import is_program
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,9 +17,6 @@ if TYPE_CHECKING:
     from launchlint.syntax.remarks import Remark
     from launchlint.syntax.ros2.reading import Reading
     from launchlint.syntax.tree import Document
-
-
-_PYTHON = ".py"
 
 
 def _parse(session: Session, file: str) -> Document | Read:
@@ -57,7 +55,7 @@ def _with_documents(session: Session, evaluation: Evaluation) -> Evaluation:
     """The same with every file that was read, those in YAML too."""
     from launchlint.evaluate.session import Read
 
-    read = (session.reading(file) for file in dict.fromkeys(evaluation.launch.files) if not file.endswith(_PYTHON))
+    read = (session.reading(file) for file in dict.fromkeys(evaluation.launch.files))
     documents = (session.once(each, _document) for each in read if not isinstance(each, Read))
     return evaluation._replace(documents={each.source.path: each for each in documents})
 
@@ -67,6 +65,10 @@ def _remarks(document: Document) -> list[Remark]:
         from launchlint.syntax.remarks import remarks
 
         return remarks(document)
+    if is_program(document.source.file, document.source.text.encode("utf-8", "replace")):
+        from launchlint.syntax.ros2.python.remarks import remarks as python_remarks
+
+        return python_remarks(document.source)
     from launchlint.syntax.ros2.yaml_remarks import remarks as yaml_remarks
 
     return yaml_remarks(document.source)

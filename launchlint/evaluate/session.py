@@ -73,7 +73,6 @@ class Session:
         self.environment = environment
         self.root = os.getcwd() if root is None else root
         self.asked_distro = distro
-        self.reads_python = True
         self._in_python: dict[str, Reading | None] = {}
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
@@ -186,7 +185,7 @@ class Session:
         return known
 
     def reading(self, file: str) -> Reading | Read:
-        """Read ``file`` of ROS 2, in XML or YAML, once; the failed :class:`Read` where it cannot be read."""
+        """Read ``file`` of ROS 2, in XML, YAML or Python, once; the failed :class:`Read` where it cannot be read."""
         absolute = os.path.abspath(file) if file else ""
         self.touched.add(absolute)
         known = self._readings.get(absolute) or self.in_python(file)
@@ -201,8 +200,8 @@ class Session:
         return known
 
     def in_python(self, file: str) -> Reading | None:
-        """A launch file of ROS 2 that is a program, as far as what it describes can be told without running it, where that is asked for."""
-        if not self.reads_python or not (file.endswith(".py") or holds_python(file, self.read(file).data or b"")):
+        """A launch file of ROS 2 that is a program, as far as what it describes can be told without running it; None where it is none."""
+        if not file.endswith(".py") and not holds_python(file, self.read(file).data or b""):
             return None
         absolute = os.path.abspath(file)
         if absolute not in self._in_python:

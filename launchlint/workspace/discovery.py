@@ -104,6 +104,11 @@ def holds_python(path: str, data: bytes) -> bool:
     return (data.startswith(_DESCRIBES) or b"\n" + _DESCRIBES in data) and data.lstrip()[:1] != b"<"
 
 
+def is_program(path: str, data: bytes) -> bool:
+    """Whether a launch file is in Python: by its name or, where that leaves it open, by what it holds."""
+    return path.endswith(".py") or holds_python(path, data)
+
+
 def may_be_launch_file(path: str) -> bool:
     """Whether a file of this name can be a launch file."""
     return path.endswith((*_ENDS, _TEST_END, _XML_END, *_YAML_ENDS, *_PYTHON_ENDS)) and os.path.basename(path) not in _OTHER_XML

@@ -8,9 +8,8 @@ from launchlint.evaluate.problems import IncludeCycle, IncludeMissingArg, Includ
 from launchlint.evaluate.ros2.context import Setting
 from launchlint.evaluate.ros2.passing import Entered
 from launchlint.evaluate.ros2.problems import RequiredArgNotPassed
-from launchlint.evaluate.ros2.python_files import describes_nothing
 from launchlint.evaluate.ros2.setting_actions import configure
-from launchlint.evaluate.ros2.walk import DEEPEST_INCLUDE, PYTHON, STARTING, Exhausted, Here, Told, Walk
+from launchlint.evaluate.ros2.walk import DEEPEST_INCLUDE, STARTING, Exhausted, Here, Told, Walk
 from launchlint.evaluate.session import Read
 from launchlint.model import Include, Scope, Unknown, shown_text
 from launchlint.source import IncludeStep, Origin
@@ -45,7 +44,7 @@ def include(walk: Walk, action: described.Include) -> None:
         return
     if len(walk.here.files) >= DEEPEST_INCLUDE - 1:
         _too_deep(walk, action, file)
-    known = walk.session.in_python(file) if walk.in_python(file) else walk.read(file)
+    known = walk.read(file)
     if isinstance(known, Read):
         walk.record(
             IncludeNotFound(origin=walk.at(action.file.place), refused=True, file=file, written=action.file.place.text,
@@ -60,13 +59,6 @@ def include(walk: Walk, action: described.Include) -> None:
     context.directory = os.path.dirname(context.file)
     outer = walk.here
     step = walk.step_to(action.place)
-    if known is None:  # Python: what it starts is not looked into
-        walk.files.append(file)
-        walk.entered.append(Entered(way, step, None, (), ""))
-        walk.includes.append(entry._replace(arguments=_pass(walk, action, way)))
-        if not describes_nothing(walk.session.read(file).data or b""):
-            _unread(walk)
-        return
     _tell_refusals(walk, known, step)
     named = [(name, pair.place) for pair in action.arguments if isinstance(name := walk.value(pair.name), str)]
     names = [name for name, _ in named]
@@ -79,7 +71,7 @@ def include(walk: Walk, action: described.Include) -> None:
         Entered(
             way,
             step,
-            _names_in(known, file),
+            _names_in(known),
             tuple((name, walk.at(place)) for name, place in named),
             known.source.path,
             known.refusal is not None,
@@ -112,13 +104,14 @@ def enter(walk: Walk, file: str, known: Reading, given: Mapping[str, str]) -> No
         steer = frozenset() if name in walk.pinned else frozenset((name,))
         context.set(name, Setting(value, None, "given", steer, same=name))
     walk.here = Here(file, None, (context.file,), told=told)
-    walk.entered.append(Entered((), None, _names_in(known, file), (), known.source.path, known.refusal is not None))
+    walk.entered.append(Entered((), None, _names_in(known), (), known.source.path, known.refusal is not None))
     _run(walk, known, file)
 
 
-def _names_in(known: Reading, file: str) -> Description | None:
-    """Where all that the file can read is written; not so of a program."""
-    return None if file.endswith(PYTHON) else known.description
+def _names_in(known: Reading) -> Description | None:
+    """Where all that the file can read is written; not so of a program of which not all is known."""
+    is_program = known.source.file.endswith(".py")
+    return None if known.unresolved or (is_program and known.refusal is not None) else known.description
 
 
 def _run(walk: Walk, known: Reading, file: str) -> None:

@@ -63,7 +63,9 @@ def names_of(description: Description) -> Names:
     includes: list[described.Include] = []
     lets: set[str] = set()
     is_open = False
-    for each, later in parts_of(description.actions):
+    whenever = description.place.source.file.endswith(".py")  # where a program makes its actions is not when they are executed
+    for each, deferred in parts_of(description.actions):
+        later = deferred or whenever
         if isinstance(each, Substitution):
             name = each.arguments[0].literal if each.arguments else None
             if each.name == "var" and name is not None:

@@ -23,7 +23,6 @@ from launchlint.problem import Problem
 from launchlint.source import IncludeStep, Origin, Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action, Text
-from launchlint.workspace.discovery import holds_python
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,8 +32,6 @@ if TYPE_CHECKING:
     from launchlint.evaluate.session import Session
     from launchlint.syntax.ros2.reading import Reading
 
-PYTHON = ".py"
-"""The end of launch files that are programs."""
 LARGEST_EVALUATION = 200_000
 """Actions executed in one configuration; more than any real launch has, few enough to end in seconds."""
 CHARACTERS_PER_ACTION = 100
@@ -210,17 +207,8 @@ class Walk:
 
     def description_of(self, file: str) -> described.Description | None:
         """What a file describes, None where launch cannot load it."""
-        if file.endswith(PYTHON) or self.in_python(file):
-            program = self.session.in_python(file)
-            return None if program is None else program.description
         known = self.session.reading(file)
         return None if isinstance(known, Read) or known.refusal is not None else known.description
-
-    def in_python(self, file: str) -> bool:
-        """Whether the launch file ``file``, which is there, is in Python: by its name or, where that leaves it open, by what it holds."""
-        if file.endswith(PYTHON):
-            return self.session.exists(file)
-        return not file.endswith(".xml") and holds_python(file, self.session.read(file).data or b"")
 
     def step_to(self, place: Place) -> IncludeStep:
         """The step from here to what an include at ``place`` includes."""

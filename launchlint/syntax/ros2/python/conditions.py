@@ -33,7 +33,11 @@ def condition_of(value: Value, texts: Texts, place: Place) -> Condition | None:
         return Condition("if", (unknown(why(value, "a condition of its own"), place),), place)
     place = value.state["place"]
     if value.kind in _BY_TRUTH:
-        return Condition(_BY_TRUTH[value.kind], (texts.text(value.state["predicate_expression"], place),), place)
+        return Condition(
+            _BY_TRUTH[value.kind],
+            (texts.text(value.state["predicate_expression"], value.state["places"].get("predicate_expression", place)),),
+            place,
+        )
     name = value.state["launch_configuration_name"]
     if not isinstance(name, str):
         return Condition("if", (unknown("it is not known which launch configuration it compares", place),), place)
@@ -44,4 +48,4 @@ def condition_of(value: Value, texts: Texts, place: Place) -> Condition | None:
 
 def condition(given: Mapping[Any, Value], texts: Texts) -> Condition | None:
     """The condition of an action with these arguments."""
-    return condition_of(given.get("condition"), texts, given["place"])
+    return condition_of(given.get("condition"), texts, given["places"].get("condition", given["place"]))

@@ -36,6 +36,12 @@ _EVENT = Unknown("what the event holds is known only when it happens")
 _CALLABLE = (Function, Bound, Partial, Class, Instance)
 
 
+def at(given: Given, name: str) -> Place:
+    """Where an argument stands; the whole call where that cannot be told."""
+    place: Place = given["places"].get(name, given["place"])
+    return place
+
+
 class Maker:
     """Makes actions of objects, each once: one object in two places gives the same action in both."""
 
@@ -117,19 +123,19 @@ class Maker:
         optional = self.texts.optional
         return Process(
             name=optional(given.get("exec_name", given.get("name") if "cmd" in given else None), place),
-            cwd=optional(given.get("cwd"), place),
-            prefix=optional(given.get("prefix"), place),
-            output=optional(given.get("output"), place),
-            respawn=self.flag(given.get("respawn"), place),
+            cwd=optional(given.get("cwd"), at(given, "cwd")),
+            prefix=optional(given.get("prefix"), at(given, "prefix")),
+            output=optional(given.get("output"), at(given, "output")),
+            respawn=self.flag(given.get("respawn"), at(given, "respawn")),
             respawn_delay=_number(given.get("respawn_delay")),
             respawn_max_retries=_whole(given.get("respawn_max_retries")),
-            sigterm_timeout=optional(given.get("sigterm_timeout"), place),
-            sigkill_timeout=optional(given.get("sigkill_timeout"), place),
-            emulate_tty=self.flag(given.get("emulate_tty"), place),
+            sigterm_timeout=optional(given.get("sigterm_timeout"), at(given, "sigterm_timeout")),
+            sigkill_timeout=optional(given.get("sigkill_timeout"), at(given, "sigkill_timeout")),
+            emulate_tty=self.flag(given.get("emulate_tty"), at(given, "emulate_tty")),
             shell=given["shell"] if isinstance(given.get("shell"), bool) else None,
-            on_exit=self.on_exit(given.get("on_exit"), place),
-            environment=self.pairs(given.get("env"), place),
-            additional_environment=self.pairs(given.get("additional_env"), place),
+            on_exit=self.on_exit(given.get("on_exit"), at(given, "on_exit")),
+            environment=self.pairs(given.get("env"), at(given, "env")),
+            additional_environment=self.pairs(given.get("additional_env"), at(given, "additional_env")),
             replaces_environment=given.get("env") is not None,
         )
 
@@ -174,13 +180,13 @@ class Maker:
         given, place = value.state, value.state["place"]
         texts = self.texts
         return Component(
-            texts.text(given["package"], place),
-            texts.text(given["plugin"], place),
-            texts.optional(given.get("name"), place),
-            texts.optional(given.get("namespace"), place),
-            self.remaps(given.get("remappings"), place),
-            parameters(given.get("parameters"), place, texts),
-            extra_arguments(given.get("extra_arguments"), place, texts),
+            texts.text(given["package"], at(given, "package")),
+            texts.text(given["plugin"], at(given, "plugin")),
+            texts.optional(given.get("name"), at(given, "name")),
+            texts.optional(given.get("namespace"), at(given, "namespace")),
+            self.remaps(given.get("remappings"), at(given, "remappings")),
+            parameters(given.get("parameters"), at(given, "parameters"), texts),
+            extra_arguments(given.get("extra_arguments"), at(given, "extra_arguments"), texts),
             place,
             condition(given, texts),
         )
@@ -210,14 +216,14 @@ def _any_node(maker: Maker, given: Given, place: Place, kind: Any, components: V
     texts = maker.texts
     made = described.Node(
         kind,
-        texts.optional(given.get("package"), place),
-        texts.text(given["executable"], place),
-        texts.optional(given.get("name"), place),
-        texts.optional(given.get("namespace"), place),
-        texts.texts(given.get("arguments"), place),
-        texts.texts(given.get("ros_arguments"), place),
-        maker.remaps(given.get("remappings"), place),
-        parameters(given.get("parameters"), place, texts),
+        texts.optional(given.get("package"), at(given, "package")),
+        texts.text(given["executable"], at(given, "executable")),
+        texts.optional(given.get("name"), at(given, "name")),
+        texts.optional(given.get("namespace"), at(given, "namespace")),
+        texts.texts(given.get("arguments"), at(given, "arguments")),
+        texts.texts(given.get("ros_arguments"), at(given, "ros_arguments")),
+        maker.remaps(given.get("remappings"), at(given, "remappings")),
+        parameters(given.get("parameters"), at(given, "parameters"), texts),
         maker.components(components, place),
         maker.process(given, place),
         place,
@@ -238,7 +244,7 @@ def _argument(maker: Maker, given: Given, place: Place) -> Action:
     known = tuple(each for each in listed if isinstance(each, str))
     return described.Argument(
         name,
-        maker.texts.optional(given.get("default_value"), place),
+        maker.texts.optional(given.get("default_value"), at(given, "default_value")),
         given["description"] if isinstance(given.get("description"), str) else "",
         known if listed and len(known) == len(listed) else None,
         place,
@@ -248,7 +254,7 @@ def _argument(maker: Maker, given: Given, place: Place) -> Action:
 
 def _group(maker: Maker, given: Given, place: Place) -> Action:
     scoped, forwarding = given.get("scoped", True), given.get("forwarding", True)
-    keep = maker.pairs(given.get("launch_configurations"), place)
+    keep = maker.pairs(given.get("launch_configurations"), at(given, "launch_configurations"))
     actions = maker.actions(given["actions"], place)
     made = described.Group(actions, scoped is not False, forwarding is not False, keep, place, condition(given, maker.texts))
     if isinstance(scoped, (Unknown, Choice)) or isinstance(forwarding, (Unknown, Choice)):
@@ -258,7 +264,7 @@ def _group(maker: Maker, given: Given, place: Place) -> Action:
 
 def _include(maker: Maker, given: Given, place: Place) -> Action:
     source = given["launch_description_source"]
-    passed = maker.pairs(given.get("launch_arguments"), place)
+    passed = maker.pairs(given.get("launch_arguments"), at(given, "launch_arguments"))
     when = condition(given, maker.texts)
     if isinstance(source, Handle) and source.kind == "LaunchDescriptionSource":
         inner = maker.actions(source.state.get("launch_description"), place)
@@ -271,7 +277,9 @@ def _include(maker: Maker, given: Given, place: Place) -> Action:
 
 
 def _executable(maker: Maker, given: Given, place: Place) -> Action:
-    return described.Executable(maker.texts.texts(given["cmd"], place), maker.process(given, place), place, condition(given, maker.texts))
+    return described.Executable(
+        maker.texts.texts(given["cmd"], at(given, "cmd")), maker.process(given, place), place, condition(given, maker.texts)
+    )
 
 
 def _load(maker: Maker, given: Given, place: Place) -> Action:
@@ -288,14 +296,14 @@ def _load(maker: Maker, given: Given, place: Place) -> Action:
 def _name_of(maker: Maker, given: Given) -> Text:
     """The full name of a container, which stands for it where it is given as an object."""
     place = given["place"]
-    name = maker.texts.text(given["name"], place)
-    return Text((Substitution(described.FULL_NAME, (maker.texts.text(given["namespace"], place), name), place),), place)
+    name = maker.texts.text(given["name"], at(given, "name"))
+    return Text((Substitution(described.FULL_NAME, (maker.texts.text(given["namespace"], at(given, "namespace")), name), place),), place)
 
 
 def _timer(maker: Maker, given: Given, place: Place) -> Action:
     number = _number(given["period"])
-    period = maker.texts.text(given["period"], place) if number is None else number
-    cancel = maker.flag(given.get("cancel_on_shutdown"), place)
+    period = maker.texts.text(given["period"], at(given, "period")) if number is None else number
+    cancel = maker.flag(given.get("cancel_on_shutdown"), at(given, "cancel_on_shutdown"))
     return described.Timer(period, maker.actions(given["actions"], place), place, condition(given, maker.texts), cancel)
 
 
@@ -307,9 +315,9 @@ def _sim_time(maker: Maker, given: Given, place: Place) -> Action:
 
 def _append(maker: Maker, given: Given, place: Place) -> Action:
     texts = maker.texts
-    prepend = maker.flag(given.get("prepend", False), place)
-    name, value = texts.text(given["name"], place), texts.text(given["value"], place)
-    separator = texts.optional(given.get("separator"), place)
+    prepend = maker.flag(given.get("prepend", False), at(given, "prepend"))
+    name, value = texts.text(given["name"], at(given, "name")), texts.text(given["value"], at(given, "value"))
+    separator = texts.optional(given.get("separator"), at(given, "separator"))
     return described.AppendEnvironment(name, value, False if prepend is None else prepend, separator, place, condition(given, texts))
 
 
@@ -358,7 +366,9 @@ def _of(kind: Any, *roles: str) -> Callable[[Maker, Given, Place], Action]:
     """What makes an action all of whose arguments are texts."""
 
     def make(maker: Maker, given: Given, place: Place) -> Action:
-        action: Action = kind(*(maker.texts.text(given.get(role, ""), place) for role in roles), place, condition(given, maker.texts))
+        action: Action = kind(
+            *(maker.texts.text(given.get(role, ""), at(given, role)) for role in roles), place, condition(given, maker.texts)
+        )
         return action
 
     return make
@@ -366,11 +376,11 @@ def _of(kind: Any, *roles: str) -> Callable[[Maker, Given, Place], Action]:
 
 def _set_parameter(maker: Maker, given: Given, place: Place) -> Action:
     value = set_value(given["value"], place, maker.texts)
-    return described.SetParameter(maker.texts.text(given["name"], place), value, place, condition(given, maker.texts))
+    return described.SetParameter(maker.texts.text(given["name"], at(given, "name")), value, place, condition(given, maker.texts))
 
 
 def _log(maker: Maker, given: Given, place: Place) -> Action:
-    return described.Log(maker.texts.text(given["msg"], place), None, place, condition(given, maker.texts))
+    return described.Log(maker.texts.text(given["msg"], at(given, "msg")), None, place, condition(given, maker.texts))
 
 
 _MAKE: Mapping[str, Callable[[Maker, Given, Place], Action]] = {

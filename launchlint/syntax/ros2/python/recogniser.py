@@ -12,7 +12,7 @@ from launchlint.python.call import Call
 from launchlint.python.failures import Raised
 from launchlint.python.values import COMPLETE, ITEMS, MISSING, UNKNOWN, External, Failure, Handle, Instance, Map, Scope, Seq, Unknown, Value
 from launchlint.python.values import Text as Open
-from launchlint.source import Place
+from launchlint.source import Place, Span
 from launchlint.syntax.ros2.python.arguments import wrong_action, wrong_values
 from launchlint.syntax.ros2.python.conditions import is_condition
 from launchlint.syntax.ros2.python.constructors import Given, wrong_shape
@@ -105,7 +105,8 @@ class LaunchRecogniser:
             values = {key: snapshot(value) for key, value in values.items()}
         if kind == "LaunchDescription" and values.get("initial_entities") is None:
             values["initial_entities"] = Seq([])
-        return Handle(kind, {**values, "place": given.whole})
+        places = {name: inside(given.where(name)) for name in given.values}
+        return Handle(kind, {**values, "place": given.whole, "places": places})
 
     def _directory(self, shared: bool, positional: list[Value], keywords: dict[str, Value], place: Place) -> Value:
         package = positional[0] if positional else keywords.get("package_name", UNKNOWN)
@@ -233,6 +234,14 @@ def snapshot(value: Value, depth: int = 0) -> Value:
     if isinstance(value, Map):
         return Map({key: snapshot(each, depth + 1) for key, each in value.entries.items()}, value.complete)
     return value
+
+
+def inside(place: Place) -> Place:
+    """Where the text of a plain string stands: between its quotes; any other place as it is."""
+    text = place.text
+    if len(text) < 2 or text[0] not in "'\"" or text[-1] != text[0] or text[0] in text[1:-1] or "\\" in text:
+        return place
+    return Place(place.source, Span(place.span.start + 1, place.span.end - 1))
 
 
 def _path(name: str, positional: list[Value]) -> Value:

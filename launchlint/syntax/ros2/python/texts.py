@@ -147,12 +147,12 @@ class Texts:
     def substitution(self, value: Handle) -> Substitution:
         """What an object of a substitution's class stands for."""
         place: Place = value.state["place"]
-        given = value.state
+        given, places = value.state, value.state["places"]
         if value.kind == "PathJoinSubstitution":
-            return Substitution(PATH_JOIN, self.texts(given["substitutions"], place), place)
+            return Substitution(PATH_JOIN, self.texts(given["substitutions"], places.get("substitutions", place)), place)
         if value.kind == "PythonExpression":
             modules = given.get("python_modules")
-            words = (self.text(given["expression"], place),)
+            words = (self.text(given["expression"], places.get("expression", place)),)
             if modules is None:
                 return Substitution("eval", words, place)
             names = modules.items if isinstance(modules, Seq) else [modules]
@@ -160,7 +160,7 @@ class Texts:
                 return Substitution("eval", (*words, self.text(modules, place)), place)
             return Substitution("eval", (*words, Text((",".join(names),), place)), place)
         name, *roles = _PLAIN[value.kind]
-        arguments = [self.text(given[role], place) for role in roles if given.get(role) is not None]
+        arguments = [self.text(given[role], places.get(role, place)) for role in roles if given.get(role) is not None]
         return Substitution(name, tuple(arguments), place)
 
 
