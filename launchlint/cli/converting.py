@@ -28,8 +28,6 @@ def convert(
 
     about_reading = frozenset(rule.id for rule in RULES if rule.view == "problem")
     checker = EntryChecker(entry.options(everything=True)._replace(rules=about_reading, default_only=True), overlay)
-    session = checker.session_for(request)
-    session.reads_python = True
     file = request.at
     style = Style(entry.configuration.line_width, entry.configuration.indent, entry.configuration.sort_attributes)
     try:

@@ -93,7 +93,12 @@ class _Run:
         from launchlint.workspace.discovery import discover
 
         entry, configuration = self._entry, self._entry.configuration
-        files = discover(entry.paths, configuration.exclude, configuration.directory)
+        found = discover(entry.paths, configuration.exclude, configuration.directory)
+        files = [file for file in found if not file.endswith(".py")]
+        left = [file for file in found if file.endswith(".py")]
+        if left and not self._given.quiet:
+            named = f"{len(left)} launch files in Python such as {left[0]}" if len(left) > 1 else f"the launch file {left[0]}"
+            tell(f"left out {named}: format writes XML and YAML; there are formatters for Python")
         if entry.named.issuperset(map(os.path.abspath, files)):
             return files
         from launchlint.check.options import EntryRequest

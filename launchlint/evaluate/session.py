@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from launchlint.source import Source, Span
 from launchlint.syntax.parse import parse
 from launchlint.workspace.discovery import holds_python
-from launchlint.workspace.looking import exists
+from launchlint.workspace.looking import exists, note, watched
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.ros2_distributions import distribution
 
@@ -73,7 +73,7 @@ class Session:
         self.environment = environment
         self.root = os.getcwd() if root is None else root
         self.asked_distro = distro
-        self._in_python: dict[str, Reading | None] = {}
+        self._in_python: dict[str, tuple[Reading | None, frozenset[str], frozenset[str]]] = {}
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
         self.variants: dict[Any, Block] = {}
@@ -106,7 +106,6 @@ class Session:
         """A session in which ``file`` describes something else than it does."""
         session = self.with_text(file, self.read(file).data or b"")
         session._readings[os.path.abspath(file)] = reading
-        session.reads_python = self.reads_python
         return session
 
     def begin_entry(self) -> None:
@@ -205,10 +204,16 @@ class Session:
             return None
         absolute = os.path.abspath(file)
         if absolute not in self._in_python:
-            self._in_python[absolute] = self._understood(absolute)
-        return self._in_python[absolute]
+            variables: set[str] = set()
+            reading, looked = watched(lambda: self._understood(absolute, variables))
+            self._in_python[absolute] = reading, looked, frozenset(variables)
+        reading, looked, asked = self._in_python[absolute]
+        note(looked)
+        self.variables |= asked
+        return reading
 
-    def _understood(self, file: str) -> Reading | None:
+    def _understood(self, file: str, variables: set[str]) -> Reading | None:
+        """What a launch file in Python describes; the names of the ``variables`` that it asks for are added to these."""
         from launchlint.syntax.ros2.python.reading import read
         from launchlint.syntax.ros2.python.recogniser import Outside
 
@@ -217,7 +222,7 @@ class Session:
             return None
         package = self.packages.package_of(file)
         colcon = self.packages.colcon
-        outside = Outside(self.distro, lambda name: colcon.find(name, file), self.environment, lambda name: self.variables.add(name))
+        outside = Outside(self.distro, lambda name: colcon.find(name, file), self.environment, variables.add)
         return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
 
     def is_launch_file(self, file: str) -> bool:

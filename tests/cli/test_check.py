@@ -295,6 +295,19 @@ def test_launch_files_in_python_are_read_and_what_only_looks_like_one_is_not(rep
     assert "four.launch.py" not in output
 
 
+def test_a_launch_file_in_python(repository: Path) -> None:
+    text = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\ndef generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='demo', executable='talk.py', name='a b')])\n"
+    )
+    write(repository, {"demo/launch/two.launch.py": text})
+    found = run(repository, "check", "--format", "concise", "demo/launch/two.launch.py")
+    assert found.output.startswith("demo/launch/two.launch.py:6:80: error LL302 ")
+    meant = text.replace("    return", "    # launchlint: ignore[LL302] a test\n    return")
+    write(repository, {"demo/launch/two.launch.py": meant})
+    assert run(repository, "check", "--format", "concise", "demo/launch/two.launch.py").output == ""
+
+
 def test_files_of_other_programs_are_left_out_with_one_notice(repository: Path) -> None:
     text = '<concert>\n  <launch package="demo" name="solution.launch"/>\n</concert>\n'
     write(repository, {"demo/launch/solution.launch": text})

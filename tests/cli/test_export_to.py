@@ -56,7 +56,7 @@ def test_what_is_lost_is_told_with_its_place(repository: Path) -> None:
     ran = run(repository, "export", "demo/launch/robot.launch.py", "--to", "xml")
     assert (ran.status, ran.errors) == (
         0,
-        f"launchlint: demo/launch/robot.launch.py:7:31: not carried over: {LOST}\n",
+        f"launchlint: demo/launch/robot.launch.py:7:101: not carried over: {LOST}\n",
     )
     assert "<!-- not carried over (line 7): emulate_tty" in ran.output
     assert '<node name="talker" pkg="demo" exec="talk.py"/>' in ran.output

@@ -39,12 +39,12 @@ def test_the_text(repository: Path) -> None:
 
 
 def test_what_is_found(repository: Path) -> None:
-    write(repository, {"launch/b.launch": DOUBLE, "launch/c.launch.py": "", ".gitlab-ci.yml": "", ".pre-commit-config.yaml": "repos: []\n"})
+    write(repository, {"launch/b.launch": DOUBLE, ".gitlab-ci.yml": "", ".pre-commit-config.yaml": "repos: []\n"})
     ran = run(repository.parent, "init", "robot")
     assert (ran.status, ran.errors) == (0, "launchlint: wrote robot/.launchlint.yaml\n")
     assert ran.output.splitlines()[:10] == [
-        "1 package, 3 launch files.",
-        "A check finds 2 errors and 0 warnings: `launchlint check` shows them.",
+        "1 package, 2 launch files.",
+        "A check finds 1 error and 0 warnings: `launchlint check` shows them.",
         "To hear of new ones only, run",
         "",
         "    launchlint check --write-baseline .launchlint-baseline.json",
@@ -78,7 +78,7 @@ def test_nothing_is_replaced(repository: Path) -> None:
 
 def test_every_example_of_the_configuration_is_valid(tmp_path: Path) -> None:
     """With the comment signs taken away it says what it shows, and every key is there."""
-    found = starting.Found(["demo"], ["l/a.launch"], [], ['l/"a: b".launch', "l/a.launch"], 0, 0, False, False, False)
+    found = starting.Found(["demo"], ["l/a.launch"], ['l/"a: b".launch', "l/a.launch"], 0, 0, False, False, False)
     write(tmp_path, {'l/"a: b".launch': CLEAN, "l/a.launch": CLEAN, "library.json": "{}", ".launchlint-baseline.json": "{}"})
     (tmp_path / "other_packages").mkdir()
     text = starting.configuration(found)

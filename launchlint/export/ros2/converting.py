@@ -125,7 +125,6 @@ def _side_by_side(
     there = file if not file.endswith(PYTHON) else f"{file.removesuffix(PYTHON).removesuffix('.launch')}{ENDS[language]}"
     before = session if less is None else session.with_reading(file, reading._replace(description=less))
     after = session.with_text(there, data)
-    after.reads_python = session.reads_python
     return before, after, there
 
 

@@ -211,15 +211,20 @@ def test_a_file_that_includes_itself(tmp_path: Path) -> None:
     assert refusal(launch) == "include-cycle a.launch.xml:2"
 
 
+SETTER = (
+    "import other\nfrom launch import LaunchDescription\n\n"
+    "def generate_launch_description():\n    return LaunchDescription([other.anything()])\n"
+)
+
+
 def test_a_launch_file_in_python_leaves_the_launch_incomplete(tmp_path: Path) -> None:
     body = "<include file='$(dirname)/a.launch.py'><arg name='x' value='1'/></include>" + SHOW.format("$(var x)")
-    launch = loaded(Workspace(tmp_path, body, {"a.launch.py": "raise SystemExit\n"}).launch())
+    launch = loaded(Workspace(tmp_path, body, {"a.launch.py": SETTER}).launch())
     assert not launch.complete
     assert [include.arguments for include in launch.includes] == [{"x": "1"}]
     assert launch.nodes[0].arguments == "1"
 
 
-SETTER = "from launch import LaunchDescription\n\ndef generate_launch_description():\n    return LaunchDescription([anything()])\n"
 EMPTY = (
     'from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    """Nothing."""\n    return LaunchDescription([])\n'
 )
