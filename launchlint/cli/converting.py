@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from launchlint.fix.format.style import Style
     from launchlint.source import Place
 
+
 def convert(
     entry: EntryOptions, overlay: Mapping[str, bytes], request: EntryRequest, language: str, from_: str | None, to: str
 ) -> Converted | None:

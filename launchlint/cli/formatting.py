@@ -204,9 +204,7 @@ class _Run:
 
         options = self._entry.options()
         packages = Packages(options.workspaces, options.variables, explicit=options.explicit, complete=options.complete)
-        session = Session(packages, options.variables, options.root, distro=options.distro)
-        session.reads_python = False  # programs have formatters of their own
-        return session
+        return Session(packages, options.variables, options.root, distro=options.distro)
 
     @cached_property
     def _guard(self) -> Guard:
