@@ -15,6 +15,13 @@ WRITES = late(r"(?:^|[_\-/~])(?:out|output|save|saver|record|recorder|write|writ
 _USES = late(r"""\bpkg\s*=\s*["']\s*([\w.-]+)|\bfind\(\s*["']([\w.-]+)|\bfind\s+([\w.-]+)\s*\)""")
 _WRITTEN = late(r"(?<![a-z])(?!output\s*=)(?:out|sav|record|writ|dump|export|generat)")
 
+_DECLARED = late(
+    r"""<arg\b[^<>]{0,300}?\bname\s*=\s*["']([^"'$<>]+)|\barg\s*:\s{0,200}name\s*:\s*["']?([^\s"'$]+)|"""
+    r"""\bDeclareLaunchArgument\(\s*(?:name\s*=\s*)?["']([^"'$]+)"""
+)
+_LAUNCH_FILES = late(r"/([\w.-]{1,100}\.(?:launch|xml|ya?ml|py))\b")
+_READ = late(r"""\$\(var\s+['"]?([^\s()'"$]+)|\bLaunchConfiguration\(\s*(?:variable_name\s*=\s*)?["']([^"'$]+)""")
+
 
 def _packages(text: str) -> Sequence[str]:
     """The packages that a launch file names."""
@@ -26,7 +33,17 @@ def _writing(text: str) -> Sequence[str]:
     return (text,) if _WRITTEN.search(text) else ()
 
 
-PARTS: Mapping[str, Callable[[str], Sequence[str]]] = {"packages": _packages, "writing": _writing}
+def _args(text: str) -> Sequence[str]:
+    """The args that a launch file of ROS 2 declares and reads, whatever it is written in, and the names of launch files, with a slash.
+
+    Comments count, too.
+    """
+    declared = {one or other or third for one, other, third in _DECLARED.findall(text)}
+    files = {f"/{name}" for name in _LAUNCH_FILES.findall(text)} if declared else set()
+    return sorted({*declared.intersection(one or other for one, other in _READ.findall(text)), *files})
+
+
+PARTS: Mapping[str, Callable[[str], Sequence[str]]] = {"packages": _packages, "writing": _writing, "args": _args}
 """What of a text something may hang on, where it does not hang on all of it: a change of the rest changes nothing."""
 
 

@@ -16,7 +16,8 @@ and so are those of the same names in several files, which mostly were copied fr
 
 In ROS 2 an arg is seen by all that is executed after it, passed on or not. There it is told of only where neither its file reads it
 (`$(var …)`) nor any file that is included by it or executed later; not where one of these is in Python or not
-here, or hangs on a condition that does not hold, or is a parameter file with substitutions.
+here, or hangs on a condition that does not hold, or is a parameter file with substitutions. Where another launch file beside it takes and
+reads the same arg, and at least half of the others, it is information: the two may have one interface.
 
 ## Why it matters
 
@@ -52,6 +53,7 @@ Not while there is an error in the file: that may be what should read it.
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator, Sequence
 
@@ -61,8 +63,9 @@ from launchlint.late import late
 from launchlint.rules.edits import fix, remove_element, spot
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.never_declared import never_declared
+from launchlint.rules.judging.one_interface import taken_beside
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import FileView, of_ros2
+from launchlint.rules.view import FileView, LaunchView, of_ros2
 from launchlint.source import Origin, Place, Span
 from launchlint.spelling import closest, distance, folded
 from launchlint.syntax.ros1.substitutions import expression_in, parts_of, slip
@@ -146,12 +149,15 @@ def check(view: FileView) -> Iterator[Finding]:
         )
 
 
-def tell(problem: ArgUnused, view: object) -> Iterator[Finding]:
+def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
     """The same in ROS 2, where it takes a whole launch to tell: an arg is seen by all files that are executed after its own."""
     if ON_PURPOSE.search(problem.description):
         return
     name, place = problem.name, problem.place
     idle = NOTHING_ELSE if problem.alone else "only a comment reads it" if f"$(var {name})" in place.source.text else ""
+    beside = "" if idle else taken_beside(posixpath.abspath(place.source.file), name, _declared(view, problem), view.packages)
+    if beside:
+        idle = f"{beside} beside this file takes it, too, and reads it: it may be here for those who include one or the other"
     yield RULE.at(
         Origin(_written(place, name), problem.origin.step),
         f"the arg {name} is never read",
@@ -162,6 +168,11 @@ def tell(problem: ArgUnused, view: object) -> Iterator[Finding]:
         topic=name,
         cause=f"{place.source.path} {idle}",
     )
+
+
+def _declared(view: LaunchView, problem: ArgUnused) -> frozenset[str]:
+    """The args that the file of ``problem`` declares."""
+    return frozenset(each.name for each in view.launch.declared if each.origin.place.source is problem.place.source)
 
 
 def _written(place: Place, name: str) -> Place:

@@ -32,6 +32,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.rules.judging.ros2_instead import instead_of
 from launchlint.rules.rule import Rule
 from launchlint.syntax.ros2.problems import NotInDistribution
 from launchlint.syntax.ros2.python.problems import KeywordNotInDistribution
@@ -39,20 +40,12 @@ from launchlint.syntax.ros2.python.problems import KeywordNotInDistribution
 RULE = Rule("LL934", "not-in-this-distro", Severity.ERROR, roslaunch="refuses")
 _LATER = "later"
 
-_INSTEAD = {
-    "if": "$(eval \"'a' if … else 'b'\")",
-    "equals": "$(eval \"'$(var mode)' == 'fast'\")",
-    "not-equals": "$(eval \"'$(var mode)' != 'fast'\")",
-    "launch_log_dir": "$(log_dir)",
-    "path-join": "the parts with / between them",
-    "string-join": "the parts with the text between them",
-    "file-content": "$(command 'cat …')",
-    "any": "$(or … …)",
-    "all": "$(and … …)",
+_TAGS = {
     "lifecycle_node": "<node>",
     "log_info": "<log>",
+    "set_ros_log_dir": '<set_env name="ROS_LOG_DIR" value="…"/>',
 }
-"""What does the same in all distributions."""
+"""Tags that do the same, or nearly so, in all distributions."""
 
 
 def tell(problem: NotInDistribution | KeywordNotInDistribution, view: object) -> Iterator[Finding]:
@@ -70,7 +63,9 @@ def tell(problem: NotInDistribution | KeywordNotInDistribution, view: object) ->
     since = (
         "it came after all distributions that launchlint knows" if problem.since == _LATER else f"it came with {problem.since.capitalize()}"
     )
-    instead = _INSTEAD.get(name) if problem.what in ("tag", "substitution") else None
+    instead = _TAGS.get(name, "") if problem.what == "tag" else ""
+    if problem.what in ("substitution", "words"):
+        instead = instead_of(name, problem.place)
     advice = "remove it" if problem.what == "attribute" else "do without it"
     yield RULE.at(
         problem.origin,
