@@ -33,7 +33,7 @@ def convert(
     style = Style(entry.configuration.line_width, entry.configuration.indent, entry.configuration.sort_attributes)
     try:
         if _of_ros1(checker, request, from_, to):
-            raise CannotExport("launch files of ROS 1 cannot be converted")
+            return _translated(checker, request, style, language)
         return _converted(checker, request, style, language)
     except CannotExport as error:
         tell(f"{file} is not converted, and nothing is written: {error.reason}")
@@ -68,6 +68,22 @@ def _converted(checker: EntryChecker, request: EntryRequest, style: Style, langu
     return result
 
 
+def _translated(checker: EntryChecker, request: EntryRequest, style: Style, language: str) -> Converted | None:
+    """As :func:`convert`, of a file of ROS 1. Raises CannotExport."""
+    from launchlint.evaluate.session import Read
+    from launchlint.export.from_ros1.converting import convert as converted
+
+    session = checker.session_for(request)
+    document = session.document(request.at)
+    if isinstance(document, Read) or document.launch is None:
+        _tell_refusal(checker, request, "roslaunch")
+        return None
+    result = converted(session, request.at, request.arguments, style, language)
+    told(result.lost, "not carried over: ")
+    told(result.remarks, "look at this: ")
+    return result
+
+
 def told(lines: Iterable[tuple[Place, str]], before: str) -> None:
     """Tell each on a line of its own, with its place."""
     for place, words in lines:
@@ -75,7 +91,7 @@ def told(lines: Iterable[tuple[Place, str]], before: str) -> None:
         tell(f"{place.source.path}:{start.line}:{start.column}: {before}{words}")
 
 
-def _tell_refusal(checker: EntryChecker, request: EntryRequest) -> None:
+def _tell_refusal(checker: EntryChecker, request: EntryRequest, launcher: str = "ros2 launch") -> None:
     """Why the front end does not read the file."""
     from launchlint import __version__
     from launchlint.finding import Severity
@@ -90,4 +106,4 @@ def _tell_refusal(checker: EntryChecker, request: EntryRequest) -> None:
     if errors:
         emit(render(errors, Run(__version__, files_checked=1, verbose=True, root=checker.session.root)), sys.stderr)
     why = "" if errors or error is None else f" ({error[0]}): {error[1]}"
-    tell(f"{request.at} is not converted, since ros2 launch cannot read it{why}")
+    tell(f"{request.at} is not converted, since {launcher} cannot read it{why}")

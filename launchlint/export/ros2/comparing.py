@@ -23,7 +23,7 @@ _KINDS = {"equals": "if", "not-equals": "unless"}
 _OF_PLACES = ("origin", "places", "scope", "environment", "patterns")
 
 
-def normal(actions: Sequence[Action]) -> list[object]:
+def normal(actions: Sequence[Action | Text]) -> list[object]:
     """All that is described, without places, in a line: equal for equal actions, however deep these are."""
     found: list[object] = []
     waiting: list[object] = list(reversed(actions))
