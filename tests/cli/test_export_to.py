@@ -87,3 +87,18 @@ def test_options_that_clash(repository: Path) -> None:
         ("--to", "yaml"): "launchlint: demo/launch/robot.launch is a launch file of ROS 1; say --from ros1 to have it translated\n",
     }
     assert {words: run(repository, "export", "demo/launch/robot.launch", *words).errors for words in said} == said
+
+
+def test_from_ros1(repository: Path) -> None:
+    text = ROS1.replace("/>", ' machine="m"/>').replace("<launch>", '<launch>\n  <machine name="m" address="a"/>')
+    write(repository, {"demo/launch/robot.launch": text})
+    for words in (("--from", "ros1", "--to", "ros2"), ("--to", "ros2"), ("--from", "ros1", "--to", "xml")):
+        ran = run(repository, "export", "demo/launch/robot.launch", *words)
+        assert (ran.status, ran.errors.splitlines()) == (
+            0,
+            [
+                f"launchlint: demo/launch/robot.launch:{place}: ROS 2 launch starts nothing on other machines"
+                for place in ("2:3: not carried over: the machine", "3:3: not carried over: machine")
+            ],
+        )
+        assert '  <node name="talker" pkg="demo" exec="talk.py"/>\n' in ran.output

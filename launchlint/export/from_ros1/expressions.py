@@ -13,6 +13,7 @@ from launchlint.evaluate.expression.errors import UnknownValue
 from launchlint.evaluate.ros1.expression import ExpressionError
 from launchlint.evaluate.ros1.expression.names import RESERVED
 from launchlint.evaluate.ros1.values import automatic
+from launchlint.syntax.ros2.description import Text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -49,7 +50,10 @@ def translated(code: str, values: Mapping[str, str], make: Make, directory: Call
     parents = {id(child): node for node in ast.walk(whole.tree) for child in ast.iter_child_nodes(node)}
     bound = {node.id for node in ast.walk(whole.tree) if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load)}
     edits: list[tuple[int, int, Pieces]] = []
-    for node in ast.walk(whole.tree):
+    inside: set[int] = set()
+    for node in ast.walk(whole.tree):  # what is outside comes first
+        if id(node) in inside:
+            continue
         if isinstance(node, ast.Name) and node.id in _TRUTHS:
             edits.append((*whole.span(node), [_TRUTHS[node.id]]))
         elif isinstance(node, ast.Name) and node.id not in RESERVED and node.id not in bound:
@@ -61,7 +65,9 @@ def translated(code: str, values: Mapping[str, str], make: Make, directory: Call
             elif name == "dirname":
                 edits.append((*whole.span(node), ["'", *directory(), "'"]))
             elif name in _CALLS and len(node.args) == 1:
-                edits.append((*whole.span(node), ["'", make(_CALLS[name], _word(node)), "'"]))
+                asked = _asked(node.args[0], make)
+                inside.update(id(each) for each in ast.walk(node) if each is not node)
+                edits.append((*whole.span(node), ["'", make(_CALLS[name], _word(node)) if asked is None else asked(_CALLS[name]), "'"]))
             elif name in ("optenv", "env", "anon", "find", "eval"):
                 raise NotTranslated(f"{name}() in an expression has no counterpart")
     found: Pieces = []
@@ -72,6 +78,19 @@ def translated(code: str, values: Mapping[str, str], make: Make, directory: Call
         found += [code[at:start], *pieces]
         at = end
     return [*found, code[at:]]
+
+
+def _asked(node: ast.expr, make: Make) -> Callable[[str], Substitution] | None:
+    """For the name of a package, or of a variable, that is that of an arg: what makes a substitution of it."""
+    name = ""
+    if isinstance(node, ast.Name) and node.id not in RESERVED:
+        name = node.id
+    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "arg":
+        name = _word(node)
+    if not name:
+        return None
+    value = make("var", name)
+    return lambda command: make(command, "")._replace(arguments=(Text((value,), value.place),))
 
 
 def _word(call: ast.Call) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from launchlint.evaluate.expression.errors import UnknownValue
 from launchlint.evaluate.ros1.rosparam import YamlError, YamlUnknown, load
 from launchlint.evaluate.ros1.typed_values import convert_value
+from launchlint.evaluate.ros2.parameters import LETTERS
 from launchlint.evaluate.ros2.typed import TypeFault, convert
 from launchlint.export.from_ros1.frame import Account, Left
 from launchlint.export.from_ros1.values import Values
@@ -68,7 +69,8 @@ class Params:
             file = self._values.of(attributes["file"])
             words = attributes["file"].value
             under = "" if not prefix else f", and {prefix[:-1].replace('.', ': ')}: below these"
-            self._account.remark(place, f"{words} {FILE_HAS_NO_NODE}{under}")
+            ros1 = "; the substitutions in it are those of ROS 1" if substitutes else ""
+            self._account.remark(place, f"{words} {FILE_HAS_NO_NODE}{under}{ros1}")
             self._account.dropped.append(self._values.whole(element))
             return [ParameterFile(file, substitutes, place)]
         try:
@@ -83,7 +85,11 @@ class Params:
             if isinstance(data, str) and substitutes and not self._values.is_set(element):
                 raise Left(place, "it sets nothing as this is exported")
             return [_named(prefix[:-1], self._value(data, place, substitutes), place)]
-        return [each for key, value in data.items() for each in self._entry(f"{prefix}{_key(key, place)}", value, place, substitutes)]
+        before = len(self._account.lost)
+        found = [each for key, value in data.items() for each in self._entry(f"{prefix}{_key(key, place)}", value, place, substitutes)]
+        if len(self._account.lost) > before:
+            self._account.dropped.append(self._values.whole(element))
+        return list(found)
 
     def _nested(self, name: str, data: dict[Any, Any], place: Place) -> ParameterSource:
         inner = [each for key, value in data.items() for each in self._entry(_key(key, place), value, place, False)]
@@ -150,9 +156,22 @@ def _plain(value: Any, place: Place) -> TypedValue:
 def _checked(value: Any, place: Place) -> Any:
     if not isinstance(value, (bool, int, float, str)):
         raise Left(place, "ROS 2 has no such values")
+    if isinstance(value, str) and _is_read_again(value):
+        raise Left(place, f"the text {value} would be read again, as something else")
     if isinstance(value, int) and abs(value) >= _LARGEST:
         raise Left(place, "it is too large a number")
     return value
+
+
+def _is_read_again(text: str) -> bool:
+    """Whether launch writes a text without quotes that rcl then takes for a number, or for true or false."""
+    if text in LETTERS:
+        return True
+    try:
+        float(text)
+        return isinstance(convert(text, None), str)
+    except (ValueError, TypeFault, YamlBeyond):
+        return False
 
 
 def _text(value: object, place: Place) -> Text:

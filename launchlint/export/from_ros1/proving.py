@@ -108,11 +108,8 @@ def _params(launch: Launch, one: Node, other: Node, dropped: Dropped) -> str:
     if other.own is None:
         return ""
     inside = f"{one.full_name}/"
-    before = {
-        dotted(name.removeprefix(inside)): setting.value
-        for name, setting in launch.parameters.items()
-        if name.startswith(inside) and not _left_out(setting, dropped, launch)
-    }
+    mine = {name.removeprefix(inside): setting for name, setting in launch.parameters.items() if name.startswith(inside)}
+    before = {dotted(name): setting.value for name, setting in mine.items() if not _left_out(setting, dropped, launch)}
     flat = dict(_flat(before))
     on_command_line = {dotted(each.partition(":=")[0][1:]) for each in one.arguments.split() if each.startswith("_") and ":=" in each}
     after = {name: value for name, (_, value) in other.own.items() if name not in {*_NOT_ITS_OWN, *on_command_line} or name in flat}
@@ -121,7 +118,7 @@ def _params(launch: Launch, one: Node, other: Node, dropped: Dropped) -> str:
             return f"would not have the param {name}"
         if not _same(value, after[name]):
             return f"would have the param {name} as {after[name]!r}, and not {value!r}"
-    more = [name for name in after if name not in flat]
+    more = [name for name in after if name not in flat] if len(before) == len(mine) else []
     return f"would have a param {more[0]}" if more else ""
 
 

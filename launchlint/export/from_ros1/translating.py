@@ -103,7 +103,12 @@ class _Translation:
         if value is not None:
             return [described.Let(Text((name,), place), value, place, condition)]
         doc = element.attributes["doc"].value if "doc" in element.attributes else ""
-        return [described.Argument(name, self._values.attribute(element, "default"), doc, None, place, condition)]
+        try:
+            default = self._values.attribute(element, "default")
+        except Left as left:
+            self._account.say(left.place, f"the default of the arg {name}", left.why)
+            default = None
+        return [described.Argument(name, default, doc, None, place, condition)]
 
     def _group(self, element: Element, scope: Scope, condition: Condition | None, *, last: bool) -> list[Action]:
         place = self._values.place(element)
