@@ -17,6 +17,7 @@ def as_object(launch: Launch, file: str, error: tuple[str, str] | None, verdict:
     first level.
     """
     complete = launch.complete and not any(_maybe(each.conditions) for each in launch.includes)
+    known = complete and not any(each.maybe for each in launch.declarations)
     return {
         "file": file,
         "distro": launch.distro,
@@ -38,7 +39,7 @@ def as_object(launch: Launch, file: str, error: tuple[str, str] | None, verdict:
             )
             for each in launch.declarations
         ],
-        "declared": [[each.name, each.required, each.conditional] for each in launch.listed] if complete else None,
+        "declared": [[each.name, each.required, each.conditional] for each in launch.listed] if known else None,
         "includes": [_include(each) for each in launch.includes],
         "nodes": [_component(each) if each.kind == "composable" else _node(each) for each in launch.nodes],
         "executables": [_executable(each) for each in launch.programs],
@@ -72,7 +73,10 @@ def _words(values: Iterable[str]) -> Any:
     return words if unknown is None else {"unknown": unknown.reason}
 
 
-def _conditions(conditions: tuple[Condition, ...]) -> list[list[Any]]:
+def _conditions(conditions: tuple[Condition, ...]) -> Any:
+    unknown = next((each for each in conditions if each.attribute == "unknown"), None)
+    if unknown is not None:
+        return {"unknown": unknown.text}
     return [
         [each.attribute, *([] if each.name is None else [each.name]), _plain(each.text)] for each in conditions if each.attribute != "maybe"
     ]
@@ -154,7 +158,7 @@ def _node(node: Node) -> dict[str, Any]:
             "on_exit": process.on_exit,
             "shell": process.shell,
             "exec_name": _plain(process.label),
-            "params": [_source(each) for each in node.sources],
+            "params": _sources(node),
             "rcl_error": node.fatal,
         }
     )
@@ -162,6 +166,12 @@ def _node(node: Node) -> dict[str, Any]:
 
 def _environment(process: Process) -> Any:
     return {"unknown": "what was executed before may have set variables"} if process.open_environment else _plain(process.environment)
+
+
+def _sources(node: Node) -> Any:
+    """What it is given; a file that is not known may not be there, and then counts for nothing."""
+    unknown = next((each.file for each in node.sources if isinstance(each.file, UnknownText)), None)
+    return [_source(each) for each in node.sources] if unknown is None else {"unknown": unknown.reason}
 
 
 def _source(source: ParameterSource) -> dict[str, Any]:

@@ -133,6 +133,11 @@ def opened(walk: Walk, action: described.Open) -> None:
     walk.context.include_unread()
 
 
+def unsettled(walk: Walk, action: described.Unsettled) -> None:
+    """Whether launch gets further than this is not known."""
+    walk.unsettled.append(walk.here.file)
+
+
 def fails(walk: Walk, action: described.Fails) -> None:
     """Launch stops here."""
     walk.record(action.problem.but(origin=walk.at(action.problem.place)))

@@ -76,6 +76,7 @@ _TAGS: dict[type, str] = {
     described.Unset: "UnsetLaunchConfiguration",
     described.Maybe: "maybe",
     described.Open: "open",
+    described.Unsettled: "unsettled",
     described.Fails: "fails",
 }
 _CONTAINERS = {"container": "node_container", "lifecycle": "lifecycle_node"}
@@ -208,7 +209,17 @@ class Walk:
     def description_of(self, file: str) -> described.Description | None:
         """What a file describes, None where launch cannot load it."""
         known = self.session.reading(file)
-        return None if isinstance(known, Read) or known.refusal is not None else known.description
+        if isinstance(known, Read) or known.refusal is not None:
+            return None
+        self.load(known)
+        return known.description
+
+    def load(self, known: Reading) -> None:
+        """What a program sets in the environment when it is loaded, before anything is executed: it stands in front, without a place."""
+        for action in known.description.actions:
+            if not isinstance(action, (described.SetEnvironment, described.UnsetEnvironment)) or action.place.span.end:
+                return
+            self.handle(self, action)
 
     def step_to(self, place: Place) -> IncludeStep:
         """The step from here to what an include at ``place`` includes."""

@@ -62,9 +62,12 @@ def unknown(reason: str, place: Place) -> Text:
 
 
 class Condition(NamedTuple):
-    """Whether an action is executed: ``if`` and ``unless`` have one operand; ``equals`` and ``not-equals`` (Python only) two."""
+    """Whether an action is executed: ``if`` and ``unless`` have one operand; ``equals`` and ``not-equals`` (Python only) two.
 
-    kind: Literal["if", "unless", "equals", "not-equals"]
+    Of a program: a condition may be ``unknown``, and it may be unknown whether there is the action at all (``maybe``); the operand says why.
+    """
+
+    kind: Literal["if", "unless", "equals", "not-equals", "unknown", "maybe"]
     operands: tuple[Text, ...]
     place: Place
 
@@ -409,6 +412,14 @@ class Open(NamedTuple):
     condition: Condition | None = None
 
 
+class Unsettled(NamedTuple):
+    """Here a program may end with an error, for a ``reason``."""
+
+    reason: str
+    place: Place
+    condition: Condition | None = None
+
+
 class Fails(NamedTuple):
     """Here launch stops when it comes to it: ``problem`` is what it stops for (Python only)."""
 
@@ -420,7 +431,7 @@ class Fails(NamedTuple):
 Action: TypeAlias = (
     "Argument | Let | Include | Group | Executable | Node | LoadComponents | PushNamespace | SetRemap | SetParameter"
     " | SetParametersFromFile | SetUseSimTime | SetEnvironment | UnsetEnvironment | AppendEnvironment | ResetEnvironment"
-    " | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Opaque | Unset | Maybe | Open | Fails"
+    " | Reset | SetLogDirectory | Log | Shutdown | Timer | Handler | Opaque | Unset | Maybe | Open | Unsettled | Fails"
 )
 
 

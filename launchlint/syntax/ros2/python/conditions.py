@@ -30,7 +30,7 @@ def condition_of(value: Value, texts: Texts, place: Place) -> Condition | None:
     if value is None:
         return None
     if not isinstance(value, Handle) or not is_condition(value):
-        return Condition("if", (unknown(why(value, "a condition of its own"), place),), place)
+        return Condition("unknown", (unknown(why(value, "a condition of its own"), place),), place)
     place = value.state["place"]
     if value.kind in _BY_TRUTH:
         return Condition(
@@ -40,7 +40,7 @@ def condition_of(value: Value, texts: Texts, place: Place) -> Condition | None:
         )
     name = value.state["launch_configuration_name"]
     if not isinstance(name, str):
-        return Condition("if", (unknown("it is not known which launch configuration it compares", place),), place)
+        return Condition("unknown", (unknown("it is not known which launch configuration it compares", place),), place)
     operands: tuple[Text, ...] = (Text((name,), place),)
     expected = value.state["expected_value"]
     return Condition(_BY_VALUE[value.kind], operands if expected is None else (*operands, texts.text(expected, place)), place)

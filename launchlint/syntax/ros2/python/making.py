@@ -104,7 +104,7 @@ class Maker:
             for said, one in alternatives(each):
                 if isinstance(one, Handle) and one.kind == "ComposableNode":
                     made = self._component(one)
-                    found.append(made if sure else made._replace(condition=described.Condition("if", (unknown(said, place),), place)))
+                    found.append(made if sure else made._replace(condition=described.Condition("maybe", (unknown(said, place),), place)))
         return tuple(found)
 
     def more_components(self, value: Value, place: Place) -> tuple[Action, ...]:

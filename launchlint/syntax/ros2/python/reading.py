@@ -107,7 +107,8 @@ def _actions(run: Following, source: Source, outside: Outside, tree: ast.Module,
         run.record(wrong)
     if not isinstance(made, (Handle, Choice)):
         return (described.Open(f"what {ENTRY} gives is not known to be a LaunchDescription", everything),)
-    return (*_environment(run, outside, everything), *maker.actions(made, everything))
+    risky = (described.Unsettled("what it asks of code that is not looked into may fail", everything),) if run.risks else ()
+    return (*_environment(run, outside, everything), *risky, *maker.actions(made, everything))
 
 
 def _environment(run: Following, outside: Outside, place: Place) -> Iterator[Action]:

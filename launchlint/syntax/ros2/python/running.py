@@ -163,11 +163,14 @@ class Caller:
         context = self._running.context()
         positional = [context if isinstance(each, Handle) and each.kind == "context" else each for each in given]
         assert self.maker is not None
-        before = len(run.problems)
+        before, risks = len(run.problems), run.risks
         try:
             made = run.call(function, positional, dict(keywords), ast.Pass(lineno=1, col_offset=0), self._scope)
             actions = self.maker.actions(made, place)
-            return (*(described.Fails(problem, problem.place) for problem in run.noticed(before)), *actions)
+            risky = (
+                (described.Unsettled("what a function asks of code that is not looked into may fail", place),) if run.risks > risks else ()
+            )
+            return (*(described.Fails(problem, problem.place) for problem in run.noticed(before)), *risky, *actions)
         except Ending as ending:
             raise Stopped(ending.problem) from None
         except Ended as ended:

@@ -160,8 +160,15 @@ class Texts:
                 return Substitution("eval", (*words, self.text(modules, place)), place)
             return Substitution("eval", (*words, Text((",".join(names),), place)), place)
         name, *roles = _PLAIN[value.kind]
-        arguments = [self.text(given[role], places.get(role, place)) for role in roles if given.get(role) is not None]
+        arguments = [self.text(_default(given[role], role), places.get(role, place)) for role in roles if given.get(role) is not None]
         return Substitution(name, tuple(arguments), place)
+
+
+def _default(value: Value, role: str) -> Value:
+    """A default may be anything: ``str()`` of what is no text counts (launch.substitutions.LaunchConfiguration)."""
+    if role == "default" and isinstance(value, (bool, int, float)):
+        return str(value)
+    return value
 
 
 def pairs(value: Value) -> tuple[list[tuple[Value, Value]], bool]:
