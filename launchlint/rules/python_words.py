@@ -46,6 +46,7 @@ _TAGS = {
     "log": "LogInfo",
 }
 _PLAIN = late(r"\$\((dirname|filename)\)")
+_COMPARED = late(r"\$\(eval \"'\$\(var ([\w…]+)\)' == '([\w…]+)'\"\)")
 _CALL = late(rf"\$\(({'|'.join(_CALLS)}) ({_NAME})(?: ({_NAME}))?\)")
 _OPEN = late(rf"\$\(({'|'.join(_CALLS)}) [^()]*…[^()]*\)")
 _TAG = late(rf"</?({'|'.join(_TAGS)})(?: [^<>]*)?/?>")
@@ -55,6 +56,7 @@ def in_python(text: str) -> str:
     """``text``, which a rule says, with the classes of launch in the place of substitutions and tags."""
     if "$(" in text:
         text = _PLAIN.sub(lambda match: "ThisLaunchFileDir()" if match[1] == "dirname" else "ThisLaunchFile()", text)
+        text = _COMPARED.sub(r"EqualsSubstitution(LaunchConfiguration('\1'), '\2')", text)
         text = _CALL.sub(_called, text)
         text = _OPEN.sub(lambda match: f"{_CALLS[match[1]]}(…)", text)
     return _TAG.sub(lambda match: _TAGS[match[1]], text) if "<" in text else text

@@ -311,6 +311,7 @@ RULES: tuple[Entry, ...] = (
         dialects=(ROS2,),
         ros2=("MissingArgument", "TooManyPositional"),
     ),
+    Entry("LL929", "executed-twice", "python.executed_twice", ERROR, dialects=(ROS2,), ros2=("ExecutedTwice",)),
     Entry("LL930", "runs-at-load", "python.runs_at_load", INFO, dialects=(ROS2,), ros2=("RunsAtLoad",)),
     Entry("LL931", "wrong-source-class", "python.wrong_source_class", ERROR, dialects=(ROS2,), ros2=("WrongSourceClass",)),
     Entry("LL932", "no-description", "python.no_description", ERROR, dialects=(ROS2,), ros2=("NoDescription", "NotAnAction")),

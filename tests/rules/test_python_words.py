@@ -16,7 +16,7 @@ from launchlint.rules.python_words import in_python
             "start the path with FindPackageShare('PACKAGE') or ThisLaunchFileDir()",
         ),
         ("$(eval …) fails", "PythonExpression(…) fails"),
-        ("use $(eval \"'$(var mode)' == 'fast'\")", "use $(eval \"'LaunchConfiguration('mode')' == 'fast'\")"),
+        ("use $(eval \"'$(var mode)' == 'fast'\")", "use EqualsSubstitution(LaunchConfiguration('mode'), 'fast')"),
         ('put it into a <group> or <let name="a" value="b"/>', "put it into a GroupAction or SetLaunchConfiguration"),
         ("a < b and c > d costs $5", "a < b and c > d costs $5"),
     ],

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from launchlint.evaluate.ros2 import components, including, nodes, processes, programs, setting_actions
-from launchlint.evaluate.ros2.walk import Walk
+from launchlint.evaluate.ros2.walk import Walk, tag_of
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action
 
@@ -48,8 +48,31 @@ _KEPT = frozenset((described.Include, described.Group, described.Node, described
 """Actions that take long enough for it to pay to look whether it is known what comes of them."""
 
 
+_STARTING = frozenset((described.Node, described.Executable))
+"""Actions that start a process, which launch does once for each."""
+
+
+def _is_started(walk: Walk, action: Action) -> bool:
+    """Whether a process has been started by this very action, in the same file read once: launch stops (launch.actions.ExecuteLocal).
+
+    Only objects of Python stand in two places, and only Python can give two includes one source.
+    """
+    key = (id(action), walk.here.sources)
+    if key not in walk.started:
+        walk.started[key] = action
+        return False
+    if walk.here.assumed:
+        return False
+    from launchlint.syntax.ros2.python.problems import ExecutedTwice
+
+    walk.record(ExecutedTwice(origin=walk.at(action.place), refused=True, callee=tag_of(action)))
+    return True
+
+
 def execute(walk: Walk, action: Action) -> None:
     """Execute one action whose condition holds."""
+    if type(action) in _STARTING and _is_started(walk, action):
+        return
     perform = _EXECUTE[type(action)]
     if walk.repeats is None or type(action) not in _KEPT:
         perform(walk, action)

@@ -80,8 +80,9 @@ def include(walk: Walk, action: described.Include) -> None:
     walk.executed[way] = known.description
     walk.executions.append((way, known.description))
     walk.here = Here(
-        file, step, (*outer.files, context.file), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way
-    )
+        file, step, (*outer.files, context.file), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way,
+        (*outer.sources, id(action.file)),
+    )  # fmt: skip
     walk.performer.way = way
     _run(walk, known, file)
     walk.here, walk.performer.way = outer, outer.way

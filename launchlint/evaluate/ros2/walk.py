@@ -125,7 +125,7 @@ class Here(NamedTuple):
     """Where the walk is: the included ``file`` and the includes that lead to it, the group around, the conditions that were met on the way.
 
     ``told`` are the args whose absence has been told where the file was included, each with the place of its declaration. ``way`` are the
-    includes once more, each by its identity.
+    includes once more, each by its identity, and ``sources`` what these load, by the identity of its name.
     """
 
     file: str
@@ -137,6 +137,7 @@ class Here(NamedTuple):
     deferred: str | None = None
     told: frozenset[tuple[str, tuple[str, int]]] = frozenset()
     way: tuple[int, ...] = ()
+    sources: tuple[int, ...] = ()
 
 
 class Body(NamedTuple):
@@ -198,6 +199,7 @@ class Walk:
         self.entered: list[Entered] = []
         self.waiting: list[Body] = []
         self.said: Said = []
+        self.started: dict[tuple[int, tuple[int, ...]], Action] = {}
         self._recorded: set[tuple[object, ...]] = set()
 
     # -- files -------------------------------------------------------------------------------------------------

@@ -348,10 +348,20 @@ def _values(given: Given, value: Map, node: ast.expr | None, place: Place, prefi
                 origin=Origin(where), refused=not late, assumed=late, callee=given.callee, name=full, found="a list without items"
             )
         elif isinstance(content, Seq):
-            words = next((spelled(each) for each in content.items if each is None), "")
-            found = f"a list with {words} in it" if words else ""
+            found = "a list with None in it" if any(each is None for each in content.items) else ""
+            if not found and len({_kind(each) for each in content.items} - {""}) > 1 and all(map(_kind, content.items)):
+                late = given.values.get("condition") is not None
+                words = "a list of values of several kinds"
+                yield NotAParameterValue(origin=Origin(where), refused=not late, assumed=late, callee=given.callee, name=full, found=words)
         if found:
             yield NotAParameterValue(origin=Origin(where), refused=True, callee=given.callee, name=full, found=found)
+
+
+def _kind(value: Value) -> str:
+    """The kind of a plain value, of which all in a list have to be one; empty for others."""
+    if isinstance(value, bool):
+        return "bool"
+    return "number" if isinstance(value, (int, float)) else "text" if isinstance(value, str) else ""
 
 
 # -- conditions and actions ---------------------------------------------------------------------------------------------------

@@ -49,6 +49,7 @@ class Maker:
         self.texts = texts
         self.calls = calls
         self._made: dict[int, tuple[Handle, Action]] = {}
+        self._files: dict[int, tuple[Handle, Text]] = {}
         self._depth = 0
 
     def actions(self, value: Value, place: Place) -> tuple[Action, ...]:
@@ -92,6 +93,14 @@ class Maker:
         if known is None:
             made = _MAKE[value.kind](self, value.state, value.state["place"])
             known = self._made[id(value)] = (value, made)
+        return known[1]
+
+    def file(self, source: Handle) -> Text:
+        """What an include's source loads: one source gives the same text in all includes, as it reads its file once."""
+        known = self._files.get(id(source))
+        if known is None:
+            text = self.texts.text(source.state["launch_file_path"], source.state["place"])
+            known = self._files[id(source)] = (source, text)
         return known[1]
 
     # -- parts ---------------------------------------------------------------------------------------------------------
@@ -269,10 +278,8 @@ def _include(maker: Maker, given: Given, place: Place) -> Action:
     if isinstance(source, Handle) and source.kind == "LaunchDescriptionSource":
         inner = maker.actions(source.state.get("launch_description"), place)
         return described.Group((*(described.Let(*pair) for pair in passed), *inner), False, True, (), place, when)
-    if isinstance(source, Handle) and source.kind in SOURCES:
-        file = maker.texts.text(source.state["launch_file_path"], source.state["place"])
-    else:
-        file = maker.texts.text(source, place)
+    known = isinstance(source, Handle) and source.kind in SOURCES
+    file = maker.file(source) if known else maker.texts.text(source, place)
     return described.Include(file, passed, place, when)
 
 

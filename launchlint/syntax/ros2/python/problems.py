@@ -141,7 +141,7 @@ class NoDescription(Problem):
 
 
 class ExecutedTwice(Problem):
-    """One object, made by ``callee``, that launch executes twice: it stops at the second time. Where it is made is in ``related``."""
+    """One object, a ``callee`` (by the name of its tag), that launch is to start twice: it stops at the second time."""
 
     callee: str
 

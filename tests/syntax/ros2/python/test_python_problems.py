@@ -65,6 +65,7 @@ def made(expression: str, directory: Path, distro: str = "jazzy") -> Problem:
         ("IncludeLaunchDescription('a.py', launch_arguments=[('x', True)])", NotASubstitution, "True", True),
         (f"Node({NODE}, parameters=[{{'a': None}}])", NotAParameterValue, "None", True),
         (f"Node({NODE}, parameters=[{{'a': {{'b': []}}}}])", NotAParameterValue, "[]", True),
+        (f"Node({NODE}, parameters=[{{'a': [1, 'b']}}])", NotAParameterValue, "[1, 'b']", True),
         (f"Node({NODE}, condition=True)", NotACondition, "True", True),
         (f"Node({NODE}, condition=LaunchConfiguration('a'))", NotACondition, "LaunchConfiguration('a')", True),
         ("IncludeLaunchDescription('a.py', launch_arguments={'x': 'y'})", LaunchArgumentsNotPairs, "{'x': 'y'}", True),
@@ -101,7 +102,7 @@ def test_a_problem(expression: str, kind: type, at: str, refused: bool, tmp_path
     [
         f"Node({NODE}, name=None, namespace=None, arguments=None, parameters=None, remappings=None, condition=None)",
         f"Node({NODE}, arguments=['a', ['b', LaunchConfiguration('c')]], remappings=[('a', ['b', LaunchConfiguration('c')])])",
-        f"Node({NODE}, parameters=[{{'a': [1, 2], 'b': LaunchConfiguration('c'), 'd': ParameterValue('5', value_type=str)}}, 'f.yaml'])",
+        f"Node({NODE}, parameters=[{{'a': [1, 2.0], 'b': LaunchConfiguration('c'), 'd': ParameterValue('5', value_type=str)}}, 'f.yaml'])",
         f"Node({NODE}, output='screen', emulate_tty=True, log_cmd=True)",
         "DeclareLaunchArgument('a', default_value=['x', LaunchConfiguration('y')], choices=['x'])",
         "TimerAction(period=5.0, actions=[LogInfo(msg='a')])",
