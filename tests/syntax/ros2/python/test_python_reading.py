@@ -34,7 +34,8 @@ def reading(text: str, directory: Path, distro: str = "jazzy") -> Reading:
 def actions(body: str, directory: Path, distro: str = "jazzy") -> tuple[described.Action, ...]:
     """The actions of a launch file whose function has this body."""
     lines = "".join(f"    {line}\n" for line in body.splitlines())
-    return reading(f"{HEAD}def generate_launch_description():\n{lines}", directory, distro).description.actions
+    found = reading(f"{HEAD}def generate_launch_description():\n{lines}", directory, distro).description.actions
+    return tuple(each for each in found if not isinstance(each, described.Unsettled))
 
 
 def spelled(text: Text | None) -> str:
