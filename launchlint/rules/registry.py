@@ -325,6 +325,7 @@ RULES: tuple[Entry, ...] = (
         ros2=("NotInDistribution", "KeywordNotInDistribution"),
     ),
     Entry("LL935", "broken-in-frontend", "ros2.broken_in_frontend", ERROR, dialects=(ROS2,), ros2=("BrokenInFrontend", "NeverWorks")),
+    Entry("LL936", "action-never-added", "python.action_never_added", WARNING, dialects=(ROS2,), ros2=("NeverAdded",)),
     Entry("LL937", "container-missing", "ros2.container_missing", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL939", "condition-ignored", "ros2.condition_ignored", WARNING, view="launch", dialects=(ROS2,)),
     Entry("LL943", "sim-time-patchy", "ros2.sim_time_patchy", WARNING, view="launch", dialects=(ROS2,)),

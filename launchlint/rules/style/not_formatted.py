@@ -38,6 +38,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule, shortened
 from launchlint.rules.view import FileView
 from launchlint.source import Source, Span
+from launchlint.workspace.discovery import is_program
 from launchlint.yaml.refusals import YamlError
 from launchlint.yaml.tree import YamlBeyond
 
@@ -50,6 +51,8 @@ def check(view: FileView) -> Iterator[Finding]:
     from launchlint.fix.format.printer import TooLarge
 
     written = view.document.source
+    if is_program(written.file, written.text.encode("utf-8", "replace")):
+        return  # programs have formatters of their own
     try:
         wanted = Source(written.path, normal_form(written.text, view.style, yaml=is_yaml(written.path)))
     except TooLarge:  # nobody wrote this for people

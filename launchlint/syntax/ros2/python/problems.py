@@ -170,3 +170,11 @@ class RunsAtLoad(Problem):
 
     what: str
     effect: Effect
+
+
+class NeverAdded(Problem):
+    """An action, made by ``callee``, that the variable ``name`` holds, and that nothing looks at. ``commented``: a comment names it."""
+
+    callee: str
+    name: str
+    commented: bool

@@ -24,6 +24,7 @@ from launchlint.syntax.ros2.python.making import Maker
 from launchlint.syntax.ros2.python.performed import performed_as_boolean
 from launchlint.syntax.ros2.python.recogniser import Outside
 from launchlint.syntax.ros2.python.running import Caller
+from launchlint.syntax.ros2.python.unused import never_added
 from launchlint.syntax.ros2.reading import Reading, Unresolved
 
 LARGEST = 1 << 20
@@ -80,7 +81,7 @@ def _actions(run: Following, source: Source, outside: Outside, tree: ast.Module,
     main = run.main(source.file, parsed)
     for problem in wrong_imports(parsed.tree, lambda node: run.place(node, main.scope)):
         run.record(problem)
-    for found in (runs_at_load, performed_as_boolean):
+    for found in (runs_at_load, performed_as_boolean, never_added):
         for problem in found(parsed.tree, lambda node: run.place(node, main.scope)):
             run.record(problem)
     missing = without_entry(tree, source)

@@ -1,0 +1,67 @@
+"""A launch file in Python makes an action, keeps it in a variable, and gives it to nobody.
+
+What it does: it looks for variables of a function that hold a `Node`, an include, an arg or another action of launch, and that nothing in
+the function reads. Where a comment names the variable, as when the line that adds the action has been taken out, it is an information.
+
+## Why it matters
+
+launch starts what stands in the `LaunchDescription` that is returned, and nothing else: the node is not started, the arg is not declared.
+Nothing complains.
+
+## Example
+
+```python launch/robot.launch.py
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    talker = Node(package='demo_nodes_cpp', executable='talker')
+    listener = Node(package='demo_nodes_cpp', executable='listener')
+    return LaunchDescription([talker])
+```
+
+## Use instead
+
+```python launch/robot.launch.py
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    talker = Node(package='demo_nodes_cpp', executable='talker')
+    listener = Node(package='demo_nodes_cpp', executable='listener')
+    return LaunchDescription([talker, listener])
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.rule import Rule
+from launchlint.syntax.ros2.python.problems import NeverAdded
+
+RULE = Rule("LL936", "action-never-added", Severity.WARNING)
+_COMES_TO = {
+    "DeclareLaunchArgument": "the arg is not declared",
+    "IncludeLaunchDescription": "the file is not included",
+    "Node": "the node is not started",
+    "LifecycleNode": "the node is not started",
+    "ComposableNodeContainer": "the container is not started",
+    "LoadComposableNodes": "the nodes are not loaded",
+    "ExecuteProcess": "the process is not started",
+}
+
+
+def tell(problem: NeverAdded, view: object) -> Iterator[Finding]:
+    """Say what does not come to pass."""
+    yield RULE.at(
+        problem.origin,
+        f"{problem.name} is made and never added: {_COMES_TO.get(problem.callee, 'launch never executes it')}",
+        severity=Severity.INFO if problem.commented else Severity.WARNING,
+        label=f"this {problem.callee} is given to nobody",
+        notes=("a comment names it, so that it may be left out on purpose",) if problem.commented else (),
+        help=f"add {problem.name} to the LaunchDescription, or take it out",
+    )

@@ -1,0 +1,66 @@
+"""Actions that a launch file in Python makes, keeps in a variable, and never looks at again: launch never sees them."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator
+
+from launchlint.problem import Problem
+from launchlint.source import Origin, Place
+from launchlint.syntax.ros2.python.problems import NeverAdded
+
+_ACTIONS = frozenset(
+    """Node LifecycleNode ComposableNodeContainer LoadComposableNodes ExecuteProcess IncludeLaunchDescription GroupAction
+    DeclareLaunchArgument SetEnvironmentVariable SetLaunchConfiguration SetParameter SetRemap PushRosNamespace PushROSNamespace RegisterEventHandler TimerAction
+    OpaqueFunction LogInfo""".split()
+)
+_LOOKING = frozenset(("locals", "vars", "eval", "exec"))
+
+
+def never_added(tree: ast.Module, place: Callable[[ast.AST], Place]) -> Iterator[Problem]:
+    """Each variable of a function that holds nothing but such an action, and that nothing reads."""
+    made = _imported(tree)
+    for routine in ast.walk(tree):
+        if not isinstance(routine, ast.FunctionDef):
+            continue
+        inside = list(ast.walk(routine))
+        names = [node for node in inside if isinstance(node, ast.Name)]
+        read = {node.id for node in names if not isinstance(node.ctx, ast.Store)}
+        shared = {name for node in inside if isinstance(node, (ast.Global, ast.Nonlocal)) for name in node.names}
+        if read & _LOOKING:
+            continue
+        written = [node.id for node in names if isinstance(node.ctx, ast.Store)]
+        for node in inside:
+            if not isinstance(node, ast.Assign) or len(node.targets) != 1 or not isinstance(node.value, ast.Call):
+                continue
+            target = node.targets[0]
+            callee = _word(node.value.func, made)
+            if not isinstance(target, ast.Name) or callee not in _ACTIONS or written.count(target.id) != 1:
+                continue
+            if target.id not in read and target.id not in shared and not target.id.startswith("_"):
+                at = place(target)
+                yield NeverAdded(origin=Origin(at), callee=callee, name=target.id, commented=_is_commented(at))
+
+
+def _imported(tree: ast.Module) -> dict[str, str]:
+    """Names that are imported from launch and launch_ros, with those that they have there."""
+    found: dict[str, str] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").partition(".")[0] in ("launch", "launch_ros"):
+            found.update({alias.asname or alias.name: alias.name for alias in node.names})
+    return found
+
+
+def _word(function: ast.expr, made: dict[str, str]) -> str:
+    if isinstance(function, ast.Name):
+        return made.get(function.id, function.id if "*" in made else "")
+    if isinstance(function, ast.Attribute) and ast.unparse(function).startswith(("launch.", "launch_ros.", "actions.")):
+        return function.attr
+    return ""
+
+
+def _is_commented(place: Place) -> bool:
+    """Whether a comment names the variable: the line that adds the action has been taken out."""
+    name = place.text
+    lines = place.source.text.splitlines()
+    return any(name in line.partition("#")[2] for line in lines if "#" in line)
