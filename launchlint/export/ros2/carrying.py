@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
     from typing import Any
 
+    from launchlint.export.ros2.portable import Portable
     from launchlint.export.ros2.tree import Branch
     from launchlint.syntax.ros2.description import Action, Component, ParameterSource
     from launchlint.syntax.ros2.tables import Distribution
@@ -71,9 +72,12 @@ class Carried(NamedTuple):
     remarks: tuple[Remark, ...]
 
 
-def carried(description: Description, distribution: Distribution, *, xml: bool) -> Carried:
-    """What can be carried over of ``description``; ``xml``: into XML, which cannot hold every character."""
-    carrier = _Carrier(distribution, xml=xml)
+def carried(description: Description, distribution: Distribution, *, xml: bool, portable: Portable | None = None) -> Carried:
+    """What can be carried over of ``description``; ``xml``: into XML, which cannot hold every character.
+
+    ``portable`` is for descriptions of programs: what they compute holds paths of this machine.
+    """
+    carrier = _Carrier(distribution, xml=xml, portable=portable)
     actions = carrier.actions(description.actions)
     return Carried(Description(actions, description.place), tuple(carrier.lost), tuple(dict.fromkeys(carrier.remarks)))
 
@@ -88,7 +92,8 @@ class _Left(Exception):
 
 
 class _Carrier:
-    def __init__(self, distribution: Distribution, *, xml: bool) -> None:
+    def __init__(self, distribution: Distribution, *, xml: bool, portable: Portable | None) -> None:
+        self._portable = portable
         self._distribution = distribution
         self._texts = TextWriter(distribution)
         self._shaper = Shaper(distribution)
@@ -293,12 +298,16 @@ class _Carrier:
 
     def _value(self, value: TypedValue) -> TypedValue:
         if not isinstance(value.value, Text):
-            texts = tuple(self._text(each) for each in value.value)
-            known = value.plain if isinstance(value.plain, tuple) else (None,) * len(texts)
+            known = value.plain if isinstance(value.plain, tuple) else (None,) * len(value.value)
+            texts = tuple(self._of_value(text, plain) for text, plain in zip(value.value, known, strict=True))
             plains = tuple(_known(text, None, plain) for text, plain in zip(texts, known, strict=True))
             return TypedValue(texts, value.type, plains)
-        text = self._text(value.value)
-        return TypedValue(text, value.type, _known(text, value.type, value.plain))
+        text = self._of_value(value.value, value.plain)
+        type_ = "str" if isinstance(value.plain, str) and text.literal is None else value.type
+        return TypedValue(text, type_, _known(text, value.type, value.plain))
+
+    def _of_value(self, text: Text, plain: object) -> Text:
+        return self._text(text._replace(pieces=(plain,)) if isinstance(plain, str) else text)
 
     def _computed(self, value: TypedValue, place: Place) -> TypedValue:
         """A value that is always a text, and read when it is needed."""
@@ -334,7 +343,7 @@ class _Carrier:
         found: list[str | Substitution] = []
         for piece in text.pieces:
             if isinstance(piece, str):
-                found.append(piece)
+                found += self._literal(piece, text.place)
             elif piece.name == _JOIN:
                 found += self._path(piece)
             elif piece.name == FULL_NAME:
@@ -346,6 +355,14 @@ class _Carrier:
             else:
                 found.append(piece._replace(arguments=tuple(Text(self._pieces(each), each.place) for each in piece.arguments)))
         return joined(found)
+
+    def _literal(self, text: str, place: Place) -> list[str | Substitution]:
+        if self._portable is None or "/" not in text:
+            return [text]
+        found = self._portable.pieces(text, place)
+        if any(isinstance(each, str) and self._portable.is_local(each) for each in found):
+            self.remarks.append(Remark(place, f"{_cut(text)} is a path of this machine that lies in no package"))
+        return found
 
     def _container(self, substitution: Substitution) -> tuple[str | Substitution, ...]:
         """The full name of a container, which counts from the top: what is pushed before the container is not seen here."""
@@ -380,7 +397,9 @@ class _Carrier:
 
 def _known(text: Text, wanted: str | None, plain: Any) -> Any:
     """What launch knows of a value when it reads the file: of a text without substitutions, what it becomes."""
-    if plain is not None or text.literal is None:
+    if text.literal is None:
+        return None if isinstance(plain, str) else plain
+    if plain is not None:
         return plain
     try:
         value = convert(text.literal, wanted)
@@ -418,7 +437,10 @@ def _somewhere(process: Process) -> Place:
 
 
 def _shown(place: Place) -> str:
-    text = " ".join(place.text.split())
+    return _cut(" ".join(place.text.split()))
+
+
+def _cut(text: str) -> str:
     return text if len(text) <= 60 else f"{text[:57]}…"
 
 

@@ -12,6 +12,7 @@ from launchlint.export.ros2.calling import called
 from launchlint.export.ros2.carrying import Lost, carried
 from launchlint.export.ros2.comments import Comments
 from launchlint.export.ros2.comparing import difference, launched, normal
+from launchlint.export.ros2.portable import Portable
 from launchlint.export.ros2.shaping import shaped
 from launchlint.export.ros2.texts import CannotWrite
 from launchlint.export.written import CannotExport
@@ -67,7 +68,7 @@ def convert(session: Session, file: str, given: Pairs, style: Style, language: s
         functions = called(session, file, reading, [each.launch.given for each in found])
         whole = functions.description
         varying = tuple(Lost(place, "a function", _VARIES) for place in functions.varying)
-    kept = carried(whole, dialect, xml=language == XML)
+    kept = carried(whole, dialect, xml=language == XML, portable=Portable(session, file) if file.endswith(PYTHON) else None)
     losses = (*varying, *kept.lost)
     data = written(kept.description, reading, language, session.distro, style, losses)
     prove(session, file, given, language, data, kept.description if losses else None, reading)

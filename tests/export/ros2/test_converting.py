@@ -174,3 +174,15 @@ def test_other_sessions_stay_as_they_are(tmp_path: Path) -> None:
     converted(tmp_path, "a.launch.xml", '<launch><log message="a"/></launch>', YAML)
     mine = session(tmp_path)
     assert mine.read(str(tmp_path / "demo/launch/a.launch.xml")).data == b'<launch><log message="a"/></launch>'
+
+
+def test_paths_of_this_machine_become_those_of_packages(tmp_path: Path) -> None:
+    text = python(
+        'SetEnvironmentVariable("A", __import__("os").path.dirname(__file__) + "/b")',
+        'Node(package="demo", executable="talk", parameters=[{"c": __import__("os").path.dirname(__file__)}], arguments=["/usr/lib"])',
+    ).replace('__import__("os")', "os")
+    result = converted(tmp_path, "a.launch.py", f"import os\n{text}", XML)
+    assert lines(result) == []
+    assert '<set_env name="A" value="$(find-pkg-share demo)/launch/b"/>' in result.data.decode()
+    assert '<param name="c" type="str" value="$(find-pkg-share demo)/launch"/>' in result.data.decode()
+    assert 'args="/usr/lib"' in result.data.decode()
