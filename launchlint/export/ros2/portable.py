@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from launchlint.evaluate.session import Session
     from launchlint.source import Place
 
-_PATH = re.compile(r"(?:^|(?<=[\s=:'\",;]))/[^\s'\",:;]+")
+_PATH = re.compile(r"(?:^|(?<=[\s=:'\",;])|(?<=-[A-Za-z]))/[^\s'\",:;]+")
 _SHARE = "find-pkg-share"
 
 
