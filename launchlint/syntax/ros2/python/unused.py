@@ -10,9 +10,9 @@ from launchlint.source import Origin, Place
 from launchlint.syntax.ros2.python.problems import NeverAdded
 
 _ACTIONS = frozenset(
-    """Node LifecycleNode ComposableNodeContainer LoadComposableNodes ExecuteProcess IncludeLaunchDescription GroupAction
-    DeclareLaunchArgument SetEnvironmentVariable SetLaunchConfiguration SetParameter SetRemap PushRosNamespace PushROSNamespace RegisterEventHandler TimerAction
-    OpaqueFunction LogInfo""".split()
+    """Node LifecycleNode ComposableNodeContainer LoadComposableNodes ExecuteProcess IncludeLaunchDescription GroupAction TimerAction
+    DeclareLaunchArgument SetEnvironmentVariable SetLaunchConfiguration SetParameter SetRemap PushRosNamespace PushROSNamespace LogInfo
+    RegisterEventHandler OpaqueFunction""".split()
 )
 _LOOKING = frozenset(("locals", "vars", "eval", "exec"))
 

@@ -159,8 +159,8 @@ def test_a_name_of_another_module(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "body",
     [
-        "try:\n        n = Node(package='p')\n    except TypeError:\n        n = None",
-        "if os.getcwd():\n        n = Node(package='p')",
+        "try:\n        n = [Node(package='p')]\n    except TypeError:\n        n = None",
+        "if os.getcwd():\n        n = [Node(package='p')]",
     ],
 )
 def test_what_may_not_come_to_pass(body: str, tmp_path: Path) -> None:
