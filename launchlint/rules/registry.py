@@ -103,7 +103,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL202", "required-arg-unset", "args.required_arg_unset", INFO, on=(evaluate.RequiredArgUnset,), dialects=BOTH),
     Entry("LL203", "arg-redeclared", "args.arg_redeclared", ERROR, on=(evaluate.ArgRedeclared,)),
     Entry("LL204", "arg-value-and-default", "args.arg_value_and_default", ERROR, on=(syntax.ArgValueAndDefault,)),
-    Entry("LL205", "arg-cycle", "args.arg_cycle", ERROR, on=(evaluate.UsedBeforeDeclaration,)),
+    Entry("LL205", "arg-cycle", "args.arg_cycle", ERROR, on=(evaluate.UsedBeforeDeclaration, evaluate.UndeclaredArg), dialects=BOTH),
     Entry("LL206", "unused-arg", "args.unused_arg", WARNING, view="file", dialects=BOTH, ros2=("ArgUnused",)),
     Entry(
         "LL207",
@@ -154,7 +154,7 @@ RULES: tuple[Entry, ...] = (
     ),
     Entry("LL215", "unexpanded-substitution", "args.unexpanded_substitution", WARNING, on=(evaluate.UnexpandedSubstitution,)),
     Entry("LL216", "evaluation-bound", "args.evaluation_bound", WARNING, on=(evaluate.EvaluationBound,), dialects=BOTH),
-    Entry("LL301", "duplicate-node-name", "nodes.duplicate_node_name", ERROR, on=(evaluate.DuplicateNode,)),
+    Entry("LL301", "duplicate-node-name", "nodes.duplicate_node_name", ERROR, on=(evaluate.DuplicateNode,), dialects=BOTH),
     Entry("LL302", "invalid-node-name", "nodes.invalid_node_name", ERROR, on=(evaluate.InvalidNodeName,), dialects=BOTH),
     Entry("LL303", "unknown-package", "nodes.unknown_package", ERROR, view="launch", dialects=BOTH, ros2=("NodePackageMissing",)),
     Entry("LL304", "unknown-executable", "nodes.unknown_executable", ERROR, view="graph", dialects=BOTH),

@@ -11,6 +11,7 @@ from launchlint.evaluate.ros2.judged_keys import for_nobody
 from launchlint.evaluate.ros2.leaving import undeclared
 from launchlint.evaluate.ros2.passing import useless
 from launchlint.evaluate.ros2.performing import rules_of
+from launchlint.evaluate.ros2.same_names import duplicates
 from launchlint.evaluate.ros2.walk import Exhausted, Walk
 from launchlint.evaluate.session import Read, Session
 from launchlint.finding import whole_file
@@ -55,6 +56,8 @@ def evaluate(
         for told in for_nobody(walk.receivers, walk.performer):
             walk.record_once(told)
         for told in undeclared(walk):
+            walk.record(told)
+        for told in duplicates(walk.nodes):
             walk.record(told)
         for told in useless(walk.entered, session):
             walk.record(told)

@@ -1,7 +1,8 @@
 """An arg is used above its declaration, or args need each other.
 
 roslaunch reads a file from top to bottom: what an arg's value uses must have been declared above it. Where args need
-each other in a circle, no order helps; the whole circle is shown.
+each other in a circle, no order helps; the whole circle is shown. In ROS 2 it is the same: a `$(var x)` above its `<arg name="x">` has no
+value, unless somebody has set it before.
 
 ## Why it matters
 
@@ -37,18 +38,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.evaluate.problems import UsedBeforeDeclaration
+from launchlint.evaluate.problems import UndeclaredArg, UsedBeforeDeclaration
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, fix, move_before, spot
+from launchlint.rules.judging.ros2_args import declared_below
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
 from launchlint.source import Place
 
 RULE = Rule("LL205", "arg-cycle", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
 
-def tell(problem: UsedBeforeDeclaration, view: object) -> Iterator[Finding]:
+def tell(problem: UsedBeforeDeclaration | UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
     """Show the circle, or the declaration that comes too late."""
     name = problem.name
+    if isinstance(problem, UndeclaredArg):
+        yield from _too_early(problem, view)
+        return
     cycle: tuple[tuple[str, Place], ...] = problem.cycle
     related = problem.related
     if len(cycle) == 1:
@@ -69,6 +75,25 @@ def tell(problem: UsedBeforeDeclaration, view: object) -> Iterator[Finding]:
         notes=("roslaunch reads from top to bottom and stops here",),
         help=advice,
         fix=None if cycle else _fix(problem, view),
+    )
+
+
+def _too_early(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
+    """The same in ROS 2, where the launch configuration may be given by others: an error only where nobody is known who does."""
+    below = declared_below(problem, view)
+    if below is None:
+        return
+    name, alone = problem.name, problem.origin.step is None
+    yield RULE.at(
+        problem.origin,
+        f"{name} is read above its declaration",
+        severity=None if problem.refused else Severity.WARNING,
+        label=f"{name} has no value yet",
+        related=((below, "declared here"),),
+        notes=(f"ros2 launch stops here with: launch configuration '{name}' does not exist{', unless it is given' if alone else ''}",),
+        help=f"move the declaration of {name} up, above this",
+        topic=name,
+        cause=f"{problem.place.source.path} {name}",
     )
 
 

@@ -17,12 +17,14 @@ from launchlint.evaluate.problems import (
     UndeclaredArg,
 )
 from launchlint.finding import Finding, Severity
+from launchlint.model import ROS2
 from launchlint.rules.judging.broken_call import broken_call
 from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.source import Place
 from launchlint.spelling import closest, surely
 
 _OWN = ("ros_namespace", "launch-prefix")
@@ -32,6 +34,8 @@ _OWN = ("ros_namespace", "launch-prefix")
 def undeclared(problem: UndeclaredArg, rule: Rule, view: LaunchView) -> Iterator[Finding]:
     """``$(var …)`` of something that nothing has set."""
     name = problem.name
+    if declared_below(problem, view) is not None:
+        return  # LL205 says so
     known = tuple(each for each in problem.known if not each.startswith("anon") and each not in _OWN)
     meant = surely(name, known)
     near = meant or closest(name, known)
@@ -45,6 +49,16 @@ def undeclared(problem: UndeclaredArg, rule: Rule, view: LaunchView) -> Iterator
         topic=name,
         shared_cause=never_declared(problem.place.source.path, name if certain or near is not None else ""),
     )
+
+
+def declared_below(problem: UndeclaredArg, view: LaunchView) -> Place | None:
+    """Where the file declares the arg that it reads too early; None where it does not, or others may have set it before."""
+    place = problem.place
+    if view.launch.dialect != ROS2 or any(problem.name == name for name, _ in view.launch.given):
+        return None
+    declared = (each.origin for each in view.launch.declared if each.name == problem.name)
+    below = (each.place for each in declared if each.step is problem.origin.step and each.place.source is place.source)
+    return next((each for each in below if each.span.start > place.span.start), None)
 
 
 def required(problem: RequiredArgUnset, rule: Rule, view: LaunchView) -> Iterator[Finding]:

@@ -5,7 +5,7 @@ worked out and with the conditions as they are. Nodes that exclude each other by
 belongs to roscore, whose own file `roscore.xml` may start it. Where the names meet only when an arg has another value than its default
 and no launch file here gives it that one, it is a warning; an info, if another arg can switch off one of the two: nodes behind switches of
 their own (`if="$(arg real)"`, `if="$(arg simulation)"`) are alternatives. What two includes of one file, or one such value, bring about is
-told once.
+told once. In ROS 2 it is a warning: launch itself warns, and starts them all.
 
 ## Why it matters
 
@@ -59,7 +59,7 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import Node
 from launchlint.rules.edits import LOADS, fix, is_literal, remove_element, set_value, spot
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Place
 from launchlint.syntax.ros1.substitutions import parse
 from launchlint.syntax.tree import Element
@@ -69,6 +69,11 @@ RULE = Rule("LL301", "duplicate-node-name", Severity.ERROR, roslaunch="refuses",
 
 def tell(problem: DuplicateNode, view: LaunchView) -> Iterator[Finding]:
     """Speak about ``duplicate-node`` (roslaunch.config.ROSLaunchConfig.add_node)."""
+    if of_ros2(view):
+        from launchlint.rules.judging.ros2_nodes import one_name
+
+        yield from one_name(problem, RULE, view)
+        return
     name = problem.name.replace(UNKNOWN_NAMESPACE, "…")
     stops = f"roslaunch stops with: roslaunch file contains multiple nodes named [{name}]"
     if problem.core:
