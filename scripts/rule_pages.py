@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from launchlint.finding import Severity
+from launchlint.model import ROS1, ROS2
 from launchlint.rules.registry import RULES
 from launchlint.rules.rule import Rule
 
@@ -44,11 +45,16 @@ FIX = {
 }
 
 
+SPEAKS = {(ROS1,): "ROS 1", (ROS2,): "ROS 2", (ROS1, ROS2): "both"}
+"""Which launch files a rule looks at, by the dialects that the registry names."""
+
+
 class Page(NamedTuple):
-    """One rule with the text of its docstring."""
+    """One rule with the text of its docstring; ``speaks`` says of which dialect's launch files."""
 
     rule: Rule
     text: str
+    speaks: str
 
     @property
     def summary(self) -> str:
@@ -68,7 +74,7 @@ def rule_pages() -> list[Page]:
             raise SystemExit(f"{entry.module}: the registry says {declared}, the module {rule}")
         if not module.__doc__:
             raise SystemExit(f"{entry.module}: a rule without a docstring has no page")
-        pages.append(Page(rule, inspect.cleandoc(module.__doc__)))
+        pages.append(Page(rule, inspect.cleandoc(module.__doc__), SPEAKS[entry.dialects]))
     return sorted(pages, key=lambda page: page.rule.id)
 
 
@@ -79,14 +85,23 @@ def page_text(page: Page) -> str:
         [
             f"# {rule.id} {rule.name}",
             "",
-            "| severity | who tells you without launchlint | can be fixed | on by default |",
-            "|---|---|---|---|",
-            f"| {rule.severity.word} | {TODAY[rule.roslaunch]} | {FIX[rule.fixable]} | {'yes' if rule.default else 'no, select it'} |",
+            "| severity | launch files of | who tells you without launchlint | can be fixed | on by default |",
+            "|---|---|---|---|---|",
+            f"| {rule.severity.word} | {_of(page)} | {_today(page)} | {FIX[rule.fixable]} | {'yes' if rule.default else 'no, select it'} |",
             "",
             page.text,
             "",
         ]
     )
+
+
+def _of(page: Page) -> str:
+    return "ROS 1 and ROS 2" if page.speaks == "both" else page.speaks
+
+
+def _today(page: Page) -> str:
+    """Who tells people now, by the name of the program that starts such launch files."""
+    return TODAY[page.rule.roslaunch].replace("roslaunch", "ros2 launch") if page.speaks == "ROS 2" else TODAY[page.rule.roslaunch]
 
 
 def index_text(pages: list[Page]) -> str:
@@ -96,12 +111,15 @@ def index_text(pages: list[Page]) -> str:
         members = [page for page in pages if page.rule.id[2] == digit]
         if not members:
             continue
-        lines += [f"## {digit}xx {title}", "", "| rule | name | severity | what |", "|---|---|---|---|"]
+        lines += [f"## {digit}xx {title}", "", "| rule | name | severity | ROS | what |", "|---|---|---|---|---|"]
         for page in members:
             rule, summary = page.rule, page.summary.replace("|", "\\|")
-            lines.append(f"| [{rule.id}]({rule.id}.md) | {rule.name} | {rule.severity.word} | {summary} |")
+            lines.append(f"| [{rule.id}]({rule.id}.md) | {rule.name} | {rule.severity.word} | {_ROS[page.speaks]} | {summary} |")
         lines.append("")
     return "\n".join(lines)
+
+
+_ROS = {"ROS 1": "1", "ROS 2": "2", "both": "1, 2"}
 
 
 def _levels() -> list[str]:
@@ -116,6 +134,9 @@ def _levels() -> list[str]:
         "The tables below and the rule pages name the level that a rule usually has. A finding is milder where less is certain or less",
         "happens, and an error where roslaunch refuses the very case: its note says so. SARIF has `error`, `warning` and `note` for the",
         "three; `severity:` in `.launchlint.yaml` sets another level for all findings of a rule, `--fail-on` says which one fails a job.",
+        "",
+        "The column *ROS* says whose launch files a rule looks at: those of ROS 1, of ROS 2, or both. Where a page speaks of roslaunch, ros2 launch",
+        "does the same in a rule of both, unless the page says otherwise.",
     ]
 
 

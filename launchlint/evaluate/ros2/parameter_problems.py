@@ -147,11 +147,12 @@ class NamedForUnnamed(Problem):
 class CommandReadAsYaml(Problem):
     """The output of a command that writes XML, as the value of the param ``name``: launch reads it as YAML.
 
-    ``typed``: it would take a type.
+    ``typed``: it would take a type. ``file`` is what the command makes it from, absolute; empty where that is not known.
     """
 
     name: str
     typed: bool
+    file: str
 
 
 class ComponentKeyIgnored(Problem):

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 PARAMETERS = "ros__parameters"
 _QUOTES = ("'", '"', "&quot;", "&apos;")
 _DESCRIBES = late(r"\bxacro\b|\.(?:xacro|urdf|sdf|srdf)\b")
+_ROBOT = late(r"\s['\"]?(/[^\s'\"]+\.(?:xacro|urdf|sdf|srdf))\b")
 LETTERS = ("y", "Y", "n", "N")
 """Texts to everybody but rcl: letters."""
 
@@ -305,7 +306,9 @@ def _converted(name: str, text: Text, wanted: str | None, asks: Performs) -> Any
 def _note_command(name: str, text: Text, performed: Unknown, asks: Performs, *, typed: bool) -> None:
     """Record that what a command prints is read as YAML, where that is a robot description: it prints XML."""
     if any(isinstance(piece, Substitution) and piece.name == "command" for piece in text.pieces) and _DESCRIBES.search(performed.text):
-        asks.notice(CommandReadAsYaml(origin=asks.where(text.place), name=name, typed=typed))
+        named = _ROBOT.search(performed.text)
+        file = "" if named is None else named[1]
+        asks.notice(CommandReadAsYaml(origin=asks.where(text.place), name=name, typed=typed, file=file))
 
 
 def _by_yaml_rules(name: str | Unknown, value: TypedValue, asks: Performs) -> Any:

@@ -13,6 +13,8 @@ def duplicates(nodes: Iterable[Node]) -> Iterator[Problem]:
     """The nodes that have the full name of one before them, for certain: each with the first of that name."""
     first: dict[str, Node] = {}
     for node in nodes:
+        if node.deferred not in (None, "timer"):
+            continue  # what is started when something ends may take its place
         if not node.name or not node.knows("name", "namespace") or any(each.assumed for each in node.conditions):
             continue
         other = first.setdefault(node.full_name, node)

@@ -1,17 +1,18 @@
 """A robot description that a command prints is given to a node as YAML, not as a text.
 
 What it does: it looks for a param whose value is `$(command …)` of xacro, or of a file with a robot in it, and that does not say
-`type="str"`. In a `<set_parameter>`, which has no type, it is always so.
+`type="str"`. In a `<set_parameter>`, which has no type, it is always so. It is a warning where the file has a colon with a blank behind it,
+or a blank with a `#` behind it; else it is information.
 
 ## Why it matters
 
-launch reads the value of a param as YAML unless its type is given. An XML file mostly goes through, until somebody adds a comment with a
+launch reads the value of a param as YAML unless its type is given. An XML file goes through as a text until somebody adds a comment with a
 colon to it: then `ros2 launch` stops with *Unable to parse the value of parameter robot_description as yaml*; after a blank and a `#` the
 rest of a line is lost without a word.
 
 ## Example
 
-```xml
+```xml robot.launch.xml
 <launch>
   <node pkg="robot_state_publisher" exec="robot_state_publisher" name="robot_state_publisher">
     <param name="robot_description" value="$(command 'xacro $(dirname)/robot.urdf.xacro')"/>
@@ -19,25 +20,42 @@ rest of a line is lost without a word.
 </launch>
 ```
 
+```xml robot.urdf.xacro
+<robot name="r2" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <!-- measured: to the middle of the wheel -->
+  <link name="base_link"/>
+</robot>
+```
+
 ## Use instead
 
-```xml
+```xml robot.launch.xml
 <launch>
   <node pkg="robot_state_publisher" exec="robot_state_publisher" name="robot_state_publisher">
     <param name="robot_description" value="$(command 'xacro $(dirname)/robot.urdf.xacro')" type="str"/>
   </node>
 </launch>
 ```
+
+```xml robot.urdf.xacro
+<robot name="r2" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <!-- measured: to the middle of the wheel -->
+  <link name="base_link"/>
+</robot>
+```
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from launchlint.evaluate.ros2.parameter_problems import CommandReadAsYaml
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
+from launchlint.workspace.looking import content
 
+_COLON = re.compile(rb":(?:[ \t]|$)", re.MULTILINE)
 RULE = Rule("LL907", "string-parsed-as-yaml", Severity.WARNING)
 
 
@@ -48,12 +66,26 @@ def tell(problem: CommandReadAsYaml, view: object) -> Iterator[Finding]:
     )
     if problem.place.source.file.endswith(".py"):
         advice = "write ParameterValue(…, value_type=str) around it"
+    breaks, named = _breaks(problem.file), problem.file.rpartition("/")[2]
     yield RULE.at(
         problem.origin,
         f"launch reads what this command prints as YAML before it gives it to the param {problem.name}",
         label="XML, read as YAML",
-        notes=("a colon and a blank in a comment of that file are enough for ros2 launch to stop",),
+        severity=None if breaks else Severity.INFO,
+        notes=(
+            f"{named} has {breaks}"
+            if breaks
+            else "a colon with a blank behind it in a comment of that file is enough for ros2 launch to stop",
+        ),
         help=advice,
         topic=problem.name,
         cause=f"{problem.place.source.path} {problem.name}",
     )
+
+
+def _breaks(file: str) -> str:
+    """What in a file is something else in YAML than in a text; empty where nothing is, or the file is not known."""
+    data = (content(file) or b"") if file else b""
+    if _COLON.search(data):
+        return "a colon with a blank behind it, at which ros2 launch stops unless xacro leaves that part out"
+    return "a blank and a # behind it: the rest of that line is lost" if b" #" in data else ""
