@@ -135,8 +135,8 @@ def _levels() -> list[str]:
         "happens, and an error where roslaunch refuses the very case: its note says so. SARIF has `error`, `warning` and `note` for the",
         "three; `severity:` in `.launchlint.yaml` sets another level for all findings of a rule, `--fail-on` says which one fails a job.",
         "",
-        "The column *ROS* says whose launch files a rule looks at: those of ROS 1, of ROS 2, or both. Where a page of both speaks of roslaunch,",
-        "ros2 launch does the same, unless the page says otherwise.",
+        "The column *ROS* says whose launch files a rule looks at: those of ROS 1, of ROS 2, or both. Where a page of both speaks of",
+        "roslaunch, ros2 launch does the same, unless the page says otherwise.",
     ]
 
 
