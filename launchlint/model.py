@@ -386,6 +386,14 @@ class ScopedSetting(NamedTuple):
     scope_end: int = 0
 
 
+class Followed(NamedTuple):
+    """A launch file that is a program (ROS 2): whether what it does could be told without running it, and of what not, and why."""
+
+    source: Source
+    state: Literal["resolved", "partly", "not"]
+    reasons: tuple[tuple[Place, str], ...]
+
+
 class Launch(NamedTuple):
     """What one entry file starts in one configuration.
 
@@ -397,7 +405,8 @@ class Launch(NamedTuple):
 
     The rest is of ROS 2: the ``distro`` whose launch this is; ``programs`` that are no nodes; ``declarations``, those of :attr:`declared`
     as launch executed them; ``listed``, the args as people are shown them; ``late``, the first problem of each body that is executed
-    later (a timer's) and fails then: it does not keep the file from being loaded; ``settled``: whether launch refuses the file can be told.
+    later (a timer's) and fails then: it does not keep the file from being loaded; ``settled``: whether launch refuses the file can be told;
+    ``followed`` are those of its files that are programs.
     """
 
     entry: Source
@@ -426,6 +435,7 @@ class Launch(NamedTuple):
     listed: tuple[ListedArgument, ...] = ()
     late: tuple[Problem, ...] = ()
     settled: bool = True
+    followed: tuple[Followed, ...] = ()
 
     def noticed(self, kind: type[Kind]) -> Iterator[Kind]:
         """The problems of one kind."""

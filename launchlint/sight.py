@@ -20,12 +20,24 @@ class Unseen(NamedTuple):
     nodes: int
 
 
+class Followed(NamedTuple):
+    """A launch file in Python: whether what it does is ``resolved``, ``partly`` or ``not``, and why, each reason with its line."""
+
+    path: str
+    state: str
+    reasons: tuple[tuple[int, str], ...]
+
+
 class Sight(NamedTuple):
-    """Nodes that entry files start without args, those of them that are known, and the programs of the others, sorted."""
+    """Nodes that entry files start without args, those of them that are known, and the programs of the others, sorted.
+
+    ``followed`` are the launch files in Python.
+    """
 
     nodes: int = 0
     known: int = 0
     unseen: tuple[Unseen, ...] = ()
+    followed: tuple[Followed, ...] = ()
 
     @property
     def brief(self) -> str:
@@ -34,7 +46,10 @@ class Sight(NamedTuple):
 
     def as_object(self) -> dict[str, Any]:
         """For JSON."""
-        return {"nodes": self.nodes, "known": self.known, "unknown": [each._asdict() for each in self.unseen]}
+        found = {"nodes": self.nodes, "known": self.known, "unknown": [each._asdict() for each in self.unseen]}
+        if self.followed:
+            found["python"] = [_as_object(each) for each in self.followed]
+        return found
 
 
 LONGEST_TEXT = 300
@@ -47,16 +62,24 @@ def together(sights: Iterable[Sight]) -> Sight:
     """What is seen of several entry files."""
     listed = list(sights)
     unseen = once(each for sight in listed for each in sight.unseen)
-    return Sight(sum(each.nodes for each in listed), sum(each.known for each in listed), unseen)
+    followed = {each.path: each for sight in listed for each in sight.followed}
+    return Sight(
+        sum(each.nodes for each in listed), sum(each.known for each in listed), unseen, tuple(followed[path] for path in sorted(followed))
+    )
 
 
 def once(unseen: Iterable[tuple[str, str, int]]) -> tuple[Unseen, ...]:
     """Each program and reason once."""
     found: dict[tuple[str, str], int] = {}
     for program, reason, nodes in unseen:
-        key = (_shortened(program), _shortened(reason))
+        key = (shortened(program), shortened(reason))
         found[key] = found.get(key, 0) + nodes
     return tuple(Unseen(*key, found[key]) for key in sorted(found))
+
+
+def _as_object(followed: Followed) -> dict[str, Any]:
+    reasons = [{"line": line, "reason": reason} for line, reason in followed.reasons]
+    return {"file": followed.path, "state": followed.state, "reasons": reasons}
 
 
 def reason_beside(program: str, reason: str) -> str:
@@ -64,5 +87,6 @@ def reason_beside(program: str, reason: str) -> str:
     return reason.replace(f"the nodelet class {program}", "it").replace(program, "it")
 
 
-def _shortened(text: str) -> str:
+def shortened(text: str) -> str:
+    """A name or reason that is not too long to be shown."""
     return text if len(text) <= LONGEST_TEXT else f"{text[: LONGEST_TEXT - 1]}…"

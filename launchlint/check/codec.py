@@ -13,7 +13,7 @@ from launchlint.check.options import EntryRequest
 from launchlint.finding import Edit, Finding, Fix, Location, Related, Severity
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary
-from launchlint.sight import Sight, Unseen
+from launchlint.sight import Followed, Sight, Unseen
 from launchlint.source import Span
 from launchlint.suppression import Name, Suppression
 from launchlint.verdict import Refusal, Verdict
@@ -88,6 +88,10 @@ def entry_to_json(result: EntryResult) -> list[Any]:
     ]
 
 
+def _followed(value: Any) -> tuple[Followed, ...]:
+    return tuple(Followed(path, state, tuple((line, reason) for line, reason in reasons)) for path, state, reasons in value)
+
+
 def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResult]) -> EntryResult:
     """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
     path, verdict, error, findings, fine, visited, names, summary, configurations, outcome, sight = value
@@ -114,7 +118,7 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
         ),
         configurations,
         outcome=Verdict(word, rule, reason, tuple(missing), tuple(_refusal_from_json(each) for each in elsewhere), launcher),
-        sight=Sight(sight[0], sight[1], tuple(Unseen(*each) for each in sight[2])),
+        sight=Sight(sight[0], sight[1], tuple(Unseen(*each) for each in sight[2]), _followed(sight[3])),
     )
 
 

@@ -23,7 +23,7 @@ from launchlint.problem import Problem
 from launchlint.rules.registry import RULES, Entry, rule_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary, FileView, LaunchView
-from launchlint.sight import NOTHING, Sight, once, reason_beside
+from launchlint.sight import NOTHING, Followed, Sight, once, reason_beside, shortened
 from launchlint.syntax.tree import Document
 from launchlint.verdict import LOADS, Verdict
 from launchlint.workspace.looking import note, noted, state
@@ -68,6 +68,10 @@ class EntryResult(NamedTuple):
     outcome: Verdict = LOADS
     programs: tuple[tuple[str, str, str, str], ...] = ()
     sight: Sight = NOTHING
+
+
+MOST_REASONS = 20
+"""Reasons that are kept of one launch file in Python."""
 
 
 class EntryChecker:
@@ -167,7 +171,10 @@ class EntryChecker:
                 break
         assert first is not None
         result = self._result(request, first, findings, fine, visited, files, tuple(included), count)
-        result = result._replace(outcome=outcomes[0][1].beside(outcomes[1:]), sight=self._sights[0] if self._sights else NOTHING)
+        result = result._replace(
+            outcome=outcomes[0][1].beside(outcomes[1:]),
+            sight=(self._sights[0] if self._sights else NOTHING)._replace(followed=_followed(first.launch)),
+        )
         if not self.remember:
             return result
         looks = dict(look for file in files.values() for look in file.looks) | {path: state(path) for path in noted()}
@@ -346,6 +353,20 @@ def _sight(graph: ConnectionGraph) -> Sight:
     unknown = [each for each in graph.instances if each.is_unknown]
     reasons = ((each.program, reason_beside(each.program, each.reason), 1) for each in unknown)
     return Sight(len(graph.instances), len(graph.instances) - len(unknown), once(reasons))
+
+
+def _followed(launch: Launch) -> tuple[Followed, ...]:
+    """The launch files in Python, with the first of the reasons why not all of them is known."""
+    return tuple(
+        Followed(
+            each.source.path,
+            each.state,
+            tuple(
+                dict.fromkeys((place.source.position(place.span.start).line, shortened(why)) for place, why in each.reasons[:MOST_REASONS])
+            ),
+        )
+        for each in launch.followed
+    )
 
 
 def _calls(launch: Launch) -> Iterator[tuple[str, tuple[tuple[str, str], ...]]]:

@@ -202,6 +202,8 @@ def _node(instance: Instance, containers: _Containers) -> TopologyNode:
 
 
 def _condition(condition: Condition) -> str:
+    if condition.attribute in ("maybe", "unknown"):
+        return f"maybe: {condition.text}"
     return f'{condition.attribute}="{condition.place.text}"'
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from itertools import dropwhile
 from typing import Any
 
-from launchlint.model import Condition, Executable, Include, Launch, Node, ParameterSource, Process, StandIn, Unknown, UnknownText
+from launchlint.model import Condition, Executable, Followed, Include, Launch, Node, ParameterSource, Process, StandIn, Unknown, UnknownText
 from launchlint.verdict import LOADS, Verdict
 
 
@@ -45,7 +45,13 @@ def as_object(launch: Launch, file: str, error: tuple[str, str] | None, verdict:
         "executables": [_executable(each) for each in launch.programs],
         "deferred_errors": [problem.kind for problem in launch.late],
         "findings": [],
+        **({"python": [_followed(each) for each in launch.followed]} if launch.followed else {}),
     }
+
+
+def _followed(file: Followed) -> dict[str, Any]:
+    reasons = [{"line": place.source.position(place.span.start).line, "reason": reason} for place, reason in file.reasons]
+    return {"file": file.source.path, "state": file.state, "reasons": reasons}
 
 
 def _terse(item: Mapping[str, Any]) -> dict[str, Any]:

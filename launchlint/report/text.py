@@ -20,6 +20,7 @@ _COLORS = {Severity.ERROR: "\x1b[1;31m", Severity.WARNING: "\x1b[1;33m", Severit
 _NUMBER = 5
 _LONGEST_CHAIN = 8
 _MOST_RELATED = 5
+_MOST_REASONS = 3
 _MOST_UNSEEN = 100
 
 
@@ -29,6 +30,8 @@ def render(findings: Sequence[Finding], run: Run) -> str:
     blocks = ["\n".join(_block(finding, run)) + "\n" for finding in shown]
     if run.verbose and run.sight.unseen:
         blocks.append("\n".join(_unseen(run.sight)) + "\n")
+    if run.verbose and any(each.state != "resolved" for each in run.sight.followed):
+        blocks.append("\n".join(_followed(run.sight)) + "\n")
     return "\n".join([*blocks, summary(findings, run) + "\n"])
 
 
@@ -55,6 +58,17 @@ def _unseen(sight: Sight) -> Iterator[str]:
         yield f"  {visible(program)} ({counted(nodes, 'node')}): {visible(reason)}"
     if len(sight.unseen) > _MOST_UNSEEN:
         yield f"  and {counted(len(sight.unseen) - _MOST_UNSEEN, 'more program')}"
+
+
+def _followed(sight: Sight) -> Iterator[str]:
+    """Of which launch files in Python not all can be told without running them, and why."""
+    resolved = sum(each.state == "resolved" for each in sight.followed)
+    yield f"of {counted(len(sight.followed), 'launch file')} in Python {resolved} can be told as a whole without running; the others:"
+    for path, state, reasons in sight.followed:
+        if state != "resolved":
+            why = "; ".join(f"line {line}: {visible(reason)}" for line, reason in reasons[:_MOST_REASONS])
+            more = f"; and {counted(len(reasons) - _MOST_REASONS, 'more reason')}" if len(reasons) > _MOST_REASONS else ""
+            yield f"  {visible(path)} ({'not at all' if state == 'not' else 'in part'}): {why}{more}"
 
 
 def _loading(run: Run) -> str:

@@ -15,12 +15,18 @@ from launchlint.evaluate.ros2.same_names import duplicates
 from launchlint.evaluate.ros2.walk import Exhausted, Walk
 from launchlint.evaluate.session import Read, Session
 from launchlint.finding import whole_file
-from launchlint.model import ROS2, Launch, ListedArgument
+from launchlint.model import ROS2, Followed, Launch, ListedArgument
 from launchlint.source import Origin, Source
 from launchlint.syntax.problems import UnreadableFile
+from launchlint.syntax.ros2.description import Open, Unsettled
+from launchlint.workspace.discovery import is_program
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import Literal, TypeAlias
+
+    State: TypeAlias = Literal["resolved", "partly", "not"]
     from launchlint.evaluate.ros2.repeating import Repeats
     from launchlint.syntax.ros2.reading import Reading
 
@@ -67,6 +73,21 @@ def evaluate(
     return _evaluation(walk, known, given)
 
 
+def _followed(walk: Walk) -> Iterator[Followed]:
+    """The programs among the files, each once, with what is not known of them."""
+    seen: set[str] = set()
+    for reading in walk.readings:
+        path = reading.source.path
+        if path in seen or not is_program(reading.source.file, reading.source.text[:1].encode()):
+            continue
+        seen.add(path)
+        said = [*reading.unresolved, *(each for each in walk.unresolved if each.place.source.path == path)]
+        only = [each for each in reading.description.actions if not isinstance(each, Unsettled)]
+        nothing = len(only) == 1 and isinstance(only[0], Open)
+        state: State = "not" if nothing else "partly" if said else "resolved"
+        yield Followed(reading.source, state, tuple(dict.fromkeys((each.place, each.reason) for each in said)))
+
+
 def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...]) -> Evaluation:
     launch = Launch(
         entry=known.source,
@@ -97,6 +118,7 @@ def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...]) 
         ),
         late=tuple(walk.late),
         settled=not walk.unsettled,
+        followed=tuple(_followed(walk)),
     )
     documents = {reading.source.path: reading.document for reading in walk.readings if reading.document is not None}
     compared: dict[str, dict[str, None]] = {}

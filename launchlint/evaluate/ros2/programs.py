@@ -11,6 +11,7 @@ from launchlint.evaluate.ros2.walk import Walk
 from launchlint.model import Condition, Unknown
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.live import Stopped
+from launchlint.syntax.ros2.unresolved import unresolved
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -99,6 +100,7 @@ def _called(walk: Walk, call: Call, place: Place) -> tuple[described.Action, ...
     except Stopped as stopped:
         walk.record(stopped.problem.but(origin=walk.at(stopped.problem.place)))
         return ()
+    walk.unresolved += unresolved(found)
     return found[:MOST_GIVEN]
 
 

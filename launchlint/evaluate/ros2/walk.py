@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from launchlint.evaluate.ros2.repeating import Logs, Repeats, Said
     from launchlint.evaluate.session import Session
     from launchlint.syntax.ros2.reading import Reading
+    from launchlint.syntax.ros2.unresolved import Unresolved
 
 LARGEST_EVALUATION = 200_000
 """Actions executed in one configuration; more than any real launch has, few enough to end in seconds."""
@@ -194,6 +195,7 @@ class Walk:
         self.launch = object()
         self.unread: list[str] = []
         self.unsettled: list[str] = []
+        self.unresolved: list[Unresolved] = []
         self.exhausted = False
         self.receivers: list[Receiver] = []
         self.entered: list[Entered] = []

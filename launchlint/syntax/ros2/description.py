@@ -64,7 +64,8 @@ def unknown(reason: str, place: Place) -> Text:
 class Condition(NamedTuple):
     """Whether an action is executed: ``if`` and ``unless`` have one operand; ``equals`` and ``not-equals`` (Python only) two.
 
-    Of a program: a condition may be ``unknown``, and it may be unknown whether there is the action at all (``maybe``); the operand says why.
+    Of a program: a condition may be ``unknown``, and it may be unknown whether there is the action at all (``maybe``);
+    the operand says why.
     """
 
     kind: Literal["if", "unless", "equals", "not-equals", "unknown", "maybe"]

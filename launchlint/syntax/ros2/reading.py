@@ -23,18 +23,12 @@ from launchlint.syntax.ros2.tables import DEFAULT, distribution
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.syntax.ros2.entity import Entity
+    from launchlint.syntax.ros2.unresolved import Unresolved
     from launchlint.syntax.tree import Document
 
 _ENDS = (".yaml", ".yml")
 _ENCODING = re.compile(rb"""(\s*<\?xml[^>]*?\bencoding\s*=\s*)(["'])([A-Za-z][\w.-]*)\2""")
 _LAUNCH = "launch"
-
-
-class Unresolved(NamedTuple):
-    """What could not be told of a launch file in Python, and why."""
-
-    place: Place
-    reason: str
 
 
 class Reading(NamedTuple):

@@ -46,7 +46,8 @@ class Following(Noticing):
         super().__init__(recogniser, root, package, finder, package or "\0")
         self.known = recogniser
         self._written: dict[str, Written] = {self.shown(written.file): written}
-        self._open_rounds = 0
+        self._unknowns = 0
+        self._unknown: Unknown | None = None
 
     def place(self, node: ast.AST, scope: Scope) -> Place:
         """Where an expression stands."""
@@ -78,9 +79,15 @@ class Following(Noticing):
 
     def evaluate(self, node: ast.expr | None, scope: Scope) -> Value:
         """The value of an expression; one that is not known says where that began."""
+        before = self._unknowns
         value = super().evaluate(node, scope)
-        if value is UNKNOWN and node is not None:
-            return Unknown(_why(node), self.place(node, scope))
+        if not isinstance(value, Unknown) or node is None:
+            return value
+        if value is UNKNOWN:
+            inner = self._unknown if self._unknowns > before else None
+            value = inner if inner is not None else Unknown(_why(node), self.place(node, scope))
+        self._unknowns += 1
+        self._unknown = value
         return value
 
     def escape(self, values: Sequence[Value], when: str, depth: int = 0) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import os
 from collections.abc import Iterator
-from itertools import chain
 
 from launchlint.problem import Problem
 from launchlint.python.memory import Ended, Exhausted
@@ -15,7 +14,7 @@ from launchlint.python.source import SourceError, parse_text
 from launchlint.python.values import Choice, Function, Handle
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.ros2 import description as described
-from launchlint.syntax.ros2.description import Action, Description, Substitution
+from launchlint.syntax.ros2.description import Action, Description
 from launchlint.syntax.ros2.python.entry import ENTRY, gives, needs_arguments, takes_arguments, unreadable, without_entry
 from launchlint.syntax.ros2.python.following import Following
 from launchlint.syntax.ros2.python.imports import wrong_imports
@@ -25,11 +24,10 @@ from launchlint.syntax.ros2.python.performed import performed_as_boolean
 from launchlint.syntax.ros2.python.recogniser import Outside
 from launchlint.syntax.ros2.python.running import Caller
 from launchlint.syntax.ros2.python.unused import never_added
-from launchlint.syntax.ros2.reading import Reading, Unresolved
+from launchlint.syntax.ros2.reading import Reading
+from launchlint.syntax.ros2.unresolved import unresolved
 
 LARGEST = 1 << 20
-MOST_SAID = 200
-"""Reasons that are kept of one file."""
 
 
 def read(data: bytes, path: str, file: str, outside: Outside, package: str = "") -> Reading:
@@ -122,22 +120,3 @@ def _environment(run: Following, outside: Outside, place: Place) -> Iterator[Act
     for name in before:
         if not dict.__contains__(after, name):
             yield described.UnsetEnvironment(texts.text(name, place), place)
-
-
-def unresolved(actions: tuple[Action, ...]) -> list[Unresolved]:
-    """What is not known in actions, and why: each place once."""
-    found: dict[tuple[tuple[str, int], str], Unresolved] = {}
-    waiting: list[object] = [actions]
-    while waiting and len(found) < MOST_SAID:
-        each = waiting.pop()
-        if isinstance(each, Place) or not isinstance(each, tuple):
-            continue
-        reason = ""
-        if isinstance(each, Substitution) and each.name == described.NOT_KNOWN and len(each.arguments) == 1:
-            reason = each.arguments[0].literal or ""
-        elif isinstance(each, (described.Maybe, described.Open)):
-            reason = each.reason
-        if reason and isinstance(each, (Substitution, described.Maybe, described.Open)):
-            found.setdefault((each.place.key, reason), Unresolved(each.place, reason))
-        waiting.extend(reversed(list(chain(each))))
-    return sorted(found.values(), key=lambda said: (said.place.source.path, said.place.span.start))
