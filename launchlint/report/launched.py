@@ -82,7 +82,7 @@ def _words(values: Iterable[str]) -> Any:
 def _conditions(conditions: tuple[Condition, ...]) -> Any:
     unknown = next((each for each in conditions if each.attribute == "unknown"), None)
     if unknown is not None:
-        return {"unknown": unknown.text}
+        return _plain(unknown.text)
     return [
         [each.attribute, *([] if each.name is None else [each.name]), _plain(each.text)] for each in conditions if each.attribute != "maybe"
     ]
