@@ -40,5 +40,6 @@ def with_losses_since(result: EntryResult, checker: EntryChecker, old: Revision,
     told: list[Finding] = []
     for rule in rules:
         told.extend(found for found in run_rule(rule, view, result.path) if not isinstance(found, Fine))
-    at_home = (each._replace(entry=result.path, arguments=each.arguments or result.request.arguments, entries=1) for each in told)
+    entry, arguments, launcher = result.path, result.request.arguments, result.outcome.launcher
+    at_home = (each._replace(entry=entry, arguments=each.arguments or arguments, entries=1, launcher=launcher) for each in told)
     return result._replace(findings=(*result.findings, *at_home))

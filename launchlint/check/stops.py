@@ -1,19 +1,21 @@
-"""Where roslaunch really stops: a note that says so is put right where an earlier line, or only another configuration, brings it about."""
+"""Where the launcher really stops: a note that says so is put right where an earlier line or only another configuration brings it about."""
 
 from __future__ import annotations
 
 from launchlint.check.file import tell
 from launchlint.check.verdict import ALL_RULES
+from launchlint.dialects.door import named
 from launchlint.finding import Finding, Location, Severity
 from launchlint.model import Launch
 from launchlint.problem import Problem
 
-STOPS, WOULD = "roslaunch stops", "roslaunch would stop"
+STOPS, WOULD = "stops", "would stop"
 LOADS = "roslaunch loads the file and fails"
+"""Said of ROS 1 only: what cannot be started is no mistake to it."""
 
 
 def stops_everybody(problem: Problem, view: object) -> bool:
-    """Whether roslaunch stops at ``problem`` wherever the file is started, and not only for want of something that this machine lacks."""
+    """Whether the launcher stops at ``problem`` wherever the file is started, not only for want of what this machine lacks."""
     return problem.refused and any(finding.severity is Severity.ERROR for finding in tell(problem, view, ALL_RULES))
 
 
@@ -22,14 +24,16 @@ def put_right(finding: Finding, problem: Problem, before: Problem | None, launch
 
     ``asked`` are the args it is started with in any case; others are what the search tries.
     """
-    if not problem.refused or not any(note.startswith(STOPS) for note in finding.notes):
+    launcher = named(launch.dialect).launcher
+    stops = f"{launcher} {STOPS}"
+    if not problem.refused or not any(note.startswith(stops) for note in finding.notes):
         return finding
     if before is not None and before.origin != problem.origin:
         at = Location.of(before.place)
-        return _with(finding, WOULD, (f"{at.path}:{at.line} stops it before that",))
+        return _with(finding, stops, f"{launcher} {WOULD}", (f"{at.path}:{at.line} stops it before that",))
     if launch.given and launch.given != asked:
         given = " ".join(f"{name}:={value}" for name, value in launch.given)
-        return _with(finding, f"with {given} {STOPS}", ())
+        return _with(finding, stops, f"with {given} {stops}", ())
     return finding
 
 
@@ -53,6 +57,6 @@ def said_of(finding: Finding, switched: str) -> Finding:
     return finding._replace(notes=(*finding.notes, f"so with {switched}, not by default"))
 
 
-def _with(finding: Finding, words: str, more: tuple[str, ...]) -> Finding:
-    notes = (words + note.removeprefix(STOPS) if note.startswith(STOPS) else note for note in finding.notes)
+def _with(finding: Finding, stops: str, words: str, more: tuple[str, ...]) -> Finding:
+    notes = (words + note.removeprefix(stops) if note.startswith(stops) else note for note in finding.notes)
     return finding._replace(notes=(*notes, *more))

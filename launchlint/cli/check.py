@@ -64,8 +64,8 @@ def command(
 ) -> int:
     """Find the mistakes in launch files.
 
-    PATHS are launch files and directories; default: the current directory. Every file is evaluated as roslaunch would, in every
-    configuration that its conditions allow; nothing from the checked files is executed. Exit status: 0 nothing at or above --fail-on,
+    PATHS are launch files and directories; default: the current directory. Every file is evaluated as roslaunch or ros2 launch would, in
+    every configuration that its conditions allow; nothing from the checked files is executed. Exit status: 0 nothing at or above --fail-on,
     1 findings, 2 wrong usage.
     """
     given = CheckOptions(

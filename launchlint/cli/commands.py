@@ -13,7 +13,7 @@ COMMANDS = {
     "check": ("launchlint.cli.check", "Find the mistakes in launch files."),
     "format": ("launchlint.cli.format", "Write launch files in normal form, with the same meaning."),
     "export": ("launchlint.cli.export", "Write a launch file again, or all that it includes as one file."),
-    "model": ("launchlint.cli.model", "Print what roslaunch would start."),
+    "model": ("launchlint.cli.model", "Print what a launch file would start."),
     "graph": ("launchlint.cli.graph", "Show who talks to whom, and what changed."),
     "report": ("launchlint.cli.report", "Write a page that shows what connects, what is wrong, and where that is written."),
     "rules": ("launchlint.cli.rules", "List all rules."),

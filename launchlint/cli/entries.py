@@ -200,10 +200,10 @@ def leave_others_out(entry: EntryOptions, requests: list[EntryRequest], session:
 
 
 def parse_argument(text: str) -> tuple[str, str]:
-    """``name:=value``, as on roslaunch's own command line. Raises UsageError."""
+    """``name:=value``, as on the launcher's own command line. Raises UsageError."""
     name, separator, value = text.partition(":=")
     if not separator or not name:
-        raise UsageError(f"--arg {text}: an arg is given as name:=value, as to roslaunch")
+        raise UsageError(f"--arg {text}: an arg is given as name:=value, as to roslaunch and ros2 launch")
     return name, value
 
 

@@ -29,7 +29,7 @@ def command(
     """Write launch files in normal form, with every comment kept and the meaning proved unchanged.
 
     PATHS are launch files and directories; default: the current directory; - formats standard input to standard output. Files that
-    roslaunch cannot read are left alone. Exit status: 0 all is in normal form now, 1 with --check and --diff where something is not,
+    their launcher cannot read are left alone. Exit status: 0 all is in normal form now, 1 with --check and --diff where something is not,
     2 wrong usage, or a file that had to be left alone.
     """
     return run_format(FormatOptions(paths, check, diff, stdin_filename, config, workspace, color, quiet))

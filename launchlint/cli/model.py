@@ -16,9 +16,9 @@ from launchlint.cli.options import entry_options
     "--format", "format_", type=click.Choice(["text", "json", "jsonl"]), default="text", show_default=True, help="How to print it."
 )
 def command(entry: EntryOptions, format_: str) -> int:
-    """Print what roslaunch would start for FILE: nodes with their remaps and parameters, under their resolved names.
+    """Print what its launcher would start for FILE: nodes with their remaps and parameters, under their resolved names.
 
-    Nothing is started and no command= is run. The exit status is 1 where roslaunch would refuse a file, be it for
+    Nothing is started and no command= is run. The exit status is 1 where it would refuse a file, be it for
     want of something that this machine has not.
     """
     import json

@@ -57,7 +57,7 @@ def entry_options(function: F) -> F:
         ),
         click.option("--entries", type=FILE, metavar="FILE", help="Evaluate the files, with the args, that a YAML or JSON list names."),
         click.option("--stdin-filename", type=FILE, metavar="PATH", help="With - as path: judge standard input as if it stood at PATH."),
-        click.option("--arg", "args", multiple=True, metavar="NAME:=VALUE", help="An arg, as on roslaunch's command line; repeatable."),
+        click.option("--arg", "args", multiple=True, metavar="NAME:=VALUE", help="An arg, as on the launcher's command line; repeatable."),
         click.argument("paths", nargs=-1, type=FILE, metavar="[PATHS]..."),
     ):
         call = decorate(call)

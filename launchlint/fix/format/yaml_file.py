@@ -1,11 +1,12 @@
 """A launch file in YAML in normal form.
 
 Only the blanks at both ends of lines, those behind a dash, and blank lines change; so comments, quotes and the order of keys stay. That the
-text means the same is proved by reading both.
+text means the same is proved by reading both. What stands behind ``# launchlint: format off`` only moves as a whole.
 """
 
 from __future__ import annotations
 
+from launchlint.fix.format.directives import directive
 from launchlint.fix.format.style import Style
 from launchlint.fix.format.yaml_layout import Layout, Line, Unusual
 from launchlint.source import Source
@@ -52,13 +53,17 @@ def yaml_normal_form(text: str, style: Style) -> str:
 def _printed(written: list[str], lines: dict[int, Line]) -> str:
     """The lines at their places, comments in lines of their own beside those that stood in their column."""
     result: list[str] = []
+    kept = _kept(written, lines)
     begun = sorted(number for number, line in lines.items() if not line.inner)
     passed = 0  # how many of these are above
     open_above: list[tuple[int, int]] = []  # of those above, which each stand deeper than the one before: where they were and are
     for number, text in enumerate(written):
         line = lines.get(number)
         words = text.strip(" \t")
-        if line is not None and line.inner:
+        if number in kept:
+            result.append(" " * (_indent(text) + kept[number]) + text.lstrip(" ") if words else text)
+            passed += line is not None and not line.inner
+        elif line is not None and line.inner:
             result.append(" " * line.indent + text.lstrip(" ") if words else text)
         elif not words:
             if result and result[-1]:
@@ -74,9 +79,34 @@ def _printed(written: list[str], lines: dict[int, Line]) -> str:
             open_above.append((own, line.indent))
             words = words if line.gap < 0 else f"-{' ' * line.gap}{words[1:].lstrip(' ')}"
             result.append(" " * line.indent + words)
-    while result and not result[-1]:
+    while result and not result[-1] and len(written) - 2 not in kept:
         result.pop()
     return "\n".join(result) + "\n"
+
+
+def _kept(written: list[str], lines: dict[int, Line]) -> dict[int, int]:
+    """The lines that somebody wants to keep (``# launchlint: format off``), each with the number of columns by which all of them move.
+
+    They end with ``# launchlint: format on``, else with the block that the comment stands in.
+    """
+    kept: dict[int, int] = {}
+    since: int | None = None
+    for number, text in enumerate([*written, None]):
+        line = lines.get(number)
+        words = "" if text is None else text.strip(" \t")
+        inner = line is not None and line.inner
+        word = directive(words[1:]) if words.startswith("#") and not inner else ""
+        leaves = since is not None and bool(words) and not inner and _indent(text or "") < _indent(written[since])
+        if since is not None and (text is None or leaves or word == "on"):
+            begun = [each for each in range(since, number) if each in lines and not lines[each].inner]
+            moved = lines[begun[0]].indent - _indent(written[begun[0]]) if begun else 0
+            end = number - 1 if text is None else number  # the last line feed of the file is no line
+            if begun and all(_indent(written[each]) + moved >= 0 for each in range(since, end) if written[each].strip(" \t")):
+                kept.update(dict.fromkeys(range(since, end), moved))
+            since = None
+        if word == "off" and since is None:
+            since = number
+    return kept
 
 
 def _beside(own: int, above: list[tuple[int, int]], below: list[tuple[int, int]]) -> int:

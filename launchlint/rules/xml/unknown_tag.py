@@ -14,7 +14,8 @@ switched off by somebody: that is an info, without a fix. A tag that is like no 
 places or more is a custom of the house, for a program that reads it (rtmlaunch reads `<rtconnect>`): one info for all of them.
 
 In ROS 2, launch refuses the file, even where the tag stands under a condition that is false: that is an error. A tag that is like no
-other may be one that an installed package brings (`<gz_server>`): where it stands among actions, that is an info.
+other may be one that an installed package brings (`<gz_server>`): where it stands among actions, that is an info. So is one that a package
+of the workspace brings, by `@expose_action` and the entry point `launch.frontend.launch_extension`.
 
 ## Example
 
@@ -58,16 +59,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from launchlint.dialects.ros1 import DIALECT as ROS1_DIALECT
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS2, Spot, fix, rename_tag, spot, write_over
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import FileView, LaunchView
 from launchlint.source import Place
 from launchlint.spelling import closest, surely, switched_off
 from launchlint.syntax.problems import UnknownTag
 from launchlint.syntax.ros1.dialect import TAGS
 from launchlint.syntax.ros2.problems import UnknownAction
 from launchlint.syntax.tree import Element
+from launchlint.workspace.ament.extensions import brought_by
 
 RULE = Rule("LL103", "unknown-tag", Severity.WARNING, roslaunch="reports", fixable="safe")
 
@@ -116,7 +120,7 @@ def together(findings: Sequence[Finding]) -> Finding:
     """What one tag without a meaning comes to in several places."""
     told = joined(findings)
     places = {finding.location for finding in findings}
-    if len(places) < _CUSTOM:
+    if len(places) < _CUSTOM or told.launcher != ROS1_DIALECT.launcher:
         return told
     note = f"it stands in {len(places)} places: a custom of the house, for a program that reads it"
     return told._replace(
@@ -142,6 +146,18 @@ def _fix(near: str, *, sure: bool, at: Spot | None) -> Fix | None:
 
 def _ros2(problem: UnknownAction, view: object) -> Finding:
     tag, parent, known, place = problem.tag, problem.parent, problem.known, problem.place
+    brings = None if problem.child or not isinstance(view, (FileView, LaunchView)) else brought_by(view.packages).get(tag)
+    if brings is not None:
+        return RULE.at(
+            problem.origin,
+            f"the action {tag} of the package {brings} is not understood",
+            severity=Severity.INFO,
+            label="not looked into",
+            notes=("ros2 launch knows it where that package is installed; what it starts or sets is not known here",),
+            help=f"see to it that {brings} is installed where this is launched",
+            topic=tag,
+            cause=f"tag {tag}",
+        )
     near = closest(tag, known)
     foreign = near is None and not problem.child
     if near is not None:

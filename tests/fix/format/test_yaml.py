@@ -128,3 +128,58 @@ def test_great_files_take_linear_time(piece: str) -> None:
     began = time.process_time()
     normal(piece * 5_000)
     assert time.process_time() - began < 10
+
+
+OFF = """\
+launch:
+    - arg:   {name: a}
+    # launchlint: format off: a table
+    - arg:   {name: bbb,   default: "0"}\x20
+
+
+    - arg:   {name: c,     default: "0"}
+    # launchlint: format on
+    -   node:
+         pkg: joy
+         # launchlint: format off
+         exec:   joy_node
+    -   node:
+         exec: |
+             # launchlint: format off
+             y
+         pkg:   x
+"""
+OFF_NORMAL = """\
+launch:
+- arg:   {name: a}
+# launchlint: format off: a table
+- arg:   {name: bbb,   default: "0"}\x20
+
+
+- arg:   {name: c,     default: "0"}
+# launchlint: format on
+- node:
+    pkg: joy
+    # launchlint: format off
+    exec:   joy_node
+- node:
+    exec: |
+        # launchlint: format off
+        y
+    pkg:   x
+"""
+
+
+def test_what_somebody_keeps_moves_as_a_whole() -> None:
+    assert yaml_normal_form(OFF, Style()) == OFF_NORMAL
+    assert yaml_normal_form(OFF_NORMAL, Style()) == OFF_NORMAL
+
+
+def test_what_is_kept_ends_with_its_block() -> None:
+    text = "launch:\n- node:\n    # launchlint: format off\n    pkg: p\n\n\n- node:\n    pkg: p\n\n\n    exec: x\n"
+    assert yaml_normal_form(text, Style()) == text.replace("p\n\n\n    exec", "p\n\n    exec")
+
+
+def test_all_of_a_file_is_kept() -> None:
+    text = "# launchlint: format off\n\n\nlaunch:\n    -   node:   {pkg: p}  \n\n\n"
+    assert yaml_normal_form(text, Style()) == text
