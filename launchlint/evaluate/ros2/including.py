@@ -183,7 +183,7 @@ def _tell_missing(
                           target=source.file, pass_all=False)
     )  # fmt: skip
     if walk.context.get(argument.name) is None:
-        missing = Told("", f"the arg {argument.name} has no value")
+        missing = Told(f"$(var {argument.name})", f"the arg {argument.name} has no value")
         steer = frozenset((argument.name,))
         walk.context.set(argument.name, Setting(missing, walk.at(argument.place), "missing", steer, same=argument.name))
 

@@ -140,7 +140,7 @@ class Performer:
         """What is put in place of one substitution. Raises Failure."""
         perform = self.table.get(substitution.name)
         if perform is None:  # what it is called has been told when the file was read
-            return Unknown(substitution.place.text, f"{substitution.name} is not a substitution")
+            return Unknown(substitution.written, f"{substitution.name} is not a substitution")
         return perform(self, substitution)
 
     @property

@@ -37,7 +37,8 @@ def argument(walk: Walk, action: described.Argument) -> None:
         if action.default is None:
             if (name, action.place.key) not in walk.here.told:
                 walk.record(RequiredArgUnset(origin=origin, refused=True, name=name))
-            setting = Setting(Told("", f"the arg {name} has no value"), origin, "missing", frozenset((name,)), same=name, way=walk.here.way)
+            told = Told(f"$(var {name})", f"the arg {name} has no value")
+            setting = Setting(told, origin, "missing", frozenset((name,)), same=name, way=walk.here.way)
         else:
             value, steer, outside = walk.known(action.default)
             setting = Setting(value, origin, "default", steer | {name}, outside, name, walk.here.way)

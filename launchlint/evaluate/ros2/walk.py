@@ -305,7 +305,7 @@ class Walk:
             return self.performer.perform(text)
         except Failure as failure:
             self.record(failure.problem)
-            return Told(text.place.text, "launch stops at it")
+            return Told(text.written, "launch stops at it")
 
     def optional(self, text: Text | None) -> Value | None:
         """The same for what may be absent."""

@@ -41,6 +41,11 @@ class Substitution(NamedTuple):
     arguments: tuple[Text, ...]
     place: Place
 
+    @property
+    def written(self) -> str:
+        """What stands in the file; a question mark where there is nothing that could be read."""
+        return self.place.text if self.name else "?"
+
 
 class Text(NamedTuple):
     """A value of an action: pieces that are joined to one string when the action is executed. Without pieces it is the empty string."""
@@ -54,6 +59,11 @@ class Text(NamedTuple):
         if not self.pieces:
             return ""
         return self.pieces[0] if len(self.pieces) == 1 and isinstance(self.pieces[0], str) else None
+
+    @property
+    def written(self) -> str:
+        """What stands in the file: this text may be no more than one word of what stands at its place."""
+        return "".join(piece if isinstance(piece, str) else piece.written for piece in self.pieces)
 
 
 def unknown(reason: str, place: Place) -> Text:
