@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 
 LARGEST_FILE = 64 * 1024 * 1024
 """Files of more bytes than this are not read: it bounds memory on hostile input."""
+WRITTEN = "/tmp/launchlint_written_"  # only the beginning of names: nothing is written there
+"""How the names of files begin that a launch would write, and that only a session holds."""
 
 
 class Read:
@@ -134,6 +136,14 @@ class Session:
             known = self._reads[absolute] = self._read(absolute, file)
         return known
 
+    def write(self, data: bytes) -> str:
+        """Keep what a launch would write to a file of its own, and where that is: on no disk, under a name that its content has."""
+        from hashlib import sha256
+
+        file = f"{WRITTEN}{sha256(data).hexdigest()[:16]}"
+        self._reads[file] = Read(data, "")
+        return file
+
     def _read(self, absolute: str, file: str) -> Read:
         if absolute in self.overlay:
             return Read(self.overlay[absolute], "")
@@ -222,7 +232,11 @@ class Session:
             return None
         package = self.packages.package_of(file)
         colcon = self.packages.colcon
-        outside = Outside(self.distro, lambda name: colcon.find(name, file), self.environment, variables.add)
+
+        def inside(path: str) -> bool:
+            return self.packages.package_of(path) is not None
+
+        outside = Outside(self.distro, lambda name: colcon.find(name, file), self.environment, variables.add, inside)
         return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
 
     def is_launch_file(self, file: str) -> bool:

@@ -74,11 +74,14 @@ class Definitions(Calls):
     def _decorated(self, node: ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef, value: Value, scope: Scope) -> Value:
         """What the decorators make of a function or class: itself, where they give back what is not known."""
         for decorator in reversed(node.decorator_list):
-            made = self.evaluate(decorator, scope)
+            named = decorator.func if self.exact and isinstance(decorator, ast.Call) else decorator
+            made = self.evaluate(named, scope)
             if _is_data(made):
                 if isinstance(value, Class):
                     self.store(value.attributes, DATA, True)
                 continue
+            if named is not decorator:
+                made = self.evaluate(decorator, scope)
             if isinstance(made, External) and made.name.startswith(_KEEPING):
                 continue
             result = self.call(made, [value], {}, decorator, scope)

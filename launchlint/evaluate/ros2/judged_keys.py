@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from launchlint.evaluate.ros2.parameter_problems import ComponentKeyIgnored, NamedForUnnamed, NumberStaysText, ParametersForNobody
 from launchlint.evaluate.ros2.rcl_files import table_of
+from launchlint.evaluate.session import WRITTEN
 from launchlint.rcl.parameter_value import scalar
 from launchlint.rcl.table import Key, Table, reaches
 from launchlint.source import Origin, Place
@@ -55,7 +56,7 @@ def for_nobody(receivers: Sequence[Receiver], asks: Performs) -> Iterator[Proble
             yield from _unnamed(receiver, reaches_any, asks)
             continue
         for given in receiver.passed:
-            if given.file is None or given.unknown or given.file in nameless or given.given is not None:
+            if given.file is None or given.file.startswith(WRITTEN) or given.unknown or given.file in nameless or given.given is not None:
                 continue
             table = table_of(given.file, asks)
             if isinstance(table, Table) and table.keys:
@@ -71,7 +72,11 @@ def _unnamed(receiver: Receiver, reaches_any: _Reaches, asks: Performs) -> Itera
     """Files in which all that may be for a node stands under a name that it is not given."""
     namespace = receiver.namespace.rstrip("/")
     for given in receiver.passed:
-        table = None if given.file is None or given.unknown or given.given is not None else table_of(given.file, asks)
+        table = (
+            None
+            if given.file is None or given.file.startswith(WRITTEN) or given.unknown or given.given is not None
+            else table_of(given.file, asks)
+        )
         if not isinstance(table, Table):
             continue
         keys = [key.name for key in table.keys.values() if key.parameters][:_MOST_LOOKED_AT]
@@ -131,7 +136,7 @@ def judged_component(passed: Iterable[Passed], full_name: str, asks: Performs) -
         for text in given.texts:
             if not text.meant and _is_number(text.value):
                 yield NumberStaysText(origin=Origin(text.place, given.origin.step), name=text.name, value=text.value, in_file=False)
-        if given.file is None or given.unknown:
+        if given.file is None or given.file.startswith(WRITTEN) or given.unknown:
             continue
         table = table_of(given.file, asks)
         if not isinstance(table, Table):

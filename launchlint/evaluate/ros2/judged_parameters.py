@@ -16,6 +16,7 @@ from launchlint.evaluate.ros2.parameter_problems import (
 from launchlint.evaluate.ros2.parameters import LETTERS, source_of
 from launchlint.evaluate.ros2.rcl_files import table_of
 from launchlint.evaluate.ros2.started import written
+from launchlint.evaluate.session import WRITTEN
 from launchlint.model import Unknown
 from launchlint.rcl import parameter_files, parameter_rule, remap
 from launchlint.rcl.parameter_value import scalar
@@ -41,6 +42,8 @@ def judged(passed: Sequence[Passed], remaps: Iterable[Remap], begun: Started, no
     for given in passed:
         if given.given is not None:
             yield from _set_parameter(given.given, given)
+        elif (given.file or given.of or "").startswith(WRITTEN):
+            pass  # nobody can mend what a launch writes
         elif given.file is not None and not given.unknown:
             yield from _file(given, node, asks)
         elif given.text is not None and given.of is not None and not given.unknown:

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple, Protocol
 
 from launchlint.evaluate.ros2.parameter_problems import CommandReadAsYaml, ContentNoYaml, ParameterValueType
 from launchlint.evaluate.ros2.typed import TypeFault, by_yaml_rules, convert, is_uniform, load_file
+from launchlint.evaluate.session import WRITTEN
 from launchlint.late import late
 from launchlint.model import StandIn, Unknown, UnknownText, shown_text
 from launchlint.rcl.table import ANY
@@ -192,6 +193,10 @@ def parameter_file(source: ParameterFile, asks: Performs, must_exist: bool = Fal
         asks.notice(problem)
         return None
     file = posixpath.normpath(file)
+    if file.startswith(WRITTEN):
+        made = _made(file, read.data, substitute is True, asks)
+        if made is not None:
+            return Passed(origin, content=made[0], text=made[1], of=file)
     if not substitute:
         return Passed(origin, file=file)
     text = asks.perform_content(source_of(file, read.data, asks))
@@ -204,6 +209,20 @@ def parameter_file(source: ParameterFile, asks: Performs, must_exist: bool = Fal
     except YamlBeyond as beyond:
         return Passed(origin, content=Unknown(text[:100], beyond.message), of=file, unknown=True)
     return Passed(origin, content=content, text=text, of=file)
+
+
+def _made(file: str, data: bytes, substitute: bool, asks: Performs) -> tuple[Any, str] | None:
+    """What is in a file that the launch itself has written; None where texts in it have to be performed first, or it is no YAML."""
+    if substitute and b"$(" in data:
+        return None
+    known: tuple[Any, str] | None = asks.session.loaded.get(f"made {file}")
+    if known is None:
+        text = data.decode("utf-8")
+        try:
+            known = asks.session.loaded[f"made {file}"] = (load_file(text), text)
+        except (YamlError, YamlBeyond):
+            return None
+    return known
 
 
 def values(source: Parameter | Parameters, asks: Performs, texts: list[TextValue] | None = None) -> dict[str, Any]:

@@ -26,7 +26,7 @@ from launchlint.evaluate.ros2.problems import (
 )
 from launchlint.late import late
 from launchlint.model import StandIn, Unknown
-from launchlint.syntax.ros2.description import FULL_NAME, NOT_KNOWN, Substitution
+from launchlint.syntax.ros2.description import AS_BOOL, FULL_NAME, HAS_PARAMS, NOT_KNOWN, REPLACED, REWRITTEN, Substitution
 
 _FOLD = str.maketrans(".-:", "___")
 _PACKAGE = late(r"[a-zA-Z0-9][a-zA-Z0-9_-]+")
@@ -337,6 +337,18 @@ def _full_name(performer: Performer, substitution: Substitution) -> Value:
     return prefixed(absolute(prefixed(base, namespace)) or "/", name) or name
 
 
+def _of_library(name: str) -> Perform:
+    """A substitution that a library brings, whose room is read only where it is met."""
+
+    def perform(performer: Performer, substitution: Substitution) -> Value:
+        from launchlint.evaluate.ros2 import library_substitutions
+
+        made: Perform = getattr(library_substitutions, name)
+        return made(performer, substitution)
+
+    return perform
+
+
 PERFORM: dict[str, Perform] = {
     name: _of_known(perform)
     for name, perform in {
@@ -364,5 +376,9 @@ PERFORM: dict[str, Perform] = {
         "path-join": _path,
         NOT_KNOWN: _not_known,
         FULL_NAME: _full_name,
+        AS_BOOL: _of_library("as_bool"),
+        REWRITTEN: _of_library("rewritten"),
+        REPLACED: _of_library("replaced"),
+        HAS_PARAMS: _of_library("has_params"),
     }.items()
 }

@@ -28,6 +28,8 @@ NOT_KNOWN = "?"
 stands for the value where values are compared."""
 FULL_NAME = "?name"
 """The name of a substitution that gives the full name of a container, by its namespace and name, as the container was given it."""
+AS_BOOL, REWRITTEN, REPLACED, HAS_PARAMS = "?as-bool", "?rewritten", "?replaced", "?has-params"
+"""The names of substitutions that nav2_common brings (Python only)."""
 
 
 class Substitution(NamedTuple):

@@ -6,7 +6,6 @@ import ast
 from collections.abc import Callable, Sequence
 
 from launchlint.python.memory import ENDED, Ended
-from launchlint.python.modules import ModuleFinder
 from launchlint.python.values import (
     COMPLETE,
     MISSING,
@@ -24,8 +23,11 @@ from launchlint.python.values import (
 )
 from launchlint.source import Place, Span
 from launchlint.source import Source as Written
+from launchlint.syntax.ros2.python.files import FILE
 from launchlint.syntax.ros2.python.noticing import Noticing
-from launchlint.syntax.ros2.python.recogniser import LaunchRecogniser, Outside
+from launchlint.syntax.ros2.python.paths import is_path, spelled
+from launchlint.syntax.ros2.python.recogniser import PACKAGES, LaunchRecogniser, Outside
+from launchlint.syntax.ros2.python.workspace_modules import WorkspaceModules
 from launchlint.workspace import looking
 
 TYPE_CHECKING = False
@@ -41,9 +43,10 @@ class Following(Noticing):
     exact = True
     most_steps = 300_000
 
-    def __init__(self, written: Written, outside: Outside, root: str, package: str, finder: ModuleFinder) -> None:
+    def __init__(self, written: Written, outside: Outside, root: str, package: str, finder: WorkspaceModules) -> None:
         recogniser = LaunchRecogniser(self, outside, self.place)
         super().__init__(recogniser, root, package, finder, package or "\0")
+        self.finder: WorkspaceModules = finder
         self.known = recogniser
         self._written: dict[str, Written] = {self.shown(written.file): written}
         self._unknowns = 0
@@ -119,8 +122,35 @@ class Following(Noticing):
         else:
             super()._set_item(owner, index, value)
 
+    def combine(self, left: Value, operation: type[ast.operator], right: Value) -> Value:
+        """``left operation right``."""
+        if operation is ast.Div and not isinstance(left, Choice) and not isinstance(right, Choice) and (is_path(left) or is_path(right)):
+            made = self.known.paths.made([left, right])
+            return self.unknown() if made is MISSING else made
+        return super().combine(left, operation, right)
+
+    def as_text(self, value: Value) -> Value:
+        """``str(value)``."""
+        return spelled(value) if is_path(value) else super().as_text(value)
+
+    def _rounds_exactly(self, value: Value) -> tuple[list[Value], bool]:
+        if isinstance(value, Handle) and value.kind == FILE:
+            return self.known.files.lines(value)
+        return super()._rounds_exactly(value)
+
+    def call_external(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
+        """Call something of a module that is not followed."""
+        if name == "builtins.open":
+            return self.known.files.call(name, positional, keywords, self.place(node, scope))
+        return super().call_external(name, positional, keywords, node, scope)
+
     def compared(self, left: Value, operation: type[ast.cmpop], right: Value) -> Value:
         """``left operation right``."""
+        if operation in (ast.Eq, ast.NotEq) and is_path(left) and is_path(right):
+            return (spelled(left) == spelled(right)) is (operation is ast.Eq)
+        if operation in (ast.In, ast.NotIn) and isinstance(right, Handle) and right.kind == PACKAGES:
+            there = self.known.has_package(left)
+            return there if isinstance(there, Unknown) else there is (operation is ast.In)
         if operation in (ast.In, ast.NotIn) and isinstance(right, Handle):
             found = self.known.running.item(right, left)
             return found if isinstance(found, Unknown) else (found is not MISSING) is (operation is ast.In)

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 
 from launchlint.problem import Problem
 from launchlint.python.memory import Ended, Exhausted
-from launchlint.python.modules import ModuleFinder
 from launchlint.python.source import Source as Parsed
 from launchlint.python.source import SourceError, parse_text
 from launchlint.python.values import Choice, Function, Handle
@@ -24,6 +23,7 @@ from launchlint.syntax.ros2.python.performed import performed_as_boolean
 from launchlint.syntax.ros2.python.recogniser import Outside
 from launchlint.syntax.ros2.python.running import Caller
 from launchlint.syntax.ros2.python.unused import never_added
+from launchlint.syntax.ros2.python.workspace_modules import WorkspaceModules
 from launchlint.syntax.ros2.reading import Reading
 from launchlint.syntax.ros2.unresolved import unresolved
 
@@ -59,7 +59,7 @@ def read(data: bytes, path: str, file: str, outside: Outside, package: str = "")
     except (ValueError, RecursionError, MemoryError) as error:
         return _reading(source, (described.Open(f"it is no Python: {error}", everything),), ())
     root = package or os.path.dirname(file)
-    run = Following(source, outside, root, package, ModuleFinder({}))
+    run = Following(source, outside, root, package, WorkspaceModules(outside.share))
     try:
         actions = _actions(run, source, outside, tree, parsed)
     except Ended as ended:

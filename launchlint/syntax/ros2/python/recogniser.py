@@ -10,16 +10,39 @@ from typing import Any
 from launchlint.python import builtins, standard
 from launchlint.python.call import Call
 from launchlint.python.failures import Raised
-from launchlint.python.values import COMPLETE, ITEMS, MISSING, UNKNOWN, External, Failure, Handle, Instance, Map, Scope, Seq, Unknown, Value
+from launchlint.python.values import (
+    COMPLETE,
+    ITEMS,
+    MISSING,
+    UNKNOWN,
+    External,
+    Failure,
+    Handle,
+    Instance,
+    Map,
+    Partial,
+    Scope,
+    Seq,
+    Unknown,
+    Value,
+)
 from launchlint.python.values import Text as Open
 from launchlint.source import Place, Span
+from launchlint.syntax.ros2.python import calculated, libraries
 from launchlint.syntax.ros2.python.arguments import wrong_action, wrong_values
 from launchlint.syntax.ros2.python.conditions import is_condition
 from launchlint.syntax.ros2.python.constructors import Given, wrong_shape
-from launchlint.syntax.ros2.python.noticing import Noticing
+from launchlint.syntax.ros2.python.files import FILE, XACRO, Files
+from launchlint.syntax.ros2.python.paths import PATH, Paths, spelled
 from launchlint.syntax.ros2.python.running import CONFIGURATIONS, CONTEXT, VARIABLES, Running
 from launchlint.syntax.ros2.python.tables import Signature, is_of_launch, signature
 from launchlint.syntax.ros2.python.texts import SUBSTITUTIONS, Texts
+from launchlint.yaml.tree import Reader
+from launchlint.yaml.values import load
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.syntax.ros2.python.following import Following
 
 _OUTSIDE = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
 _SHARE = ("ament_index_python.packages.get_package_share_directory", "ament_index_python.get_package_share_directory")
@@ -30,13 +53,16 @@ _COPIES = ("copy.copy", "copy.deepcopy", "collections.OrderedDict")
 _MADE_LATER = ("GroupAction",)
 """Classes that keep the list they are given, so that it can be changed afterwards; the others make a copy."""
 _DEEPEST = 20
+PACKAGES = "packages"
+"""All packages that are installed."""
+_YAML = Reader("launch", longest=1_000_000)
 
 
 class Outside:
     """What is asked of whoever reads launch files.
 
     ``share`` gives the directory of a package (None: there is none of that name), ``environment`` the variables; ``looked_at`` is told
-    which of them a launch file asks for.
+    which of them a launch file asks for. ``inside`` says whether a path lies in the workspace, below which files are read.
     """
 
     def __init__(
@@ -45,11 +71,13 @@ class Outside:
         share: Callable[[str], str | None],
         environment: Mapping[str, str],
         looked_at: Callable[[str], None] = lambda name: None,
+        inside: Callable[[str], bool] = lambda file: False,
     ) -> None:
         self.distro = distro
         self.share = share
         self.environment = environment
         self.looked_at = looked_at
+        self.inside = inside
 
 
 class LaunchRecogniser:
@@ -58,7 +86,7 @@ class LaunchRecogniser:
     ``shares`` are the directories of packages that it was given, each with the package's name.
     """
 
-    def __init__(self, run: Noticing, outside: Outside, place: Callable[[ast.AST, Scope], Place]) -> None:
+    def __init__(self, run: Following, outside: Outside, place: Callable[[ast.AST, Scope], Place]) -> None:
         self._run = run
         self._outside = outside
         self._place = place
@@ -66,6 +94,8 @@ class LaunchRecogniser:
         self.shares: dict[str, str] = {}
         self.texts = Texts(self.shares)
         self.running = Running(run, self.texts)
+        self.paths = Paths(run, outside.inside, self.environment)
+        self.files = Files(run, self.paths, lambda text: load(text, _YAML), self.texts.stand_in)
 
     def call(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
         """An object of launch, a directory, a path, or something that is not known."""
@@ -73,8 +103,13 @@ class LaunchRecogniser:
         place = self._place(node, scope)
         if known is not None:
             return self._object(known, Given(known, positional, keywords, node, lambda each: self._place(each, scope)))
+        if libraries.is_of_library(name):
+            return libraries.made(name, [snapshot(each) for each in positional], keywords, place)
         if name in _SHARE or name in _PREFIX:
             return self._directory(name in _SHARE, positional, keywords, place)
+        made = self._of_python(name, positional, keywords, place)
+        if made is not MISSING:
+            return made
         if name.startswith("os.path."):
             return _path(name[len("os.path.") :], positional)
         if name == "os.getenv":
@@ -90,6 +125,31 @@ class LaunchRecogniser:
             return UNKNOWN
         self._run.escape([*positional, *keywords.values()], "start")
         return Unknown(f"{name} is not looked into", place)
+
+    def _of_python(self, name: str, positional: list[Value], keywords: dict[str, Value], place: Place) -> Value:
+        """What functions of Python's library give that look at values, paths or files; MISSING for all others."""
+        if name.startswith("os.path."):
+            return self.paths.of_os(name[len("os.path.") :], positional)
+        if name in ("pathlib.Path", "pathlib.PosixPath", "pathlib.PurePath", "pathlib.PurePosixPath"):
+            return self.paths.made(positional)
+        if name in ("os.listdir", "os.fspath"):
+            return (
+                self.paths.listed(positional[0])
+                if name == "os.listdir" and positional
+                else spelled(positional[0])
+                if positional
+                else MISSING
+            )
+        if name in ("sys.path.append", "sys.path.insert") and positional:
+            self._run.finder.look_in(spelled(positional[-1]))
+            return None
+        if name == "dataclasses.field":
+            factory = keywords.get("default_factory", MISSING)
+            return keywords.get("default", UNKNOWN) if factory is MISSING else Partial(External(name), (factory,), ())
+        if name in ("ament_index_python.packages.get_packages_with_prefixes", "ament_index_python.get_packages_with_prefixes"):
+            return Handle(PACKAGES, {})
+        made = self.files.call(name, positional, keywords, place)
+        return calculated.call(name, positional, keywords) if made is MISSING else made
 
     def _object(self, known: Signature, given: Given) -> Handle:
         """An object of a class of launch, as it is now; what its constructor would not take is noted, and left out."""
@@ -120,6 +180,10 @@ class LaunchRecogniser:
         self.shares[directory] = package
         return directory
 
+    def has_package(self, name: Value) -> Value:
+        """Whether there is a package of a name."""
+        return self._outside.share(name) is not None if isinstance(name, str) else UNKNOWN
+
     def given_away(self, value: Handle) -> None:
         """An object of launch is given to code that is not followed: what takes further actions may be given some."""
         actions = value.state.get("initial_entities" if value.kind == "LaunchDescription" else "actions")
@@ -130,12 +194,17 @@ class LaunchRecogniser:
         """``os.environ`` and whatever else."""
         if (name, member) == ("os", "environ"):
             return self.environment
-        return standard.attribute(name, member)
+        constant = calculated.CONSTANTS.get(f"{name}.{member}", MISSING)
+        return standard.attribute(name, member) if constant is MISSING else constant
 
     def member(self, receiver: Handle, name: str) -> Value:
         """All are methods, but the list of actions."""
         if receiver.kind == "LaunchDescription" and name == "entities":
             return receiver.state["initial_entities"]
+        if receiver.kind == PATH:
+            return self.paths.attribute(receiver, name)
+        if receiver.kind == FILE:
+            return receiver.state["name"] if name == "name" else MISSING
         return self.running.member(receiver, name)
 
     def method(
@@ -152,6 +221,12 @@ class LaunchRecogniser:
                 self._run.store(actions.content, ITEMS, [*actions.items, given[0]])
             return None
         place = self._place(node, scope)
+        if receiver.kind in (PATH, FILE, XACRO):
+            if receiver.kind == PATH and name in ("open", "read_text"):
+                opened = self.files.opened(receiver, given[0] if given and name == "open" else "r")
+                return self.files.method(opened, "read", []) if name == "read_text" else opened
+            made = (self.paths if receiver.kind == PATH else self.files).method(receiver, name, given)
+            return Unknown(f"what {name}() gives is not known", place) if made is MISSING else made
         if receiver.kind in (CONTEXT, CONFIGURATIONS, VARIABLES):
             return self.running.method(receiver, name, given, place)
         if len(given) == 1 and ((name == "perform" and receiver.kind in SUBSTITUTIONS) or (name == "evaluate" and is_condition(receiver))):
@@ -178,7 +253,7 @@ class LaunchRecogniser:
 
     def stays_outside(self, name: str) -> bool:
         """Launch itself and the package index."""
-        return name.partition(".")[0] in _OUTSIDE
+        return name.partition(".")[0] in _OUTSIDE or name.startswith(libraries.FOLLOWED_NOT)
 
     def is_generated(self, name: str) -> bool:
         """Launch files use no messages."""

@@ -106,6 +106,8 @@ _NEW_SINCE_HUMBLE = {
 _LATER = {"launch_ros.actions.LifecycleNode": ("autostart",)}
 """Arguments that came after all distributions that are known here; updates have brought them to some of these."""
 _RENAMED = {
+    "launch_ros.descriptions.ParameterFile": "launch_ros.parameter_descriptions.ParameterFile",
+    "launch_ros.descriptions.ParameterValue": "launch_ros.parameter_descriptions.ParameterValue",
     "launch_ros.actions.PushRosNamespace": "launch_ros.actions.PushROSNamespace",
     "launch_ros.actions.ROSTimer": "launch_ros.actions.RosTimer",
     "launch.substitutions.LaunchLogDirectory": "launch.substitutions.LaunchLogDir",

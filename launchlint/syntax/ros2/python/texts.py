@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from typing import Any
 
 from launchlint.model import StandIn
 from launchlint.python.values import SIGNS, Choice, Handle, Map, Seq, Unknown, Value
 from launchlint.python.values import Text as Open
 from launchlint.source import Place
+from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import NOT_KNOWN, Substitution, Text, unknown
 
 _SLOT = re.compile(r"\{\{|\}\}|\ue000\{stand-in:(\d+)\}|\{(?:[^{}]|\{[^{}]*\})*\}|[{}\ue000\ue001]")
@@ -37,7 +39,9 @@ _PLAIN = {
     "Parameter": ("param", "name", "default"),
 }
 """Class → the name of its substitution, and which of its arguments are the words."""
-SUBSTITUTIONS = frozenset((*_PLAIN, "TextSubstitution", "PathJoinSubstitution", "PythonExpression"))
+LIBRARY = frozenset(("LaunchConfigAsBool", "RewrittenYaml", "ReplaceString", "HasNodeParams"))
+"""Those of nav2_common."""
+SUBSTITUTIONS = frozenset((*_PLAIN, *LIBRARY, "TextSubstitution", "PathJoinSubstitution", "PythonExpression"))
 PATH_JOIN = "path-join"
 """What stands for PathJoinSubstitution: its parts are joined as by os.path.join when all of them are performed."""
 SHARE = "find-pkg-share"
@@ -98,6 +102,8 @@ class Texts:
 
     def _add(self, pieces: list[str | Substitution], value: Value, place: Place) -> None:
         new: list[str | Substitution] = []
+        if isinstance(value, Handle) and value.kind == "Path":
+            value = value.state["text"]
         if isinstance(value, str):
             new = self._string(value, place) if not pieces else [value]
         elif isinstance(value, Open):
@@ -159,9 +165,51 @@ class Texts:
             if not all(isinstance(each, str) for each in names):
                 return Substitution("eval", (*words, self.text(modules, place)), place)
             return Substitution("eval", (*words, Text((",".join(names),), place)), place)
+        if value.kind in LIBRARY:
+            return self._of_library(value.kind, given, place)
         name, *roles = _PLAIN[value.kind]
         arguments = [self.text(_default(given[role], role), places.get(role, place)) for role in roles if given.get(role) is not None]
         return Substitution(name, tuple(arguments), place)
+
+    def _of_library(self, kind: str, given: Mapping[Any, Value], place: Place) -> Substitution:
+        """A substitution of nav2_common, with its words as :mod:`launchlint.evaluate.ros2.library_substitutions` takes them."""
+        if kind == "LaunchConfigAsBool":
+            configuration = Substitution("var", (self.text(given["name"], place),), place)
+            return Substitution(described.AS_BOOL, (Text((configuration,), place),), place)
+        source = self.text(given["source_file"], place)
+        if kind == "HasNodeParams":
+            return Substitution(described.HAS_PARAMS, (source, self.text(given["node_name"], place)), place)
+        if kind == "ReplaceString":
+            condition = given.get("condition")
+            replaced = Substitution(described.REPLACED, (source, *self._rewrites(given["replacements"], "", place)), place)
+            if condition is None:
+                return replaced
+            if not isinstance(condition, Handle) or condition.kind not in ("IfCondition", "UnlessCondition"):
+                return Substitution(NOT_KNOWN, (Text(("whether texts are replaced is not known",), place),), place)
+            test = self.text(condition.state["predicate_expression"], place)
+            ways = (Text((replaced,), place), source)
+            return Substitution("if", (test, *(ways if condition.kind == "IfCondition" else ways[::-1])), place)
+        root = given.get("root_key")
+        converts = given.get("convert_types", False)
+        words = [source, Text((), place) if root is None else self.text(root, place)]
+        words.append(
+            Text((str(converts),), place) if isinstance(converts, bool) else unknown("whether types are converted is not known", place)
+        )
+        for role, name in (("param_rewrites", "param"), ("key_rewrites", "key"), ("value_rewrites", "value")):
+            words += self._rewrites(given.get(role), name, place)
+        return Substitution(described.REWRITTEN, tuple(words), place)
+
+    def _rewrites(self, value: Value, kind: str, place: Place) -> list[Text]:
+        """The entries of a dict as words, each behind its kind."""
+        if value is None:
+            return []
+        if not isinstance(value, Map) or not value.is_sure or not all(isinstance(key, str) for key in value.entries):
+            return [unknown(why(value, "which values are rewritten is not known"), place)]
+        found: list[Text] = []
+        for key, each in value.entries.items():
+            found += [Text((kind,), place)] if kind else []
+            found += [Text((key,) if key else (), place), self.text(each, place)]
+        return found
 
 
 def _default(value: Value, role: str) -> Value:
