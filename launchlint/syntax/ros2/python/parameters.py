@@ -30,8 +30,10 @@ def _missing(reason: str, place: Place) -> ParameterFile:
 
 def _source(value: Value, place: Place, texts: Texts) -> tuple[ParameterSource, ...]:
     if isinstance(value, Map):
-        more = () if value.complete else (_missing("not all entries of the dict are known", place),)
-        return (Parameters(_entries(value, place, texts), place), *more)
+        entries = _entries(value, place, texts)
+        if not value.complete:
+            entries = (*entries, _more(place))
+        return (Parameters(entries, place),)
     if isinstance(value, Handle) and value.kind == "ParameterFile":
         given, place = value.state, value.state["place"]
         allowed = given.get("allow_substs", False)
@@ -54,16 +56,18 @@ def extra_arguments(value: Value, place: Place, texts: Texts) -> tuple[Parameter
     return tuple(found)
 
 
+def _more(place: Place) -> Parameter:
+    """Stands for the entries of a dict that are not known."""
+    return Parameter(unknown("not all entries of the dict are known", place), TypedValue(unknown("", place)), (), place)
+
+
 def _entries(value: Map, place: Place, texts: Texts) -> tuple[Parameter, ...]:
     found: list[Parameter] = []
     for name, content in value.entries.items():
         if isinstance(content, Map):
             inner = _entries(content, place, texts)
             if not content.complete:
-                inner = (
-                    *inner,
-                    Parameter(unknown("not all entries of the dict are known", place), TypedValue(unknown("", place)), (), place),
-                )
+                inner = (*inner, _more(place))
             found.append(Parameter(texts.text(name, place), None, inner, place))
         elif isinstance(content, (Unknown, Choice)):  # it may be a dict, too
             more = unknown(why(content, ""), place)

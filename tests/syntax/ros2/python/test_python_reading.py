@@ -154,7 +154,7 @@ def kinds(found: tuple[described.Action, ...]) -> list[str]:
     ("body", "reason"),
     [
         ("return LaunchDescription(somewhere())", "gives is not known"),
-        ("os.system('touch mark')\nreturn LaunchDescription(os.listdir('.'))", "os.listdir is not looked into"),
+        ("os.system('touch mark')\nreturn LaunchDescription(os.walk('.'))", "os.walk is not looked into"),
         ("x = get_package_share_directory('leg')\nreturn LaunchDescription()", "it ends with an error"),
         ("x = os.environ['NOT']\nreturn LaunchDescription()", "it ends with an error"),
         ("raise ValueError", "it ends with an error"),
