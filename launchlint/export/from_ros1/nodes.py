@@ -59,6 +59,7 @@ class Nodes:
     def _variants(
         self, element: Element, package: Text, type_: Text, settings: list[Setting], conditions: list[Text], condition: Condition | None
     ) -> list[Action]:
+        """The node for each side of each of ``conditions``, below ``condition``."""
         if not conditions:
             return [self._made(element, package, type_, settings, condition)]
         first, *rest = conditions
@@ -70,12 +71,8 @@ class Nodes:
                 for each in settings
                 if _test(each.condition) != test or (each.condition is not None and each.condition.kind == kind)
             ]
-            own = Condition(kind, (first,), first.place)
-            inner = self._variants(element, package, type_, kept, rest, own if condition is None else None)
-            found += inner if condition is None and not rest else [described.Group(tuple(inner), False, True, (), inner[0].place, own)]
-        if condition is None:
-            return found
-        return [described.Group(tuple(found), False, True, (), self._values.place(element), condition)]
+            found += self._variants(element, package, type_, kept, rest, _condition(kind, first))
+        return found if condition is None else [described.Group(tuple(found), False, True, (), self._values.place(element), condition)]
 
     def _made(self, element: Element, package: Text, type_: Text, settings: list[Setting], condition: Condition | None) -> Action:
         place = self._values.place(element)
@@ -237,6 +234,10 @@ class Nodes:
 def _test(condition: Condition | None) -> tuple[object, ...]:
     """What a condition looks at, wherever it is written."""
     return () if condition is None else tuple(normal(condition.operands))
+
+
+def _condition(kind: str, operand: Text) -> Condition:
+    return Condition("if" if kind == "if" else "unless", (operand,), operand.place)
 
 
 def _has_condition(element: Element) -> bool:

@@ -77,17 +77,21 @@ class _Spots:
         self._text = source.text
         self._branches: list[Branch] = []
         self._parents: dict[int, Branch] = {}
+        depths: dict[int, int] = {id(root): 0}
         waiting = [root]
         while waiting:
             branch = waiting.pop()
+            waiting += reversed(branch.inner)
             for inner in branch.inner:
                 self._parents[id(inner)] = branch
-                waiting.append(inner)
-                if inner.place.source.file == source.file:
-                    self._branches.append(inner)
+                depths[id(inner)] = depths[id(branch)] + 1
+            if branch is not root and branch.place.source.file == source.file:
+                self._branches.append(branch)
         self._branches.sort(key=lambda each: each.place.span.start)
         self._starts = [each.place.span.start for each in self._branches]
-        self._by_start = {each.place.span.start: each for each in reversed(self._branches)}
+        # What stands for one tag may be a group around it, and several of it: the first of the innermost ones.
+        innermost = sorted(reversed(self._branches), key=lambda each: (bool(each.inner), depths[id(each)]))
+        self._by_start = {each.place.span.start: each for each in innermost}
 
     def set_apart(self, is_apart: Callable[[int], bool]) -> None:
         """Keep the blank lines before tags, but for the first one in each."""
@@ -100,7 +104,7 @@ class _Spots:
         """One comment; an empty line says that one stands before it. ``inside``: where the element around it begins; None in YAML."""
         before = bisect_left(self._starts, start) - 1
         if beside and before >= 0 and "\n" not in lines[-1]:
-            self._branches[before].beside += lines[-1:]
+            self._by_start[self._starts[before]].beside += lines[-1:]
             return
         after = bisect_right(self._starts, start)
         following = self._branches[after] if after < len(self._branches) else None
