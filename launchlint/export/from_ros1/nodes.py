@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from launchlint.evaluate.names import canonical
+from launchlint.export.from_ros1.choosing import chosen
 from launchlint.export.from_ros1.frame import Account, Left, Scope, Setting
 from launchlint.export.from_ros1.params import Params, dotted
 from launchlint.export.from_ros1.values import Values
@@ -31,11 +32,12 @@ _LOST = {
 
 
 class Nodes:
-    """Makes the nodes of one file."""
+    """Makes the nodes of one file. ``chooses``: the distribution has ``$(if …)``."""
 
-    def __init__(self, values: Values, account: Account) -> None:
+    def __init__(self, values: Values, account: Account, *, chooses: bool) -> None:
         self._values = values
         self._account = account
+        self._chooses = chooses
         self.params = Params(values, account)
 
     def node(self, element: Element, scope: Scope, condition: Condition | None, addressed: Iterable[Setting]) -> list[Action]:
@@ -48,6 +50,8 @@ class Nodes:
             words = " ".join(element.attributes["args"].value.split()) if "args" in element.attributes else ""
             raise Left(place, f"a nodelet ({words}): ROS 2 has components, in a <node_container> with <composable_node>s")
         settings = [*scope.remaps, *addressed, *scope.private, *self._own(element)]
+        if self._chooses:
+            settings = chosen(settings)
         tests = {_test(each.condition): each.condition.operands[0] for each in settings if each.condition is not None}
         conditions = list(tests.values())
         if len(conditions) > MOST_CONDITIONS:

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from launchlint.evaluate.ros1.launch_tags import TAGS
 from launchlint.evaluate.session import Read, Session
+from launchlint.export.from_ros1.choosing import SUBSTITUTION
 from launchlint.export.from_ros1.frame import Account, Left, Scope, Setting
 from launchlint.export.from_ros1.nodes import MOST_CONDITIONS, Nodes
 from launchlint.export.from_ros1.values import Values
@@ -13,6 +14,7 @@ from launchlint.export.ros2.carrying import Lost, Remark
 from launchlint.export.ros2.comparing import normal
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Condition, Description, Pair, Substitution, Text, TypedValue
+from launchlint.syntax.ros2.tables import distribution
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -51,7 +53,7 @@ class _Translation:
         self._values = values
         self._account = account
         self._included = included
-        self._nodes = Nodes(values, account)
+        self._nodes = Nodes(values, account, chooses=SUBSTITUTION in distribution(session.distro).substitutions)
 
     def children(self, parent: Element, scope: Scope, *, last: bool) -> list[Action]:
         """What stands in a ``<launch>`` or ``<group>``. ``last``: nothing follows behind it in the file."""

@@ -144,7 +144,7 @@ def test_an_include_is_told_what_it_would_take_over(tmp_path: Path) -> None:
 
 
 def test_conditions_inside_of_a_node_become_two_nodes(tmp_path: Path) -> None:
-    body = f'<arg name="a" default="true"/>{NODE}><remap if="$(arg a)" from="x" to="y"/></node>'
+    body = f'<arg name="a" default="true"/>{NODE}><param if="$(arg a)" name="x" value="1"/></node>'
     result = translated(tmp_path, body, YAML)
     assert (
         result.data.decode()
@@ -158,9 +158,9 @@ launch:
     name: n
     pkg: demo
     exec: run
-    remap:
-    - from: x
-      to: y
+    param:
+    - name: x
+      value: 1
 - node:
     unless: $(var a)
     name: n
@@ -168,6 +168,32 @@ launch:
     exec: run
 """
     )
+
+
+CHOSEN = {
+    '<remap if="$(arg a)" from="x" to="y"/>': '<remap from="x" to="$(if $(var a) y x)"/>',
+    '<remap unless="$(arg a)" from="x" to="/y"/>': '<remap from="x" to="$(if $(var a) x /y)"/>',
+    '<remap if="$(arg a)" from="x" to="y"/><remap unless="$(arg a)" from="x" to="z"/>': '<remap from="x" to="$(if $(var a) y z)"/>',
+    '<param if="$(arg a)" name="p" value="1"/><param unless="$(arg a)" name="p" value="2"/>': (
+        '<param name="p" type="int" value="$(if $(var a) 1 2)"/>'
+    ),
+    '<param unless="$(arg a)" name="p" value="b c"/><param if="$(arg a)" name="p" value=""/>': (
+        '<param name="p" type="str" value="$(if $(var a) \'\' \'b c\')"/>'
+    ),
+}
+
+
+@pytest.mark.parametrize("inside", CHOSEN)
+def test_conditions_become_choices_where_that_says_the_same(inside: str, tmp_path: Path) -> None:
+    result = translated(tmp_path, f'<arg name="a" default="true"/>{NODE}>{inside}</node>')
+    assert f'  <node name="n" pkg="demo" exec="run">\n    {CHOSEN[inside]}\n  </node>\n' in result.data.decode()
+    assert said(result) == []
+
+
+def test_values_of_two_types_are_no_choice(tmp_path: Path) -> None:
+    inside = '<param if="$(arg a)" name="p" value="1"/><param unless="$(arg a)" name="p" value="b"/>'
+    result = translated(tmp_path, f'<arg name="a" default="true"/>{NODE}>{inside}</node>')
+    assert result.data.decode().count("<node") == 2
 
 
 def test_comments_stay(tmp_path: Path) -> None:
