@@ -90,8 +90,9 @@ class _Spots:
         self._branches.sort(key=lambda each: each.place.span.start)
         self._starts = [each.place.span.start for each in self._branches]
         # What stands for one tag may be a group around it, and several of it: the first of the innermost ones.
-        innermost = sorted(self._branches[::-1], key=lambda each: (bool(each.inner), depths[id(each)]))
-        self._by_start = {each.place.span.start: each for each in innermost}
+        self._by_start: dict[int, Branch] = {}
+        for branch in sorted(self._branches, key=lambda each: (bool(each.inner), depths[id(each)]), reverse=True):
+            self._by_start.setdefault(branch.place.span.start, branch)
 
     def set_apart(self, is_apart: Callable[[int], bool]) -> None:
         """Keep the blank lines before tags, but for the first one in each."""
