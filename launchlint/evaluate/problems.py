@@ -109,7 +109,8 @@ class UndeclaredArg(Problem):
     """An arg that no declaration is in force for: ``known`` are those in scope, ``skipped`` its declarations under a false condition.
 
     ``entry`` says that it is read in the entry file, ``in_expression`` that an expression reads it, and not a substitution of its own.
-    ``asked`` are the args that the conditions of ``skipped`` ask, with their values, as far as they are known.
+    ``asked`` are the args that the conditions of ``skipped`` ask, with their values, as far as they are known. ``elsewhere`` are the
+    places of the same file that set it always, and not where it is read (ROS 2).
     """
 
     name: str
@@ -118,6 +119,7 @@ class UndeclaredArg(Problem):
     skipped: tuple[Place, ...]
     in_expression: bool
     asked: tuple[tuple[str, str], ...] = ()
+    elsewhere: tuple[Place, ...] = ()
 
     @property
     def lacks(self) -> tuple[str, str]:

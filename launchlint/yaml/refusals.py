@@ -25,6 +25,11 @@ class YamlError(Exception):
         self.kind = kind
 
 
+_NEVER_CLOSED = "found unexpected end of stream"
+_OUT_OF_STEP = ("expected ',' or", "expected <block end>", "could not find expected ':'", "mapping values are not allowed here")
+"""What YAML says behind a text in quotes that has ended in another place than it was meant to."""
+_LONGEST_SCANNED = 200_000
+
 _PLAIN_WORDS = (
     (
         "expected alphabetic or numeric character, but found ':'",
@@ -40,7 +45,7 @@ _PLAIN_WORDS = (
     ("expected <block end>", "this line does not line up with the lines above it; give entries of one level the same indentation"),
     ("expected ',' or ']'", "a list that starts with [ lacks a comma or its ] here"),
     ("expected ',' or '}'", "a mapping that starts with { lacks a comma or its } here"),
-    ("found unexpected end of stream", "a text in quotes is never closed"),
+    (_NEVER_CLOSED, "a text in quotes is never closed"),
     ("found unexpected document separator", "a text in quotes is never closed before the next document starts"),
     ("found unknown escape character", "this backslash sequence is not known; in double quotes, write a backslash as two"),
     ("expected the node content", "a value is missing here"),
@@ -64,12 +69,44 @@ def explain(error: Any, text: str, reader: str) -> YamlError:
     start = _missing_blank(text, offset) if "could not find expected ':'" in problem else None
     if start is not None:
         return YamlError(f"a blank lacks behind this colon (YAML says: {problem})", start, "colon", problem)
+    opened = _opened(error, text, offset, problem)
+    if opened is not None:
+        return YamlError(f"{opened[1]} (YAML says: {problem})", opened[0], "syntax", problem)
     if "that cannot start any token" in problem and text[offset : offset + 1] == "\t":
         problem = "found character '\\t' that cannot start any token"  # libyaml does not say which
     for sign, words in _PLAIN_WORDS:
         if sign in problem:
             return YamlError(f"{words.replace('READER', reader)} (YAML says: {problem})", offset, "syntax", problem)
     return YamlError(f"this is not valid YAML (YAML says: {problem})", offset, "syntax", problem)
+
+
+def _opened(error: Any, text: str, offset: int, problem: str) -> tuple[int, str] | None:
+    """Where the quote stands whose other one is missing, and what to say of it: YAML notices that only at the next quote, or at the end."""
+    context = getattr(error, "context_mark", None)
+    if _NEVER_CLOSED in problem and context is not None:
+        return min(context.index, len(text)), "the text in quotes that begins here is never closed"
+    if len(text) > _LONGEST_SCANNED or not any(sign in problem for sign in _OUT_OF_STEP):
+        return None
+    import yaml
+
+    try:
+        for token in yaml.scan(text, Loader=yaml.SafeLoader):
+            start, end = token.start_mark, token.end_mark
+            if end.index > offset:
+                break
+            if (
+                isinstance(token, yaml.ScalarToken)
+                and token.style in ("'", '"')
+                and start.line < end.line
+                and not text[end.index : offset].strip()
+            ):
+                return (
+                    start.index,
+                    f"the text in quotes that begins here ends in line {end.line + 1}, in the middle of something; its quote is missing",
+                )
+    except yaml.YAMLError:
+        return None
+    return None
 
 
 def _missing_blank(text: str, offset: int) -> int | None:

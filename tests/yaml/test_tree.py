@@ -104,3 +104,25 @@ def test_what_is_too_much(text: str, bounds: dict[str, int], offset: int) -> Non
     with pytest.raises(YamlBeyond) as caught:
         parse(text, READER._replace(**bounds))
     assert caught.value.offset == offset
+
+
+@pytest.mark.parametrize(
+    ("text", "at", "words"),
+    [
+        ('- a: "x\n  b: 1\n- a: "y"\n', 5, "ends in line 3"),
+        ('- {a: "x}\n- {a: "y"}\n', 6, "ends in line 2"),
+        ("- a: 'x\n- b: 1\n", 5, "never closed"),
+    ],
+)
+def test_the_quote_that_lacks_its_other_one_is_named(text: str, at: int, words: str) -> None:
+    with pytest.raises(YamlError) as raised:
+        parse(text, READER)
+    assert raised.value.offset == at
+    assert words in raised.value.message
+
+
+def test_a_text_in_quotes_of_several_lines_is_not_blamed_for_what_stands_far_behind_it() -> None:
+    text = '- a: "x\n  y"\n- {b: 1, c: 2\n- d: 1\n'
+    with pytest.raises(YamlError) as raised:
+        parse(text, READER)
+    assert "quotes" not in raised.value.message

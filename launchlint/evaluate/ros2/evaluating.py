@@ -54,6 +54,8 @@ _KNOWN: dict[str, dict[str, Any]] = {
 }
 """What modules hold that only computes, besides ``math``: nothing that looks at files or at the environment."""
 _MODULES = frozenset(_KNOWN) | {"math"}
+_NO_MODULE = frozenset(" '\"()/")
+"""Characters that stand in the name of no module: a piece of an expression is taken for one, in which a quote ended too early."""
 
 
 class _PythonInterpreter(Interpreter):
@@ -113,6 +115,10 @@ def evaluate(performer: Performer, substitution: Substitution, text: str, module
     by_name = performer.rules.modules if modules == ("math",) and len(substitution.arguments) < 2 else modules
     place = substitution.place
     performer.spend(len(text), place)
+    none = next((name for name in modules if not name or not _NO_MODULE.isdisjoint(name)), None)
+    if none is not None:
+        reason = f"ModuleNotFoundError: No module named {none!r}" if none else "ValueError: Empty module name"
+        raise Failure(EvalError(origin=performer.where(place), refused=True, reason=reason, expression=text, known=()))
     try:
         missing = next((name for name in modules if name not in _MODULES), None)
         if missing is not None:

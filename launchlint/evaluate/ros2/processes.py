@@ -73,7 +73,7 @@ def prepare(walk: Walk, process: described.Process, words: Iterable[Value], tag:
     environment = _environment(walk, process, place)
     respawn: bool | None = False
     if isinstance(process.respawn, Text):
-        respawn = truth(walk, process.respawn, tag)
+        respawn = truth(walk, process.respawn, tag, "respawn")
     elif process.respawn is not None:
         respawn = process.respawn
     output: Value = "log" if process.output is None else walk.value(process.output)

@@ -11,10 +11,11 @@ from launchlint.evaluate.ros2.context import NAMESPACE, Setting, Value
 from launchlint.evaluate.ros2.leaving import note_namespace, note_overruled
 from launchlint.evaluate.ros2.names import absolute, namespace_fault, prefixed
 from launchlint.evaluate.ros2.performing import Failure
-from launchlint.evaluate.ros2.problems import ChoiceRefused, NeverWorks, NotABoolean
+from launchlint.evaluate.ros2.problems import ChoiceRefused, NeverWorks
 from launchlint.evaluate.ros2.walk import Told, Walk
 from launchlint.model import Argument as Declared
 from launchlint.model import Declaration, Remap, Scope, Unknown
+from launchlint.syntax.problems import InvalidValue
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Pair, Text
 
@@ -47,14 +48,14 @@ def argument(walk: Walk, action: described.Argument) -> None:
     written = None if action.default is None else action.default.literal
     default = None if action.default is None else written if written is not None else Unknown(action.default.place.text, "it is computed")
     in_group = walk.here.scope is not None and walk.here.scope.kind == "group"
+    note_choices(walk.performer, name, action.choices)
+    if action.choices is not None and isinstance(value, str) and value not in action.choices:
+        walk.record(ChoiceRefused(origin=origin, refused=True, name=name, value=value, choices=action.choices, given=given))
     walk.declared.append(
         Declaration(
             Declared(name, value, default, origin, False, in_group), given, action.default is not None, action.choices, walk.here.assumed
         )
     )
-    note_choices(walk.performer, name, action.choices)
-    if action.choices is not None and isinstance(value, str) and value not in action.choices:
-        walk.record(ChoiceRefused(origin=origin, refused=True, name=name, value=value, choices=action.choices, given=given))
 
 
 def let(walk: Walk, action: described.Let) -> None:
@@ -200,7 +201,7 @@ def unset_environment(walk: Walk, action: described.UnsetEnvironment) -> None:
 def append_environment(walk: Walk, action: described.AppendEnvironment) -> None:
     """``<append_env>``: appended or prepended, with a separator; only set where the variable is not set yet."""
     name, value = walk.value(action.name), walk.value(action.value)
-    prepend: bool | None = action.prepend if isinstance(action.prepend, bool) else truth(walk, action.prepend, "append_env")
+    prepend: bool | None = action.prepend if isinstance(action.prepend, bool) else truth(walk, action.prepend, "append_env", "prepend")
     separator = ENVIRONMENT_SEPARATOR if action.separator is None else walk.value(action.separator)
     if isinstance(name, Unknown):
         return
@@ -215,14 +216,24 @@ def append_environment(walk: Walk, action: described.AppendEnvironment) -> None:
     walk.context.environment.set(name, after)
 
 
-def truth(walk: Walk, text: Text, tag: str) -> bool | None:
-    """What a text means where launch wants a truth value; None where that is not known, or none (which is recorded)."""
+def truth(walk: Walk, text: Text, tag: str, attribute: str) -> bool | None:
+    """What the text of an attribute means that has to be a truth value; None where that is not known, or none (which is recorded)."""
     value = walk.value(text)
     if isinstance(value, Unknown):
         return None
     known = walk.performer.boolean(value)
     if known is None:
-        walk.record(NotABoolean(origin=walk.at(text.place), refused=True, substitution=tag, value=value, text=text.place.text))
+        walk.record(
+            InvalidValue(
+                origin=walk.at(text.place),
+                refused=True,
+                tag=tag,
+                attribute=attribute,
+                value=value,
+                expected="true or false",
+                choices=("true", "false"),
+            )
+        )
     return known
 
 

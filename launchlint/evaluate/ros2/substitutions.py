@@ -13,6 +13,7 @@ from collections.abc import Callable
 from launchlint.evaluate.problems import EnvUnset, PackageNotFound, UndeclaredArg
 from launchlint.evaluate.ros2.comparing import note_equals, note_expression
 from launchlint.evaluate.ros2.context import Setting, Value
+from launchlint.evaluate.ros2.elsewhere import set_elsewhere
 from launchlint.evaluate.ros2.names import absolute, prefixed
 from launchlint.evaluate.ros2.parameters import GlobalParameter
 from launchlint.evaluate.ros2.performing import SHARE, Failure, Perform, Performer
@@ -86,7 +87,16 @@ def _var(performer: Performer, substitution: Substitution) -> Value:
     performer.spend(CHARACTERS_PER_KNOWN * len(known), substitution.place)
     origin = performer.where(substitution.place)
     raise Failure(
-        UndeclaredArg(origin=origin, refused=True, name=name, known=known, entry=origin.step is None, skipped=(), in_expression=False)
+        UndeclaredArg(
+            origin=origin,
+            refused=True,
+            name=name,
+            known=known,
+            entry=origin.step is None,
+            skipped=(),
+            in_expression=False,
+            elsewhere=set_elsewhere(performer.session, origin.place.source, name),
+        )
     )
 
 
@@ -178,7 +188,7 @@ def _judged(performer: Performer, substitution: Substitution, means: str, own: s
 
 
 def _log_directory(performer: Performer, substitution: Substitution) -> Value:
-    home = performer.context.environment.get("HOME")
+    home = performer.session.variable("HOME")  # of the start: launch makes the directory before it executes anything
     performer.outside = True
     return (
         f"{home}/.ros/log/launch" if isinstance(home, str) else Unknown(substitution.place.text, "the log directory is made at the start")

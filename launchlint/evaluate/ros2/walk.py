@@ -183,6 +183,7 @@ class Walk:
         self.problems: list[Problem] = []
         self.refused: Problem | None = None
         self.late: list[Problem] = []
+        self.counted: tuple[int, ...] | None = None
         self.nodes: list[Node] = []
         self.programs: list[Executable] = []
         self.includes: list[Include] = []
@@ -264,6 +265,7 @@ class Walk:
             return
         if self.here.deferred is not None:
             self.late.append(problem)
+            self.counted = self.counted or self._count()
         elif self.refused is None:
             self.refused = problem
 
@@ -426,7 +428,7 @@ class Walk:
         for number, body in enumerate(self.waiting):  # grows on the way
             if number >= MOST_DEFERRED:
                 break
-            self.late = []
+            self.late, self.counted = [], None
             self.here = body.here._replace(deferred=body.kind)
             self.context.directory, self.context.file = body.directory, body.launch_file
             self.performer.way = body.here.way
@@ -434,7 +436,18 @@ class Walk:
                 self.record(problem)
             self.execute(body.actions)
             late += self.late[:1]
+            self._forget_late()
         self.late = late
+
+    def _count(self) -> tuple[int, ...]:
+        """How much has come of the evaluation so far."""
+        return len(self.nodes), len(self.programs), len(self.includes), len(self.declared), len(self.waiting)
+
+    def _forget_late(self) -> None:
+        """Take out what came of a body after launch had stopped: only what is wrong with it is told."""
+        if self.counted is not None:
+            nodes, programs, includes, declared, waiting = self.counted
+            del self.nodes[nodes:], self.programs[programs:], self.includes[includes:], self.declared[declared:], self.waiting[waiting:]
 
 
 def tag_of(action: Action | described.Component) -> str:

@@ -8,6 +8,11 @@ In an `$(eval …)` it is a warning: the name may be a text without its quotes.
 An arg that is declared, but only under conditions none of which holds, is information too, where other args would make one hold. What is
 proposed then is a declaration for the case in which none holds: a plain one beside the others would make roslaunch stop in the other cases.
 
+In ROS 2 it is an error where a name that is set is one slip away, and where the file itself sets the name, but further down, or in a
+group that keeps it for itself, or outside of one that lets nothing in (a warning if the file asks for args, so that nobody starts it
+as it is). Else it is information: `ros2 launch` takes any name from the command line, and files that are only included read what those
+set that include them.
+
 ## Why it matters
 
 roslaunch refuses the file as soon as it evaluates the element without a value for the arg. In a branch that is rarely taken

@@ -27,6 +27,7 @@ from launchlint.rules.view import LaunchView
 from launchlint.source import Place
 from launchlint.spelling import closest, surely
 
+_MOST_PLACES = 3
 _OWN = ("ros_namespace", "launch-prefix")
 """Launch configurations that are launch's own."""
 
@@ -39,13 +40,23 @@ def undeclared(problem: UndeclaredArg, rule: Rule, view: LaunchView) -> Iterator
     known = tuple(each for each in problem.known if not each.startswith("anon") and each not in _OWN)
     meant = surely(name, known)
     near = meant or closest(name, known)
-    certain = meant is not None or view.declared_entry
+    elsewhere = problem.elsewhere
+    certain = meant is not None or view.declared_entry or bool(elsewhere)
+    refused = Severity.ERROR if problem.refused else Severity.WARNING
+    message, advice = f"{name} is not set", f"declare it above, or write $(var {name} DEFAULT)"
+    if elsewhere:
+        message, advice = _set_elsewhere(problem)
+        if any(isinstance(each, RequiredArgUnset) for each in view.launch.problems):
+            refused = Severity.WARNING  # it is only started with args that it asks for, and by who knows them
+    elif near is not None:
+        advice = f"did you mean {near}?"
     yield rule.at(
         problem.origin,
-        f"{name} is not set" if certain else f"{name} is not set: only the command line can give it, with {name}:=…",
-        severity=(Severity.ERROR if problem.refused else Severity.WARNING) if certain else Severity.INFO,
+        message if certain else f"{message}: only the command line can give it, with {name}:=…",
+        severity=refused if certain else Severity.INFO,
+        related=tuple((place, "set here") for place in elsewhere[:_MOST_PLACES]),
         notes=(f"{'' if certain else 'without it '}ros2 launch stops here with: launch configuration '{name}' does not exist",),
-        help=f"did you mean {near}?" if near is not None else f"declare it above, or write $(var {name} DEFAULT)",
+        help=advice,
         topic=name,
         shared_cause=never_declared(problem.place.source.path, name if certain or near is not None else ""),
     )
@@ -59,6 +70,17 @@ def declared_below(problem: UndeclaredArg, view: LaunchView) -> Place | None:
     declared = (each.origin for each in view.launch.declared if each.name == problem.name)
     below = (each.place for each in declared if each.step is problem.origin.step and each.place.source is place.source)
     return next((each for each in below if each.span.start > place.span.start), None)
+
+
+def _set_elsewhere(problem: UndeclaredArg) -> tuple[str, str]:
+    """What is wrong where the file does set the configuration, and what to do."""
+    name, read = problem.name, problem.place.span.start
+    if all(place.span.start > read for place in problem.elsewhere):
+        return f"{name} is not set yet: launch executes the file from top to bottom, and sets it further down", "move what sets it up"
+    return (
+        f"{name} is not set here: a group keeps what is set in it for itself, and with forwarding off it lets nothing in",
+        'set it in the same group, before it is read; a group with forwarding="false" needs it in a <keep>',
+    )
 
 
 def required(problem: RequiredArgUnset, rule: Rule, view: LaunchView) -> Iterator[Finding]:

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix
+from launchlint.late import late
 from launchlint.rules.edits import LOADS2, fix, write_over
 from launchlint.rules.rule import Rule
 from launchlint.spelling import closest, surely
 from launchlint.syntax.ros2.problems import NegativeValue, OpenQuote, WrongValue, YamlForm
+from launchlint.syntax.ros2.words import EXPECTED
 
+_NUMBER = late(r"[-+]?\d+(\.\d*)?")
 REFUSES = ("ros2 launch refuses the file",)
 
 _MEANT = {"string": "str", "integer": "int", "double": "float", "boolean": "bool", "number": "float", "list": "yaml", "dict": "yaml"}
@@ -49,6 +52,8 @@ def tell(problem: WrongValue | NegativeValue | OpenQuote | YamlForm, rule: Rule)
     near = meant or closest(value.strip(), problem.choices)
     shown = f"{name} of {tag} is empty" if not value else f"{name}={value[:60]!r} of {tag} is not {expected}"
     advice = f"did you mean {near}?" if near is not None else _advice(name, value, expected)
+    if _fits_without_quotes(value, expected):
+        shown, advice = f"{name}={value[:60]!r} of {tag} is a text, since quotes stand around it", "take the quotes away"
     yield rule.at(
         problem.origin,
         shown,
@@ -57,6 +62,13 @@ def tell(problem: WrongValue | NegativeValue | OpenQuote | YamlForm, rule: Rule)
         help=advice,
         fix=_fix(problem, near, sure=near == meant),
     )
+
+
+def _fits_without_quotes(value: str, expected: str) -> bool:
+    """Whether only the quotes that YAML has around ``value`` keep it from being what is wanted."""
+    if expected == EXPECTED["bool"]:
+        return value.strip().lower() in ("true", "false")
+    return expected == EXPECTED["float"] and _NUMBER.fullmatch(value) is not None
 
 
 def _fix(problem: WrongValue, near: str | None, *, sure: bool) -> Fix | None:

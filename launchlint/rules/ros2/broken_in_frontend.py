@@ -60,6 +60,9 @@ def tell(problem: BrokenInFrontend | NeverWorks, view: object) -> Iterator[Findi
     elif problem.what == "modules":
         message, advice = "the modules of $(eval …) cannot be computed", "write their names as they are, with commas between them"
         note = "launch looks for them when it reads the file, before anything has a value"
+    elif problem.what == "flag":
+        message, advice = f"{name} takes no substitution in XML and YAML", "write true or false"
+        note = "ros2 launch stops with a TypeError: it wants the truth value itself when it reads the file"
     else:
         message, advice = f"{name} takes no substitution in XML and YAML", "write a number"
         note = "ros2 launch stops with a TypeError: it compares the text with 0.0 when it reads the file"

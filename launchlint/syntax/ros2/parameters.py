@@ -8,7 +8,7 @@ from __future__ import annotations
 from launchlint.source import Origin
 from launchlint.syntax.ros2 import complaints
 from launchlint.syntax.ros2.description import Parameter, ParameterFile, Substitution, Text, TypedValue
-from launchlint.syntax.ros2.problems import ParameterForm, WrongValue
+from launchlint.syntax.ros2.problems import BrokenInFrontend, ParameterForm, WrongValue
 from launchlint.syntax.ros2.tables import PARAMETER, PARAMETER_TYPES
 from launchlint.syntax.ros2.values import literal_fits
 from launchlint.syntax.ros2.words import EXPECTED
@@ -46,11 +46,24 @@ def parameters(parser: Parser, entity: Entity) -> tuple[ParameterSource, ...]:
 
 
 def _file(parser: Parser, entity: Entity, file: Value, substitute: Value | None) -> ParameterFile:
-    allowed: Text | bool = False
-    if substitute is not None:
-        allowed = parser.text(substitute.text) if isinstance(substitute.plain, str) else bool(substitute.plain)
+    allowed = False
+    if substitute is not None and isinstance(substitute.plain, str):
+        _no_flag(parser, substitute, substitute.plain)
+    elif substitute is not None:
+        allowed = bool(substitute.plain)
     complaints.unread(parser, entity, PARAMETER, ())
     return ParameterFile(parser.text(file.text), allowed, entity.place)
+
+
+def _no_flag(parser: Parser, value: Value, written: str) -> None:
+    """``allow_substs`` is a text: launch parses it for substitutions, and then takes nothing but a truth value (ParameterFile)."""
+    origin, name = Origin(value.place), "allow_substs"
+    if parser.text(value.text).literal is None:
+        parser.problems.append(BrokenInFrontend(origin=origin, refused=True, what="flag", name=name))
+    else:
+        parser.problems.append(
+            WrongValue(origin=origin, refused=True, tag="param", attribute=name, value=written, expected=EXPECTED["bool"])
+        )
 
 
 def _nested(parser: Parser, entities: Iterable[Entity]) -> list[Parameter]:

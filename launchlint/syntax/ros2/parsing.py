@@ -29,6 +29,9 @@ if TYPE_CHECKING:
 DEEPEST = 180
 """Actions that may stand in each other: launch takes five frames of Python's 1,000 for each."""
 
+_EXACT = "ros_timer"
+"""Its period must be a number already, where ``timer`` makes one of a text (launch_ros.actions.ROSTimer, launch.actions.TimerAction)."""
+
 
 class Parser:
     """Reads entities for one distribution; ``problems`` fills in launch's order."""
@@ -138,7 +141,7 @@ class Parser:
         """What launch refuses only when it makes the action: a text where a number, or true or false, is wanted."""
         for name, wanted in (("period", "float"), ("prepend", "bool"), ("cancel_on_shutdown", "bool")):
             text = fields.text(name)
-            if text is None or text.literal is None or (wanted == "float" and _is_number(text.literal)):
+            if text is None or text.literal is None or (wanted == "float" and tag != _EXACT and _is_number(text.literal)):
                 continue
             self.problems.append(
                 WrongValue(origin=Origin(text.place), refused=True, tag=tag, attribute=name, value=text.literal, expected=EXPECTED[wanted])

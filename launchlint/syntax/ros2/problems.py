@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from typing import Literal
 
     Where = Literal["tag", "attribute", "substitution", "words"]
-    Broken = Literal["any-all", "modules", "number"]
+    Broken = Literal["any-all", "modules", "number", "flag"]
     Form = Literal["from-and-name", "neither", "substs-without-from", "value-and-nested", "type-and-nested", "empty"]
     Shape = Literal["entities", "entity", "children", "mapping", "one-action"]
 
@@ -209,7 +209,8 @@ class NotInDistribution(Problem):
 class BrokenInFrontend(Problem):
     """What launch has, and its front ends for XML and YAML cannot make.
 
-    ``any-all``: these two substitutions; ``modules``: the second word of ``$(eval …)`` is computed; ``number``: the attribute ``name`` is.
+    ``any-all``: these two substitutions; ``modules``: the second word of ``$(eval …)`` is computed; ``number`` and ``flag``:
+    the attribute ``name`` is.
     """
 
     what: Broken

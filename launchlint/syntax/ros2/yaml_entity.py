@@ -136,7 +136,8 @@ class YamlEntity(Entity):
                 ((tag, entry),) = each.data.items()
                 found.append(YamlEntity(tag, entry.value, entry.key, self._source))
             else:
-                problems.append(self._form("one-action", each.span))
+                second = list(each.data.values())[1].key if isinstance(each.data, dict) and each.data else each.span
+                problems.append(self._form("one-action", second))
         return found
 
     def _form(self, shape: Shape, span: Span, attribute: str = "") -> Problem:

@@ -302,3 +302,43 @@ def test_great_numbers_end_soon(tmp_path: Path, first: str, second: str) -> None
     start = process_time()
     Workspace(tmp_path, "".join(map(first.format, range(many))) + second * many).launch()
     assert process_time() - start < 30
+
+
+def test_a_deferred_body_ends_with_the_first_error_in_it(tmp_path: Path) -> None:
+    """What stands behind it is neither started nor deferred; what is wrong with it is told all the same."""
+    later = NODE.format("later") + '<timer period="1.0">' + NODE.format("never") + "</timer>"
+    body = f'<timer period="1.0">{NODE.format("first")}<log message="$(var a)"/>{later}<log message="$(var b)"/></timer>'
+    launch = loaded(Workspace(tmp_path, body).launch())
+    assert named(launch) == ["first"]
+    assert [problem.kind for problem in launch.late] == ["undeclared-arg"]
+    assert sorted(problem.name for problem in launch.problems if isinstance(problem, UndeclaredArg)) == ["a", "b"]
+
+
+def test_an_arg_with_a_wrong_choice_is_not_declared(tmp_path: Path) -> None:
+    body = '<timer period="1.0"><arg name="a" default="x"><choice value="y"/></arg></timer>'
+    assert loaded(Workspace(tmp_path, body).launch()).declarations == ()
+
+
+def test_the_log_directory_is_that_of_the_start(tmp_path: Path) -> None:
+    assert shown(tmp_path, '<unset_env name="HOME"/>' + SHOW.format("$(log_dir)")) == ["/home/somebody/.ros/log/launch"]
+
+
+@pytest.mark.parametrize("text", ["$(eval 1 'a b')", "$(equals '$(eval &quot;1 +&quot;)' 2)"])
+def test_no_module_has_such_a_name(tmp_path: Path, text: str) -> None:
+    """In quotes the other quotes are letters: what they were meant to hold together is an expression and modules to launch."""
+    assert refusal(Workspace(tmp_path, f'<log message="{text}"/>').launch()) == "eval-error main.launch.xml:1"
+
+
+@pytest.mark.parametrize(
+    ("body", "names"),
+    [
+        ('<log message="$(var a)"/><arg name="a" default="1"/>', ["a"]),
+        ('<group><let name="a" value="1"/></group><log message="$(var a)"/>', ["a"]),
+        ('<let name="a" value="1"/><group forwarding="false"><log message="$(var a)"/></group>', ["a"]),
+        ('<log message="$(var a)"/><let name="a" value="1" if="false"/><arg name="b"/>', []),
+        ('<log message="$(var a)"/>', []),
+    ],
+)
+def test_where_a_configuration_is_set_that_is_not_set_here(tmp_path: Path, body: str, names: list[str]) -> None:
+    problems = [problem for problem in Workspace(tmp_path, body).launch().problems if isinstance(problem, UndeclaredArg)]
+    assert [problem.name for problem in problems if problem.elsewhere] == names

@@ -99,7 +99,7 @@ REFUSED_YAML = [
     ("- node: {pkg: p, exec: e, param: [{name: a, value: {b: 1}}]}", [("wrong-value", "{b: 1}")]),
     ("- group: {scoped: false}", [("yaml-form", "group")]),
     ("- node", [("yaml-form", "node")]),
-    ("- {node: {pkg: p, exec: e}, group: []}", [("yaml-form", "{node: {pkg: p, exec: e}, group: []}")]),
+    ("- {node: {pkg: p, exec: e}, group: []}", [("yaml-form", "group")]),
     ("- reset_env:", [("yaml-form", "reset_env")]),
     ("  node: {pkg: p, exec: e}", [("yaml-form", "launch")]),
     ("- node: !!python/name:os.system x", [("malformed-yaml", "!")]),
