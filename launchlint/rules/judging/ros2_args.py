@@ -149,7 +149,7 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
     yield rule.at(
         problem.origin,
         f"the included file {named} does not exist" if file else "the name of the included file is empty",
-        severity=Severity.INFO if problem.environment else Severity.WARNING if perhaps or elsewhere else None,
+        severity=Severity.INFO if problem.environment or elsewhere else Severity.WARNING if perhaps else None,
         label="not found",
         notes=tuple(notes),
         help=advice,
