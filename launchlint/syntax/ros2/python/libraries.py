@@ -46,4 +46,4 @@ def made(name: str, positional: list[Value], keywords: dict[str, Value], place: 
     lacking = [each for each in arguments if not each.endswith("=") and each not in given]
     if MORE in keywords or lacking or len(positional) > len(names) or given.keys() - set(names):
         return Unknown(f"{name} is not made with the arguments that are known of it", place)
-    return Handle(_canonical(name).rpartition(".")[2], {**given, "place": place})
+    return Handle(_canonical(name).rpartition(".")[2], {**given, "place": place, "places": {}})
