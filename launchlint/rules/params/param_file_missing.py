@@ -86,9 +86,11 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         notes.append("it is in no package that is here, so that it may be there on the robot")
     name = path.rpartition("/")[2] or path
     severity = None
-    installed = installed_from(problem.file, view.packages) if missing and not problem.relative else None
+    installed = (
+        installed_from(problem.file, view.packages) if missing and not problem.relative and not _is_built(problem.file, view) else None
+    )
     if installed is not None and view.dialect.name == ROS2:
-        return  # what is launched in ROS 2 is what is installed
+        return  # what is launched in ROS 2 is what is installed, and nothing is here that says what that is
     look = missing and not problem.relative and not problem.environment and installed is None
     maker = made(problem.file, view, root_of(problem.place.source)) if look else None
     perhaps = _may_be_installed(problem.file, view) if look and maker is None else ""
@@ -156,6 +158,15 @@ def together(findings: Sequence[Finding]) -> Finding:
     """One for all: text that was meant to be replaced is told before the names of files that have it."""
     names = [each.message.removeprefix("the file ").removesuffix(" does not exist") for each in findings if each.rule == RULE.id]
     return told_as_moved(led_by(findings, "LL215"), names, "files")
+
+
+def _is_built(file: str, view: LaunchView) -> bool:
+    """Whether it is known what of the package of ``file`` is installed where: in ROS 2 that is all there is to find."""
+    if view.dialect.name == ROS1:
+        return False
+    from launchlint.workspace.ament.shares import is_built
+
+    return is_built(view.packages, file)
 
 
 def _may_be_installed(file: str, view: LaunchView) -> str:

@@ -46,17 +46,19 @@ def installed_source(packages: Packages, file: str) -> str | None:
     return source if source is not None and exists(source) else None
 
 
+def is_built(packages: Packages, file: str) -> bool:
+    """Whether the package whose share directory ``file`` (absolute) would lie in has anything that says what it installs."""
+    found = shared(packages, file)
+    return found is not None and any(exists(os.path.join(found.package.directory, each)) for each in _BUILD)
+
+
 def may_be_installed(packages: Packages, file: str) -> str:
     """Why something may stand there once the package is installed, although it is not here: what of its build files is not understood.
 
     Empty where certainly nothing will stand there, and where there is nothing to build the package with.
     """
     found = shared(packages, file)
-    if (
-        found is None
-        or found.installed.lacks(found.path)
-        or not any(exists(os.path.join(found.package.directory, each)) for each in _BUILD)
-    ):
+    if found is None or found.installed.lacks(found.path) or not is_built(packages, file):
         return ""
     reasons = found.installed.reasons
     return reasons[0] if reasons else "it installs files whose names are not known here"
