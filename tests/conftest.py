@@ -161,7 +161,7 @@ NEEDS: dict[str, tuple[Callable[[], str | None], str]] = {
 
 
 SLOW = (
-    "tests/action", "tests/check", "tests/cli", "tests/evaluate", "tests/export", "tests/extract", "tests/fix/format",
+    "tests/action", "tests/check", "tests/cli", "tests/conformance", "tests/evaluate", "tests/export", "tests/extract", "tests/fix/format",
     "tests/fix/test_rule_fixes.py", "tests/hook", "tests/knowledge", "tests/library/test_bundled_script.py",
     "tests/library/test_grow_script.py", "tests/library/test_hostile.py", "tests/packaging", "tests/probe", "tests/report",
     "tests/rules/test_pages.py", "tests/syntax", "tests/test_architecture.py", "tests/test_example.py", "tests/test_guides.py",
