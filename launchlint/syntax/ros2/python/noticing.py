@@ -72,6 +72,7 @@ class Noticing(Interpreter):
         return value
 
     def _used(self, value: Handle, node: ast.expr | None, scope: Scope) -> None:
+        self.risks += 1  # what its text is as an object may be no name, say
         use, whole = self._uses[id(node)]
         of = value.state.get("variable_name")
         self.record(
