@@ -312,7 +312,7 @@ class Argument(NamedTuple):
 class Declaration(NamedTuple):
     """An ``<arg>`` that ROS 2 launch executed; ``given``: it had a value before. ``has_default`` and ``choices`` are as declared.
 
-    ``maybe``: it is not known whether it is executed.
+    ``maybe``: it is not known whether it is executed. ``file`` is the launch file that is executed, wherever it is written.
     """
 
     argument: Argument
@@ -320,6 +320,7 @@ class Declaration(NamedTuple):
     has_default: bool
     choices: tuple[str, ...] | None
     maybe: bool = False
+    file: str = ""
 
 
 class ListedArgument(NamedTuple):
@@ -334,7 +335,8 @@ class ListedArgument(NamedTuple):
 class Include(NamedTuple):
     """An ``<include>`` that was followed (``file`` is the name it was opened under) or could not be (``source`` is None).
 
-    ROS 2: ``pushed`` is the namespace that was pushed before it, if any; ``deferred`` as for a :class:`Node`.
+    ROS 2: ``pushed`` is the namespace that was pushed before it, if any; ``deferred`` as for a :class:`Node`. ``within`` is the launch file
+    that is executed.
     """
 
     file: str
@@ -347,6 +349,7 @@ class Include(NamedTuple):
     conditions: tuple[Condition, ...] = ()
     pushed: str | None = None
     deferred: str | None = None
+    within: str = ""
 
 
 class Executable(NamedTuple):

@@ -33,7 +33,7 @@ def as_object(launch: Launch, file: str, error: tuple[str, str] | None, verdict:
                     "given": each.given,
                     "has_default": each.has_default,
                     "choices": each.choices,
-                    "file": each.argument.origin.place.source.file,
+                    "file": each.file or each.argument.origin.place.source.file,
                     "maybe": each.maybe,
                 }
             )
@@ -96,7 +96,7 @@ def _include(include: Include) -> dict[str, Any]:
     return _terse(
         {
             "file": _plain(include.file),
-            "from": include.origin.place.source.file,
+            "from": include.within or include.origin.place.source.file,
             "args": _plain(include.arguments),
             "ns": _plain(include.pushed),
             "conditions": _conditions(include.conditions),

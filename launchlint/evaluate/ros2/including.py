@@ -33,7 +33,7 @@ def include(walk: Walk, action: described.Include) -> None:
     below = pushed.rstrip("/") + "/" if isinstance(pushed, str) else "/"
     entry = Include(
         shown_text(file), None, below, {}, False, origin, walk.here.scope, walk.here.conditions,
-        None if pushed is None else shown_text(pushed), walk.here.deferred,
+        None if pushed is None else shown_text(pushed), walk.here.deferred, walk.here.file,
     )  # fmt: skip
     way = (*walk.here.way, id(action))
     if isinstance(file, Unknown):

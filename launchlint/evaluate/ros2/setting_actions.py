@@ -53,7 +53,12 @@ def argument(walk: Walk, action: described.Argument) -> None:
         walk.record(ChoiceRefused(origin=origin, refused=True, name=name, value=value, choices=action.choices, given=given))
     walk.declared.append(
         Declaration(
-            Declared(name, value, default, origin, False, in_group), given, action.default is not None, action.choices, walk.here.assumed
+            Declared(name, value, default, origin, False, in_group),
+            given,
+            action.default is not None,
+            action.choices,
+            walk.here.assumed,
+            walk.here.file,
         )
     )
 

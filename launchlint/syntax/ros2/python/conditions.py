@@ -35,7 +35,7 @@ def condition_of(value: Value, texts: Texts, place: Place) -> Condition | None:
     if value.kind in _BY_TRUTH:
         return Condition(
             _BY_TRUTH[value.kind],
-            (texts.text(value.state["predicate_expression"], value.state["places"].get("predicate_expression", place)),),
+            (texts.text(value.state["predicate_expression"], value.state.get("places", {}).get("predicate_expression", place)),),
             place,
         )
     name = value.state["launch_configuration_name"]
@@ -48,4 +48,4 @@ def condition_of(value: Value, texts: Texts, place: Place) -> Condition | None:
 
 def condition(given: Mapping[Any, Value], texts: Texts) -> Condition | None:
     """The condition of an action with these arguments."""
-    return condition_of(given.get("condition"), texts, given["places"].get("condition", given["place"]))
+    return condition_of(given.get("condition"), texts, given.get("places", {}).get("condition", given["place"]))

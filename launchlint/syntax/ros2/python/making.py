@@ -38,7 +38,7 @@ _CALLABLE = (Function, Bound, Partial, Class, Instance)
 
 def at(given: Given, name: str) -> Place:
     """Where an argument stands; the whole call where that cannot be told."""
-    place: Place = given["places"].get(name, given["place"])
+    place: Place = given.get("places", {}).get(name, given["place"])
     return place
 
 

@@ -153,7 +153,7 @@ class Texts:
     def substitution(self, value: Handle) -> Substitution:
         """What an object of a substitution's class stands for."""
         place: Place = value.state["place"]
-        given, places = value.state, value.state["places"]
+        given, places = value.state, value.state.get("places", {})
         if value.kind == "PathJoinSubstitution":
             return Substitution(PATH_JOIN, self.texts(given["substitutions"], places.get("substitutions", place)), place)
         if value.kind == "PythonExpression":
