@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from launchlint.evaluate.ros1.arg_uses import ArgUses
     from launchlint.evaluate.ros1.kept_values import KeptValues
     from launchlint.model import Argument
+    from launchlint.syntax.ros2.live import LiveContext
     from launchlint.syntax.ros2.reading import Reading
     from launchlint.syntax.tree import Attribute, Document, Element
 
@@ -60,6 +61,7 @@ class Session:
     """One run over one set of workspaces.
 
     ``overlay`` maps the name of a file to content that is judged in its place (standard input, ``as:`` in an entries file, the git index).
+    ``fresh``, which the evaluation of ROS 2 sets, gives the context of a launch in which nothing has been executed.
     ``root`` is the directory to which shown paths are relative. ``distro`` is the distribution of ROS 2 that somebody asks for.
     """
 
@@ -75,6 +77,7 @@ class Session:
         self.environment = environment
         self.root = os.getcwd() if root is None else root
         self.asked_distro = distro
+        self.fresh: Callable[[Session, str], LiveContext] | None = None
         self._in_python: dict[str, tuple[Reading | None, frozenset[str], frozenset[str]]] = {}
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
@@ -236,8 +239,14 @@ class Session:
         def inside(path: str) -> bool:
             return self.packages.package_of(path) is not None
 
-        outside = Outside(self.distro, lambda name: colcon.find(name, file), self.environment, variables.add, inside)
+        outside = Outside(
+            self.distro, lambda name: colcon.find(name, file), self.environment, variables.add, inside, lambda: self._fresh(file)
+        )
         return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
+
+    def _fresh(self, file: str) -> LiveContext | None:
+        """The context of a launch in which nothing has been executed."""
+        return None if self.fresh is None else self.fresh(self, file)
 
     def is_launch_file(self, file: str) -> bool:
         """Whether ``file`` has been read as a launch file of ROS 2 in XML or YAML."""

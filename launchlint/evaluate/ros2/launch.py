@@ -11,12 +11,13 @@ from launchlint.evaluate.ros2.judged_keys import for_nobody
 from launchlint.evaluate.ros2.leaving import undeclared
 from launchlint.evaluate.ros2.passing import useless
 from launchlint.evaluate.ros2.performing import rules_of
+from launchlint.evaluate.ros2.programs import Live
 from launchlint.evaluate.ros2.same_names import duplicates
 from launchlint.evaluate.ros2.walk import Exhausted, Walk
 from launchlint.evaluate.session import Read, Session
 from launchlint.finding import whole_file
 from launchlint.model import ROS2, Followed, Launch, ListedArgument
-from launchlint.source import Origin, Source
+from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.problems import UnreadableFile
 from launchlint.syntax.ros2.description import Open, Unsettled
 from launchlint.workspace.discovery import is_program
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
     State: TypeAlias = Literal["resolved", "partly", "not"]
     from launchlint.evaluate.ros2.repeating import Repeats
+    from launchlint.syntax.ros2.live import LiveContext
     from launchlint.syntax.ros2.reading import Reading
 
 DEEPEST_STACK = 12_000
@@ -48,6 +50,7 @@ def evaluate(
     """
     if sys.getrecursionlimit() < DEEPEST_STACK:
         sys.setrecursionlimit(DEEPEST_STACK)
+    session.fresh = fresh
     walk = Walk(session, file, rules_of(session.distro), pinned, execute, repeats)
     known = walk.read(file)
     if isinstance(known, Read):
@@ -71,6 +74,12 @@ def evaluate(
         walk.record(exhausted.args[0])
         walk.exhausted = True
     return _evaluation(walk, known, given)
+
+
+def fresh(session: Session, file: str) -> LiveContext:
+    """The context of a launch in which nothing has been executed: what a program has that makes one itself."""
+    walk = Walk(session, file, rules_of(session.distro), frozenset(), execute)
+    return Live(walk, Place(Source(session.shown(file), "", file), Span(0, 0)))
 
 
 def _followed(walk: Walk) -> Iterator[Followed]:

@@ -201,3 +201,18 @@ def test_a_container_as_an_object(tmp_path: Path) -> None:
     )
     launch = launched(tmp_path, body)
     assert [(node.name, node.container) for node in launch.nodes] == [("box", None), ("p", "/ns/in/box")]
+
+
+def test_a_context_that_a_program_makes_itself_knows_what_every_launch_knows(tmp_path: Path) -> None:
+    body = (
+        "def generate_launch_description():\n    fresh = LaunchContext()\n"
+        "    name = EnvironmentVariable('USER').perform(fresh) + LaunchConfiguration('x', default='_y').perform(fresh)\n"
+        "    return LaunchDescription([node(name)])\n"
+    )
+    launch = launched(tmp_path, body)
+    assert (names(launch), launch.refused) == (["somebody_y"], None)
+
+
+def test_a_context_that_a_program_makes_itself_has_no_configurations(tmp_path: Path) -> None:
+    body = "def generate_launch_description():\n    return LaunchDescription([node(LaunchConfiguration('x').perform(LaunchContext()))])\n"
+    assert isinstance(launched(tmp_path, body).refused, UndeclaredArg)

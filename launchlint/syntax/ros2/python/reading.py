@@ -21,7 +21,7 @@ from launchlint.syntax.ros2.python.loading import runs_at_load
 from launchlint.syntax.ros2.python.making import Maker
 from launchlint.syntax.ros2.python.performed import performed_as_boolean
 from launchlint.syntax.ros2.python.recogniser import Outside
-from launchlint.syntax.ros2.python.running import Caller
+from launchlint.syntax.ros2.python.running import Caller, Ending
 from launchlint.syntax.ros2.python.unused import never_added
 from launchlint.syntax.ros2.python.workspace_modules import WorkspaceModules
 from launchlint.syntax.ros2.reading import Reading
@@ -63,6 +63,8 @@ def read(data: bytes, path: str, file: str, outside: Outside, package: str = "")
     try:
         actions = _actions(run, source, outside, tree, parsed)
     except Ended as ended:
+        if isinstance(ended, Ending):
+            run.record(ended.problem)
         actions = (described.Open(f"it ends with an error{f': {ended}' if str(ended) else ''}", everything),)
     except (Exhausted, RecursionError, SourceError):
         actions = (described.Open("it is too much to be followed", everything),)

@@ -42,6 +42,7 @@ from launchlint.yaml.values import load
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.syntax.ros2.live import LiveContext
     from launchlint.syntax.ros2.python.following import Following
 
 _OUTSIDE = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
@@ -63,6 +64,7 @@ class Outside:
 
     ``share`` gives the directory of a package (None: there is none of that name), ``environment`` the variables; ``looked_at`` is told
     which of them a launch file asks for. ``inside`` says whether a path lies in the workspace, below which files are read.
+    ``fresh`` gives the context of a launch in which nothing has been executed.
     """
 
     def __init__(
@@ -72,12 +74,14 @@ class Outside:
         environment: Mapping[str, str],
         looked_at: Callable[[str], None] = lambda name: None,
         inside: Callable[[str], bool] = lambda file: False,
+        fresh: Callable[[], LiveContext | None] = lambda: None,
     ) -> None:
         self.distro = distro
         self.share = share
         self.environment = environment
         self.looked_at = looked_at
         self.inside = inside
+        self.fresh = fresh
 
 
 class LaunchRecogniser:
@@ -93,7 +97,7 @@ class LaunchRecogniser:
         self.environment = Map(Variables(outside.environment, outside.looked_at))
         self.shares: dict[str, str] = {}
         self.texts = Texts(self.shares)
-        self.running = Running(run, self.texts)
+        self.running = Running(run, self.texts, outside.fresh)
         self.paths = Paths(run, outside.inside, self.environment)
         self.files = Files(run, self.paths, lambda text: load(text, _YAML), self.texts.stand_in)
 

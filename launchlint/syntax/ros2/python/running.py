@@ -17,6 +17,8 @@ from launchlint.syntax.ros2.python.texts import Texts, is_substitution
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from launchlint.problem import Problem
     from launchlint.syntax.ros2.live import LiveContext
     from launchlint.syntax.ros2.python.making import Maker
@@ -37,18 +39,21 @@ class Ending(Ended):
 class Running:
     """What functions ask of the launch they are called by: ``live`` is its context, None where there is none yet."""
 
-    def __init__(self, run: Noticing, texts: Texts) -> None:
+    def __init__(self, run: Noticing, texts: Texts, fresh: Callable[[], LiveContext | None]) -> None:
         self._run = run
         self._texts = texts
+        self._fresh = fresh
         self.live: LiveContext | None = None
 
     def context(self, own: bool = False) -> Handle:
         """The context that a function is called with; ``own``: one that the program has made itself."""
-        return Handle(CONTEXT, {"own": own})
+        return Handle(CONTEXT, {"own": own, "live": self._fresh() if own else None})
 
     def _live(self, context: Value) -> LiveContext | None:
-        of_launch = isinstance(context, Handle) and context.kind in (CONTEXT, CONFIGURATIONS, VARIABLES) and not context.state["own"]
-        return self.live if of_launch else None
+        if not isinstance(context, Handle) or context.kind not in (CONTEXT, CONFIGURATIONS, VARIABLES):
+            return None
+        live: LiveContext | None = context.state["live"] if context.state["own"] else self.live
+        return live
 
     def performed(self, receiver: Handle, context: Value, place: Place) -> Value:
         """``substitution.perform(context)`` or ``condition.evaluate(context)``. Raises Ending."""
