@@ -166,8 +166,15 @@ def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
         notes=(idle or NO_EFFECT,),
         help=f"remove it here and in the includes that pass it, or use it as $(var {name})",
         topic=name,
-        cause=f"{place.source.path} {idle}",
+        cause=_cause_of_all(problem, view, idle),
     )
+
+
+def _cause_of_all(problem: ArgUnused, view: LaunchView, idle: str) -> str:
+    """One for all that is unread in a file, and in its copies: those in which the same args are not read."""
+    source = problem.place.source
+    names = sorted({each.name for each in view.launch.noticed(ArgUnused) if each.place.source is source})
+    return "; ".join((idle, *names)) if len(names) <= _MOST_ALIKE else f"{source.path} {idle}"
 
 
 def _declared(view: LaunchView, problem: ArgUnused) -> frozenset[str]:
