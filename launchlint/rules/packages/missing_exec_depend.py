@@ -16,8 +16,8 @@ assistant itself), in a package with its `.setup_assistant`. It is one, without 
 people to install the package themselves, where only launch files need it that were put aside (in a directory `old`, `deprecated`, `attic`
 …), where the launch file lies among the tests and nothing starts it (no `add_rostest`, no `roslaunch_add_file_check`, no other launch
 file, no script that calls roslaunch), and where the package is a copy of a public one, with its `CHANGELOG.rst`, or part of a project with
-a README and a licence of its own, among packages of other people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Beside a
-`manifest.xml` of rosbuild it is the `package.xml` that counts.
+a README and a licence of its own, among packages of other people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that
+an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Beside a `manifest.xml` of rosbuild it is the `package.xml` that counts.
 
 ## Why it matters
 
