@@ -98,7 +98,7 @@ def test_from_ros1(repository: Path) -> None:
             0,
             [
                 f"launchlint: demo/launch/robot.launch:{place}: ROS 2 launch starts nothing on other machines"
-                for place in ("2:3: not carried over: the machine", "3:3: not carried over: machine")
+                for place in ("2:3: not carried over: the machine m", "3:3: not carried over: machine")
             ],
         )
         assert '  <node name="talker" pkg="demo" exec="talk.py"/>\n' in ran.output

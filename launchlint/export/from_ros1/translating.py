@@ -25,6 +25,15 @@ if TYPE_CHECKING:
     from launchlint.syntax.tree import Document, Element
 
 _NO_SERVER = "ROS 2 has no parameter server; give it to the nodes that read it"
+_CALLED = {
+    "node": ("name",),
+    "param": ("name",),
+    "arg": ("name",),
+    "rosparam": ("file", "param", "ns"),
+    "include": ("file",),
+    "machine": ("name",),
+}
+"""What says which of several elements is meant."""
 _SIM_TIME = ("use_sim_time", "/use_sim_time")
 
 
@@ -73,7 +82,8 @@ class _Translation:
                     found += self._other(element, scope, condition, last=last and element is known[-1])
             except Left as left:
                 del self._account.lost[before:]
-                name = f" {_name(element)}" if element.tag in ("node", "param", "arg") and _name(element) else ""
+                called = next(filter(None, (element.get(name) for name in _CALLED.get(element.tag, ()))), "")
+                name = f" {' '.join(called.split())}" if called else ""
                 self._account.lose(left.place if left.place.source is place.source else place, f"the {element.tag}{name}", left.why)
                 self._account.dropped.append(self._values.whole(element))
         return found

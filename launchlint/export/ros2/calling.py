@@ -1,7 +1,7 @@
 """What functions of a launch file in Python give when launch calls them, in place of the functions.
 
 A function can do anything with the context that it is called with. In a declarative file stands what it gave, and what it set, when it was
-called as the file is exported; whether that depends on anything shows where it is called in another configuration.
+called as the file is exported. What it asked the context for, it may depend on.
 """
 
 from __future__ import annotations
@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from launchlint.dialects.door import named
-from launchlint.export.ros2.comparing import normal
 from launchlint.model import ROS2, Unknown
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Description, Text, unknown
@@ -26,38 +25,42 @@ if TYPE_CHECKING:
 
     Pairs = tuple[tuple[str, str], ...]
 
+_ASKED = {"var": "the arg", "env": "the environment variable"}
 DEEPEST = 5
 """Functions that give functions."""
 
 
 class Called(NamedTuple):
-    """``description`` has no functions any more, but for those that were never called; ``varying`` are the places of those that give
-    something else in another configuration.
+    """``description`` has no functions any more, but for those that were never called. ``asked`` are the places of those that asked for
+    something, each with what that was.
     """
 
     description: Description
-    varying: tuple[Place, ...]
+    asked: tuple[tuple[Place, tuple[str, ...]], ...]
 
 
-def called(session: Session, file: str, reading: Reading, configurations: Iterable[Pairs]) -> Called:
-    """The description of ``file``, a launch file in Python, with what its functions give in the first of ``configurations``."""
-    given = list(configurations)
-    varying: dict[Place, None] = {}
+def called(session: Session, file: str, reading: Reading, given: Pairs) -> Called:
+    """The description of ``file``, a launch file in Python, with what its functions give when it is started with ``given``."""
+    asked: dict[Place, tuple[str, ...]] = {}
     description = reading.description
     for _ in range(DEEPEST):
         if not any(isinstance(each, described.Opaque) for each in _all(description.actions)):
             break
-        records = [_record(session, file, reading, description, pairs) for pairs in given]
-        calls = list(records[0])
-        description = description._replace(actions=_replaced(description.actions, records[0], {}))
-        for key in calls:
-            first, place = records[0][key]
-            if any(key in other and not _same(first, other[key][0]) for other in records[1:]):
-                varying[place] = None
-    return Called(description, tuple(varying))
+        record = _record(session, file, reading, description, given)
+        description = description._replace(actions=_replaced(description.actions, record, {}))
+        asked.update((each.place, each.asked) for each in record.values() if each.asked)
+    return Called(description, tuple(asked.items()))
 
 
-_Record = dict[int, "tuple[tuple[Action, ...], Place]"]
+class _Given(NamedTuple):
+    """What a function gave when it was first called."""
+
+    actions: tuple[Action, ...]
+    place: Place
+    asked: tuple[str, ...]
+
+
+_Record = dict[int, _Given]
 
 
 def _record(session: Session, file: str, reading: Reading, description: Description, pairs: Pairs) -> _Record:
@@ -84,11 +87,11 @@ def _replaced(actions: tuple[Action, ...], made: _Record, numbers: dict[int, int
         if record is not None:
             found.append(action._replace(call=_watching(action, number, record)))
         elif number in made:
-            given, place = made[number]
+            given = made[number]
             if action.condition is None:
-                found += given
+                found += given.actions
             else:
-                found.append(described.Group(given, False, True, (), place, action.condition))
+                found.append(described.Group(given.actions, False, True, (), given.place, action.condition))
         else:
             found.append(action)
     return tuple(found)
@@ -98,19 +101,20 @@ def _watching(action: described.Opaque, number: int, record: _Record) -> Call:
     def call(context: LiveContext) -> tuple[Action, ...]:
         watcher = _Watcher(context, action.place)
         given = action.call(watcher)
-        record.setdefault(number, ((*watcher.set, *given), action.place))
+        record.setdefault(number, _Given((*watcher.set, *given), action.place, tuple(watcher.asked)))
         return given
 
     return call
 
 
 class _Watcher:
-    """A live context that notes what is set in it."""
+    """A live context that notes what is set in it, and what it is asked for."""
 
     def __init__(self, context: LiveContext, place: Place) -> None:
         self._context = context
         self._place = place
         self.set: list[Action] = []
+        self.asked: dict[str, None] = {}
 
     @property
     def launch(self) -> object:
@@ -123,18 +127,25 @@ class _Watcher:
 
     def perform(self, text: Text) -> str | Unknown:
         """As the context."""
+        self._ask(text)
         return self._context.perform(text)
 
     def holds(self, condition: Condition) -> bool | None:
         """As the context."""
+        if condition.kind in ("if", "unless"):
+            self._ask(condition.operands[0])
+        else:
+            self.asked[f"the arg {condition.operands[0].literal}"] = None
         return self._context.holds(condition)
 
     def configuration(self, name: str) -> str | Unknown | None:
         """As the context."""
+        self.asked[f"the arg {name}"] = None
         return self._context.configuration(name)
 
     def configurations(self) -> dict[str, str | Unknown] | None:
         """As the context."""
+        self.asked["all args"] = None
         return self._context.configurations()
 
     def configure(self, name: str, value: str | Unknown) -> None:
@@ -144,6 +155,7 @@ class _Watcher:
 
     def variable(self, name: str) -> str | Unknown | None:
         """As the context."""
+        self.asked[f"the environment variable {name}"] = None
         return self._context.variable(name)
 
     def environment(self) -> dict[str, str | Unknown | None]:
@@ -158,6 +170,19 @@ class _Watcher:
         else:
             self.set.append(described.SetEnvironment(self._text(name), self._text(value), self._place))
 
+    def _ask(self, text: Text) -> None:
+        """Note the args and variables that stand in a text."""
+        waiting = [text]
+        while waiting:
+            for piece in waiting.pop().pieces:
+                if isinstance(piece, str):
+                    continue
+                kind = _ASKED.get(piece.name)
+                if kind is not None:
+                    name = piece.arguments[0].literal if piece.arguments else None
+                    self.asked[f"{kind} {name or piece.place.text}"] = None
+                waiting.extend(piece.arguments)
+
     def _text(self, value: str | Unknown) -> Text:
         return unknown(value.reason, self._place) if isinstance(value, Unknown) else Text((value,) if value else (), self._place)
 
@@ -167,7 +192,3 @@ def _all(actions: Iterable[Action]) -> Iterable[Action]:
         yield action
         if isinstance(action, (described.Group, described.Timer)):
             yield from _all(action.actions)
-
-
-def _same(one: tuple[Action, ...], other: tuple[Action, ...]) -> bool:
-    return normal(one) == normal(other)

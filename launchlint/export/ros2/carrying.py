@@ -107,6 +107,9 @@ class _Carrier:
         """Those that can be carried over, at least in part."""
         found: list[Action] = []
         for action in actions:
+            if isinstance(action, described.Unsettled):  # it does nothing that a launch file could say
+                self.remarks.append(Remark(action.place, action.reason))
+                continue
             before = len(self.lost)
             try:
                 made = self._action(action)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left, bisect_right
+from functools import partial
 
 from launchlint.syntax.remarks import remarks as xml_remarks
 from launchlint.syntax.ros2.yaml_remarks import remarks as yaml_remarks
@@ -36,15 +37,21 @@ class Comments:
     def put(self, root: Branch, lost: Iterable[Lost]) -> None:
         """Put each comment to the tag that it stands before, or behind in its line; and say at its place what is lost."""
         spots = _Spots(root, self._source)
-        for start, text in self._comments():
-            lines = ["", text] if self._is_apart(start) else [text]
-            inside = self._parents.get(start, -1) if self._reading.document is not None else None
-            spots.put(start, lines, beside=self._is_beside(start), inside=inside)
+        found = [(start, partial(self._comment, spots, start, text)) for start, text in self._comments()]
+        found += [(each.place.span.start, partial(self._lost, spots, each)) for each in lost]
+        for _, put in sorted(found, key=lambda item: item[0]):
+            put()
         spots.set_apart(self._is_apart)
-        for each in lost:
-            line = self._source.position(each.place.span.start).line if each.place.source.file == self._source.file else 0
-            where = f" (line {line})" if line else ""
-            spots.put(each.place.span.start, [f"not carried over{where}: {each.words}"], beside=False, inside=-1)
+
+    def _comment(self, spots: _Spots, start: int, text: str) -> None:
+        lines = ["", text] if self._is_apart(start) else [text]
+        inside = self._parents.get(start, -1) if self._reading.document is not None else None
+        spots.put(start, lines, beside=self._is_beside(start), inside=inside)
+
+    def _lost(self, spots: _Spots, each: Lost) -> None:
+        line = self._source.position(each.place.span.start).line if each.place.source.file == self._source.file else 0
+        where = f" (line {line})" if line else ""
+        spots.put(each.place.span.start, [f"not carried over{where}: {each.words}"], beside=False, inside=-1)
 
     def _comments(self) -> list[tuple[int, str]]:
         if self._source.file.endswith(_PYTHON):

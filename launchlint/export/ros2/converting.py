@@ -39,7 +39,7 @@ XML, YAML = "xml", "yaml"
 ENDS = {XML: ".launch.xml", YAML: ".launch.yaml"}
 PYTHON = ".py"
 MOST_CONFIGURATIONS = 40
-_VARIES = "what it gives depends on args; here stands what it gives with those of this export"
+_DEPENDS = "here stands what it gives as this is exported; that may depend on"
 
 
 class Converted(NamedTuple):
@@ -64,10 +64,9 @@ def convert(session: Session, file: str, given: Pairs, style: Style, language: s
         if all(isinstance(each, Open) for each in whole.actions) and whole.actions:
             reasons = dict.fromkeys(each.reason for each in whole.actions if isinstance(each, Open))
             raise CannotExport(f"what it does cannot be told without running it ({'; '.join(reasons)})")
-        found = islice(named(ROS2).configurations(session, file, given), MOST_CONFIGURATIONS)
-        functions = called(session, file, reading, [each.launch.given for each in found])
+        functions = called(session, file, reading, given)
         whole = functions.description
-        varying = tuple(Lost(place, "a function", _VARIES) for place in functions.varying)
+        varying = tuple(Lost(place, "a function", f"{_DEPENDS} {', '.join(names)}") for place, names in functions.asked)
     kept = carried(whole, dialect, xml=language == XML, portable=Portable(session, file) if file.endswith(PYTHON) else None)
     losses = (*varying, *kept.lost)
     data = written(kept.description, reading, language, session.distro, style, losses)

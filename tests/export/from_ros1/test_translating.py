@@ -95,11 +95,11 @@ def test_what_has_a_counterpart(body: str, tmp_path: Path) -> None:
 
 
 LOST: dict[str, list[str]] = {
-    '<machine name="m" address="a"/>': ["the machine: ROS 2 launch starts nothing on other machines"],
+    '<machine name="m" address="a"/>': ["the machine m: ROS 2 launch starts nothing on other machines"],
     '<node name="n" pkg="nodelet" type="nodelet" args="load a/B m"/>': [
         "the node n: a nodelet (load a/B m): ROS 2 has components, in a <node_container> with <composable_node>s"
     ],
-    '<rosparam command="dump" file="/tmp/x"/>': ["the rosparam: command=dump has no counterpart"],
+    '<rosparam command="dump" file="/tmp/x"/>': ["the rosparam /tmp/x: command=dump has no counterpart"],
     '<param name="a" value="1"/>': ["the param a: ROS 2 has no parameter server; give it to the nodes that read it"],
     '<test test-name="t" pkg="demo" type="t"/>': ["the test: rostest has no counterpart; launch_testing has tests in Python"],
     f'{NODE} clear_params="true" cwd="node"/>': [

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from launchlint.export.ros2 import converting
-from launchlint.export.ros2.converting import XML, YAML
+from launchlint.export.ros2.converting import XML, YAML, Converted
 from launchlint.export.written import CannotExport
 from launchlint.fix.format.style import Style
 from launchlint.syntax.ros2.reading import read
@@ -186,3 +186,52 @@ def test_paths_of_this_machine_become_those_of_packages(tmp_path: Path) -> None:
     assert '<set_env name="A" value="$(find-pkg-share demo)/launch/b"/>' in result.data.decode()
     assert '<param name="c" type="str" value="$(find-pkg-share demo)/launch"/>' in result.data.decode()
     assert 'args="/usr/lib"' in result.data.decode()
+
+
+def test_what_a_program_does_beside_is_only_told(tmp_path: Path) -> None:
+    """Nothing of it is run: what it does when it is loaded leaves no mark."""
+    mark = tmp_path / "mark"
+    text = f"import os\nos.system('touch {mark}')\n" + python('Node(package="demo", executable="talk")')
+    result = converted(tmp_path, "a.launch.py", text, XML)
+    assert '<node pkg="demo" exec="talk"/>' in result.data.decode()
+    assert not mark.exists()
+    assert not result.lost
+
+
+def test_a_function_is_written_as_what_it_gives(tmp_path: Path) -> None:
+    body = python("OpaqueFunction(function=nodes)").replace(
+        "def generate",
+        "def nodes(context):\n"
+        '    context.launch_configurations["y"] = "1"\n'
+        '    return [Node(package="demo", executable="talk")]\n\n\ndef generate',
+    )
+    result = converted(tmp_path, "a.launch.py", body, XML)
+    assert (
+        result.data.decode()
+        == '<launch>\n  <arg name="x" default="a"/>\n  <let name="y" value="1"/>\n  <node pkg="demo" exec="talk"/>\n</launch>\n'
+    )
+    assert said(result) == []
+
+
+def test_a_function_that_gives_something_else_with_other_args_is_told(tmp_path: Path) -> None:
+    body = python("OpaqueFunction(function=nodes)").replace(
+        "def generate",
+        "def nodes(context):\n"
+        '    if LaunchConfiguration("x").perform(context) == "a":\n'
+        '        return [Node(package="demo", executable="one")]\n'
+        '    return [Node(package="demo", executable="two")]\n\n\ndef generate',
+    )
+    result = converted(tmp_path, "a.launch.py", body, XML)
+    assert '<node pkg="demo" exec="one"/>' in result.data.decode()
+    assert said(result) == ["a function: here stands what it gives as this is exported; that may depend on the arg x"]
+
+
+def test_an_event_handler_is_lost(tmp_path: Path) -> None:
+    handler = 'RegisterEventHandler(OnShutdown(on_shutdown=[LogInfo(msg="bye")]))'
+    text = python(handler).replace("from launch.conditions", "from launch.event_handlers import OnShutdown\nfrom launch.conditions")
+    result = converted(tmp_path, "a.launch.py", text, XML)
+    assert said(result) == ["an event handler: what follows an event (OnShutdown) cannot be said in XML and YAML"]
+
+
+def said(result: Converted) -> list[str]:
+    return [words for _, words in (*result.lost, *result.remarks)]
