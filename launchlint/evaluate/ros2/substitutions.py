@@ -25,6 +25,7 @@ from launchlint.evaluate.ros2.problems import (
     NotABoolean,
     ParameterNotSet,
 )
+from launchlint.evaluate.session import WRITTEN
 from launchlint.late import late
 from launchlint.model import StandIn, Unknown
 from launchlint.syntax.ros2.description import AS_BOOL, FULL_NAME, HAS_PARAMS, NOT_KNOWN, REPLACED, REWRITTEN, Substitution
@@ -162,7 +163,8 @@ def _command(performer: Performer, substitution: Substitution) -> Value:
         option = _known(performer, substitution, 1)
         if option not in _STDERR:
             raise Failure(CommandOption(origin=performer.where(substitution.place), refused=True, value=option, known=_STDERR))
-    made = Unknown if isinstance(line, Unknown) and not isinstance(line, StandIn) else StandIn
+    is_known = isinstance(line, StandIn) or (isinstance(line, str) and WRITTEN not in line)
+    made = StandIn if is_known else Unknown
     return made(f"$(command {line if isinstance(line, str) else line.text})", "it is the output of a command, which is not run")
 
 
