@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from launchlint.evaluate.ros2.context import NAMESPACE, Setting, Value
-from launchlint.evaluate.ros2.names_read import OF_LAUNCH, names_of, parts_of
+from launchlint.evaluate.ros2.names_read import OF_LAUNCH, Names, names_of, parts_of
 from launchlint.evaluate.ros2.parameters import GlobalParameter
 from launchlint.evaluate.ros2.performing import Failure, Performer
 from launchlint.evaluate.ros2.problems import DefaultOverruled, LeaksFromGroup, NamespaceLeft, ScopeLost, UndeclaredRead
@@ -90,11 +90,17 @@ def undeclared(walk: Walk) -> Iterator[Problem]:
         foreign.setdefault((way, name), (origin, setting))
     if len(foreign) * len(executed) > _MOST_WORK:
         return
+    below: dict[tuple[int, ...], list[Names] | None] = {}
     for (way, name), (origin, setting) in foreign.items():
         description = executed.get(way)
         if description is None or setting.origin is None or name in OF_LAUNCH or name.startswith("anon"):
             continue
-        if _is_python(description) or _is_set_below(walk, way, name):
+        if _is_python(description):
+            continue
+        if way not in below:
+            below[way] = _below(walk, way)
+        known = below[way]
+        if known is None or any(name in names.declared or name in names.set for names in known):
             continue
         yield UndeclaredRead(
             origin=origin,
@@ -105,16 +111,13 @@ def undeclared(walk: Walk) -> Iterator[Problem]:
         )
 
 
-def _is_set_below(walk: Walk, way: tuple[int, ...], name: str) -> bool:
-    """Whether a file, or one that it includes, declares ``name`` or sets it, under whatever condition."""
+def _below(walk: Walk, way: tuple[int, ...]) -> list[Names] | None:
+    """What a file and those that it includes declare and set, under whatever condition; None where that may be anything."""
     if any(each.description is None and each.way[: len(way)] == way for each in walk.entered):
-        return True
-    for other, description in walk.executed.items():
-        if other[: len(way)] == way:
-            names = walk.session.once(description, names_of)
-            if name in names.declared or name in names.set or (names.open and _is_python(description)):
-                return True
-    return False
+        return None
+    descriptions = [description for other, description in walk.executed.items() if other[: len(way)] == way]
+    found = [walk.session.once(description, names_of) for description in descriptions]
+    return None if any(names.open and _is_python(each) for names, each in zip(found, descriptions, strict=True)) else found
 
 
 def _is_python(description: Description) -> bool:
