@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.action.runner import Ran, Runner
+from tests.cli.ferry import BROKEN, Ferry
 from tests.cli.running import CLEAN, DOUBLE, PACKAGE, ROOT, UNUSED
 from tests.workspace.repositories import Repository
 
@@ -210,3 +211,14 @@ def test_it_is_a_valid_action() -> None:
             pytest.skip(f"{command[0].name} is not installed (it is part of the dev extra)")
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_launch_files_of_ros2(tmp_path: Path, installed: Path) -> None:
+    ran = run(Ferry(tmp_path / "ferry"), installed, args="manual:=true")
+    assert ran.status == 1
+    assert f"::error file={BROKEN},line=9,col=7," in ran.log
+    assert f"show it: ros2 launch {BROKEN} manual:=true" in ran.log
+    assert "roslaunch" not in ran.log
+    assert "refused by ros2 launch" in ran.summary.splitlines()[0]
+    (only,) = json.loads(Path(ran.outputs["sarif-file"]).read_text())["runs"]
+    assert {result["ruleId"] for result in only["results"]} == {"LL112", "LL901", "LL947"}

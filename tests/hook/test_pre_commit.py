@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.running import CLEAN, DOUBLE, PACKAGE, ROOT
+from tests.cli.ferry import BROKEN, GOOD, HELM, SEA_BROKEN, Ferry
+from tests.cli.running import CLEAN, DOUBLE, PACKAGE, ROOT, run
 from tests.workspace.repositories import Repository
 
 HOOKS = ("launchlint", "launchlint-changed", "launchlint-format")
@@ -169,3 +170,40 @@ def test_no_launch_files_at_all(tmp_path: Path, launchlint_repository: Path, pre
     done = subprocess.run(command, cwd=made.directory, env=pre_commit_environment, capture_output=True, text=True, timeout=300, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert "no launch files" in done.stdout
+
+
+@pytest.fixture
+def ferry(tmp_path: Path, repository: Hooked) -> Hooked:
+    """The bundled example of ROS 2 with the same hooks, all of it in order and committed."""
+    made = Hooked(tmp_path / "ferry", repository.environment)
+    shutil.copy(repository.directory / ".pre-commit-config.yaml", made.directory)
+    Ferry(made.directory)
+    for name in (BROKEN, SEA_BROKEN):
+        (made.directory / name).unlink()
+    assert run(made.directory, "format", GOOD, HELM).status == 0
+    made.commit()
+    return made
+
+
+def test_launch_files_of_ros2(ferry: Hooked) -> None:
+    for hook in HOOKS:
+        status, output = ferry.run_hook(hook, "--all-files")
+        assert status == 0, output
+    before = (ferry.directory / HELM).read_text()
+    ferry.write(**{HELM: before.replace("turtle1/cmd_vel", "turtle1/cmd_vel/")})
+    ferry.git("add", "-A")
+    ferry.write(**{HELM: before})
+    for hook in HOOKS[:2]:
+        status, output = ferry.run_hook(hook)
+        assert status == 1, output
+        assert f"{HELM}:22:7: error LL947 remap-kills-node" in output
+        assert "show it: ros2 launch" in output
+
+
+def test_a_file_in_yaml_is_put_in_normal_form(ferry: Hooked) -> None:
+    normal = (ferry.directory / HELM).read_text()
+    ferry.write(**{HELM: normal.replace("- node:", "-   node:")})
+    ferry.git("add", "-A")
+    status, output = ferry.run_hook("launchlint-format")
+    assert status == 1, output
+    assert (ferry.directory / HELM).read_text() == normal
