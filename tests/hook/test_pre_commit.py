@@ -202,7 +202,7 @@ def test_launch_files_of_ros2(ferry: Hooked) -> None:
 
 def test_a_file_in_yaml_is_put_in_normal_form(ferry: Hooked) -> None:
     normal = (ferry.directory / HELM).read_text()
-    ferry.write(**{HELM: normal.replace("- node:", "-   node:")})
+    ferry.write(**{HELM: normal.replace("pkg: joy\n", "pkg: joy  \n")})
     ferry.git("add", "-A")
     status, output = ferry.run_hook("launchlint-format")
     assert status == 1, output
