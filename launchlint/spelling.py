@@ -129,6 +129,14 @@ def surely(name: str, names: Iterable[str]) -> str | None:
     return one_slip(name, names) if len(name) > 2 else None
 
 
+def is_part(short: str, name: str) -> bool:
+    """Whether ``name`` is ``short`` with words before or behind it: ``thermal_video_device`` says ``video_device``, too, with two words.
+
+    A single word is too little: ``left_arm_name`` and ``name`` are two things.
+    """
+    return "_" in short.strip("_") and (name.endswith(f"_{short}") or name.startswith(f"{short}_"))
+
+
 def same_letters(name: str, names: Iterable[str]) -> str | None:
     """The only name of ``names`` that is ``name`` but for blanks, ``_``, ``-``, letter case, and a ``_test`` or ``_node`` at its end."""
     wanted, without = _bare(name), _bare(name, shortened=True)

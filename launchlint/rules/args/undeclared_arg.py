@@ -58,7 +58,7 @@ from launchlint.rules.judging.never_declared import all_undeclared, never_declar
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Place
-from launchlint.spelling import closest, surely
+from launchlint.spelling import closest, is_part, surely
 
 RULE = Rule("LL201", "undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -77,7 +77,7 @@ def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
     name, known = problem.name, problem.known
     declare = _for_the_other_case(problem, view) or f'declare it above: <arg name="{name}" default="…"/>'
     meant = surely(name, known)
-    near = meant or closest(name, known)
+    near = meant or closest(name, known) or _longer(name, known)
     switches = _switches(problem, view)
     if switches and not view.declared_entry:
         yield _under_conditions(problem, switches, declare)
@@ -113,6 +113,12 @@ def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         shared_cause=never_declared(problem.place.source.path, name),
         fix=None if near is None or severity is Severity.INFO or help_ != f"did you mean {near}?" else _fix(problem, view, name, near),
     )
+
+
+def _longer(name: str, known: Sequence[str]) -> str | None:
+    """The only arg that is declared under the name with a word put to it."""
+    longer = [each for each in known if is_part(name, each)]
+    return longer[0] if len(longer) == 1 else None
 
 
 def together(findings: Sequence[Finding]) -> Finding:

@@ -67,7 +67,7 @@ from launchlint.rules.judging.one_interface import taken_beside
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, LaunchView, of_ros2
 from launchlint.source import Origin, Place, Span
-from launchlint.spelling import closest, distance, folded
+from launchlint.spelling import closest, distance, folded, is_part
 from launchlint.syntax.ros1.substitutions import expression_in, parts_of, slip
 from launchlint.syntax.tree import Comment, Document, Element
 
@@ -249,7 +249,8 @@ def _read_instead(name: str, undeclared: Sequence[str]) -> str:
     near = closest(name, undeclared)
     if near is None and len(name) > _SHORT:
         near = min((each for each in undeclared if distance(folded(name), folded(each), 1) <= 1), default=None)
-    return near or ""
+    shorter = [each for each in undeclared if is_part(each, name)] if near is None else []
+    return near or (shorter[0] if len(shorter) == 1 else "")
 
 
 def _lacks_default(elements: list[Element]) -> bool:

@@ -59,6 +59,8 @@ _MEMBERS: Mapping[str, str] = {
     " rqt_service_caller rqt_shell rqt_srv rqt_top rqt_topic rqt_web",
     "rqt_robot_plugins": "rqt_moveit rqt_nav_view rqt_pose_view rqt_robot_dashboard rqt_robot_monitor"
     " rqt_robot_steering rqt_runtime_monitor rqt_rviz rqt_tf_tree",
+    "rtabmap_ros": "rtabmap_conversions rtabmap_costmap_plugins rtabmap_demos rtabmap_examples rtabmap_launch rtabmap_legacy"
+    " rtabmap_msgs rtabmap_odom rtabmap_python rtabmap_rviz_plugins rtabmap_slam rtabmap_sync rtabmap_util rtabmap_viz",
     "simulators": "gazebo_ros_pkgs robot rqt_common_plugins rqt_robot_plugins stage_ros",
     "slam_gmapping": "gmapping openslam_gmapping",
     "turtlebot3": "turtlebot3_bringup turtlebot3_description turtlebot3_example turtlebot3_navigation turtlebot3_slam turtlebot3_teleop",

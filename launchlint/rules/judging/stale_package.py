@@ -10,11 +10,14 @@ from typing import NamedTuple
 from launchlint.late import late
 from launchlint.rules.judging.package_contents import contents
 from launchlint.syntax.ros1.substitutions import parse_again
-from launchlint.workspace.looking import exists, is_file
+from launchlint.workspace.looking import content, exists, is_file, names
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
+from launchlint.workspace.text_parts import LARGEST
 
+_LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
+_MOST_BESIDE = 100
 _STARTED = late(r"<(?:node|test)\s[^<>]{1,2000}>")
 _PKG = late(r"\spkg\s*=\s*[\"']([^\"']*)[\"']")
 _TYPE = late(r"\stype\s*=\s*[\"']([^\"'$]*)[\"']")
@@ -52,8 +55,8 @@ def own_files_instead(name: str, text: str, home: Package, near: str) -> tuple[s
     """The files that the launch file ``near`` with content ``text`` asks of the package ``name``, if ``home`` has all at the same paths.
 
     They were meant to be its own: the two packages are of one kind by the last word of their names (``arm_moveit_config``), nothing else
-    is asked of the other one, and it is more than one file, or MoveIt's Setup Assistant wrote ``home`` from a template. A launch file
-    that is one of them wraps the other one. Empty where it is not so.
+    is asked of the other one, here or in the launch files beside, and it is more than one file, or MoveIt's Setup Assistant wrote
+    ``home`` from a template. A launch file that is one of them wraps the other one. Empty where it is not so.
     """
     last, other = home.name.rpartition("_")[2], name.rpartition("_")[2]
     asked = _asked(text)
@@ -64,7 +67,20 @@ def own_files_instead(name: str, text: str, home: Package, near: str) -> tuple[s
     paths = [posixpath.join(home.directory, file) for file in files]
     if any(made for _, made in found) or posixpath.abspath(near) in paths or not all(map(is_file, paths)):
         return ()
+    if _asked_elsewhere(name, home, near):
+        return ()
     return files if len(files) > 1 or is_file(posixpath.join(home.directory, ".setup_assistant")) else ()
+
+
+def _asked_elsewhere(name: str, home: Package, near: str) -> bool:
+    """Whether a launch file beside ``near`` asks the package ``name`` for a file that ``home`` has not: then it is needed all the same."""
+    directory = posixpath.dirname(posixpath.abspath(near))
+    for each in [each for each in names(directory) if each.endswith(_LAUNCH_ENDS)][:_MOST_BESIDE]:
+        text = (content(posixpath.join(directory, each)) or b"")[:LARGEST].decode("utf-8", "replace")
+        for file, made in _asked(text).files.get(name, ()) if name in text else ():
+            if made or not exists(posixpath.join(home.directory, file)):
+                return True
+    return False
 
 
 def lacks_all(package: Package, name: str, text: str) -> str:

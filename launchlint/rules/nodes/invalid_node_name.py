@@ -89,12 +89,16 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
         good = good if good[:1].isalpha() else f"n{good}" if good.startswith("_") else f"n_{good}"
         own = not problem.from_test
         wanted = "is not a valid ROS name" if own else "(its test-name) is not a valid ROS name"
+        required = _left_empty(problem, view)
         yield RULE.at(
             problem.origin,
             f"the node name {name!r} {wanted}",
-            severity=Severity.WARNING,
+            severity=Severity.INFO if required else Severity.WARNING,
             label=_fault(name),
-            notes=("a C++ node ends at start with an invalid-name exception, and tools such as rosnode may not find a Python one",),
+            notes=(
+                "a C++ node ends at start with an invalid-name exception, and tools such as rosnode may not find a Python one",
+                *([f"the arg {required} has an empty default: whoever includes this file gives it"] if required else []),
+            ),
             help=f"write {meant}, which is replaced by what it stands for"
             if meant
             else f"use letters, digits and _, a letter first: {good}"
@@ -120,6 +124,20 @@ def _told(problem: InvalidNodeName, view: LaunchView) -> str:
         if named is not None:
             line, _ = problem.place.source.position(comment.span.start)
             return f"the comment in line {line} speaks of the arg {named}, which whoever switches this on may be meant to give"
+    return ""
+
+
+def _left_empty(problem: InvalidNodeName, view: LaunchView) -> str:
+    """The arg with an empty default that the name of a node of the entry file is made of; empty where there is none, or it is given."""
+    at = spot(view, problem.place) if not problem.origin.chain else None
+    if at is None or at.attribute is None:
+        return ""
+    asked = {part.only for part in parts_of(at.attribute).substitutions("arg")}
+    given = dict(view.launch.given)
+    for element in at.document.elements:
+        name = element.get("name") or ""
+        if element.tag == "arg" and name in asked and element.get("default") == "" and name not in given:
+            return name
     return ""
 
 

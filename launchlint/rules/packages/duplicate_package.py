@@ -55,6 +55,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.rules.judging.copies import built_together
 from launchlint.rules.judging.other_file import line_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
@@ -72,19 +73,9 @@ _MOST_SHOWN = 6
 def check(view: RunView) -> Iterator[Finding]:
     """Yield one finding for each name that several packages bear (rospkg.rospack.list_by_path keeps the one it meets first)."""
     for name, copies in view.packages.duplicates().items():
-        together: dict[str, list[Package]] = {}
-        for copy in copies:
-            if copy.manifest is None or not copy.manifest.is_ament:
-                together.setdefault(_source_space(copy), []).append(copy)
-        for built in together.values():
+        for built in built_together(copies):
             if len(built) > 1 and any(view.is_asked(copy.directory) for copy in built):
                 yield _finding(name, built, view.root)
-
-
-def _source_space(package: Package) -> str:
-    """The nearest directory called ``src`` above the package: a repository of exercises has a catkin workspace for each."""
-    start, separator, _ = package.directory.rpartition("/src/")
-    return start + separator
 
 
 def _finding(name: str, built: list[Package], root: str) -> Finding:

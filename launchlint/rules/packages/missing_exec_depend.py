@@ -10,14 +10,16 @@ meant. Everything that one `package.xml` lacks is told at once, with the first u
 
 It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has the
 other; where it is part of every `ros_base`, the smallest installation, and the package is none that was released; where only launch files
-need it by which people try something out (`demo.launch`, `test_arm.launch`, beside more that are called otherwise; not tests that machines
-run); and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse, the
-assistant itself), in a package with its `.setup_assistant`. It is one, without a fix, where a comment of the launch file or a README tells
-people to install the package themselves, where only launch files need it that were put aside (in a directory `old`, `deprecated`, `attic`
-…), where the launch file lies among the tests and nothing starts it (no `add_rostest`, no `roslaunch_add_file_check`, no other launch
-file, no script that calls roslaunch), and where the package is a copy of a public one, with its `CHANGELOG.rst`, or part of a project with
-a README and a licence of its own, among packages of other people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that
-an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Beside a `manifest.xml` of rosbuild it is the `package.xml` that counts.
+need it by which people try something out (`demo.launch`, `test_arm.launch`, beside more that are called otherwise; not tests that
+machines run); and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the
+warehouse, the assistant itself), in a package with its `.setup_assistant`. It is one, without a fix, where a comment of the launch file
+or a README tells people to install the package themselves, where only launch files need it that were put aside (in a directory `old`,
+`deprecated`, `attic` …), where the launch file lies among the tests and nothing starts it (no `add_rostest`, no
+`roslaunch_add_file_check`, no other launch file, no script that calls roslaunch), and where the package is a copy of a public one, with
+its `CHANGELOG.rst`, or part of a project with a README and a licence of its own, among packages of other people. Packages below a
+`CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Of several packages of one name,
+of which LL703 tells, the first is told of. Beside a `manifest.xml` of rosbuild it is the `package.xml` that counts; where there is no
+other, it is an info: rosbuild installs nothing.
 
 ## Why it matters
 
@@ -80,6 +82,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.late import late
+from launchlint.rules.judging.copies import first_of_name
 from launchlint.rules.judging.idle_test import why_idle
 from launchlint.rules.judging.left_out import SETUP_ASSISTANT, is_trial, why_left_out
 from launchlint.rules.judging.metapackages import members
@@ -145,7 +148,7 @@ def check(view: FileView) -> Iterator[Finding]:
     if not wanted:
         return
     declared = set(home.run_dependencies)
-    is_test = _is_test(document)
+    is_test = _is_test(document, home)
     if is_test:
         declared |= home.test_dependencies
     missing = [name for name in wanted if name not in declared and not _is_commented_out(name, manifest)]
@@ -153,7 +156,9 @@ def check(view: FileView) -> Iterator[Finding]:
         return
     declared = _with_what_they_declare(declared | {"roslaunch"}, packages, file)
     missing = [name for name in missing if name not in declared and (packages.has(name) or name in public_names())]
-    if not missing or packages.is_hidden(home.directory) or contents(packages).installs(home).leaves_out(posixpath.abspath(file)):
+    if not missing or packages.is_hidden(home.directory) or first_of_name(home, packages).directory != home.directory:
+        return
+    if contents(packages).installs(home).leaves_out(posixpath.abspath(file)):
         return
     missing = [name for name in missing if own_instead(name, document.source.text, packages, file) is None]  # LL210 and LL303 tell
     place = _place(manifest, root_of(document.source))
@@ -180,7 +185,7 @@ def check(view: FileView) -> Iterator[Finding]:
         yield RULE.at(
             place if at is None else place._replace(span=at),
             f"{manifest_path} {says}, {'and' if tested else 'which'} {document.source.path} {how} {'it' if tested else ''}".rstrip(),
-            severity=Severity.INFO if beside or reason or tried else RULE.severity,
+            severity=Severity.INFO if beside or reason or tried or manifest.format == 0 else RULE.severity,
             label="for tests only" if tested else f"no {name} here",
             related=((where, "used here"),),
             notes=(
@@ -389,8 +394,9 @@ def _started(element: Element) -> str:
     return "runs a test of" if element.tag == "test" else "starts a node of"
 
 
-def _is_test(document: Document) -> bool:
-    path = f"/{document.source.path}"
+def _is_test(document: Document, home: Package) -> bool:
+    """Whether only tests load the file. A directory above the package says nothing of it: packages for tests may stand together."""
+    path = f"/{posixpath.relpath(document.source.file, home.directory)}"
     if path.endswith((".test", ".test.xml")) or re.search(r"/tests?/", path) is not None:
         return True
     return any(each.tag == "test" for each in document.elements)

@@ -12,6 +12,7 @@ missing on the robot.
 A known tag with a letter, a mark or a word like `off` put to it (`<xnode>`, `<_node>`, `<DISABLED_node>`) has been
 switched off by somebody: that is an info, without a fix. A tag that is like no other, holds none that roslaunch knows and stands in three
 places or more is a custom of the house, for a program that reads it (rtmlaunch reads `<rtconnect>`): one info for all of them.
+One with words in it and nothing else, without attributes, is a remark for readers or for a tool that makes documentation: an info, too.
 
 In ROS 2, launch refuses the file, even where the tag stands under a condition that is false: that is an error. A tag that is like no
 other may be one that an installed package brings (`<gz_server>`): where it stands among actions, that is an info. So is one that a package
@@ -98,6 +99,7 @@ def tell(problem: UnknownTag | UnknownAction, view: object) -> Iterator[Finding]
         return
     near = closest(tag, known)
     at = spot(view, problem.place)
+    remark = near is None and at is not None and _is_remark(at.element)
     if near is not None:
         advice = f"did you mean <{near}>?"
     elif known:
@@ -108,9 +110,10 @@ def tell(problem: UnknownTag | UnknownAction, view: object) -> Iterator[Finding]
     yield RULE.at(
         problem.origin,
         f"there is no tag <{tag}>",
+        severity=Severity.INFO if remark else None,
         label="skipped",
         notes=(said,),
-        help=advice,
+        help="put it into a comment, which roslaunch skips silently" if remark else advice,
         fix=None if near is None else _fix(near, sure=surely(tag, known) == near, at=at),
         cause=f"tag {tag}" if near is None and at is not None and not _holds_known(at.element) else "",
     )
@@ -126,6 +129,11 @@ def together(findings: Sequence[Finding]) -> Finding:
     return told._replace(
         severity=Severity.INFO, notes=(*told.notes, note), help="put such words into a comment, which roslaunch skips silently"
     )
+
+
+def _is_remark(element: Element) -> bool:
+    """Whether it holds words and nothing else: a tag for a tool that makes documentation of launch files."""
+    return bool(element.text.strip()) and not element.children and not element.attributes
 
 
 def _holds_known(element: Element) -> bool:

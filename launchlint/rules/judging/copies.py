@@ -1,0 +1,33 @@
+"""Packages of one workspace that have the same name."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.workspace.package import Package
+    from launchlint.workspace.packages import Packages
+
+
+def built_together(copies: Sequence[Package]) -> list[list[Package]]:
+    """``copies`` of one name, those together that one catkin would build; what is built for ROS 2 only (ament) is left out."""
+    together: dict[str, list[Package]] = {}
+    for copy in copies:
+        if copy.manifest is None or not copy.manifest.is_ament:
+            together.setdefault(_source_space(copy), []).append(copy)
+    return list(together.values())
+
+
+def first_of_name(package: Package, packages: Packages) -> Package:
+    """The package that is built together with ``package`` and stands before it under the same name; else ``package`` itself."""
+    for built in built_together(packages.duplicates().get(package.name, ())):
+        if any(each.directory == package.directory for each in built[1:]):
+            return built[0]
+    return package
+
+
+def _source_space(package: Package) -> str:
+    """The nearest directory called ``src`` above the package: a repository of exercises has a catkin workspace for each."""
+    start, separator, _ = package.directory.rpartition("/src/")
+    return start + separator
