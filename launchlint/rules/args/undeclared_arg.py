@@ -123,7 +123,10 @@ def _longer(name: str, known: Sequence[str]) -> str | None:
 
 def together(findings: Sequence[Finding]) -> Finding:
     """Those of one cause: in ROS 2 all that the file gets from those who include it."""
-    return all_undeclared(findings) if len({each.topic for each in findings}) > 1 else joined(findings)
+    if len({each.topic for each in findings}) > 1:
+        return all_undeclared(findings)
+    readings = [each for each in findings if each.rule == RULE.id]  # beside it LL206 tells of the declaration: not one place more
+    return joined(findings)._replace(message=joined(readings).message)
 
 
 def _switches(problem: UndeclaredArg, view: LaunchView) -> tuple[str, ...]:

@@ -113,7 +113,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     elif path and problem.relative and "(" not in path and has_arg(problem.place.text):
         severity = Severity.INFO
         notes.append("an arg says which file, so that this one may stand for any")
-    elif path and (problem.relative or problem.elsewhere):
+    elif path and (problem.relative or problem.elsewhere) and not left_over_in(problem.file, view):
         severity = Severity.WARNING
     robots = missing and maker is None and look and is_robots(problem.file, view.packages, root_of(problem.place.source))
     if robots:

@@ -99,7 +99,7 @@ def tell(problem: UnknownTag | UnknownAction, view: object) -> Iterator[Finding]
         return
     near = closest(tag, known)
     at = spot(view, problem.place)
-    remark = near is None and at is not None and _is_remark(at.element)
+    remark = bool(known) and near is None and at is not None and _is_remark(at.element)
     if near is not None:
         advice = f"did you mean <{near}>?"
     elif known:
