@@ -1,7 +1,8 @@
 """A key stands twice in one YAML dictionary.
 
 The YAML parser takes the last one and drops the others without a word. Where both have the same value, it is an info, and all of
-one file are told as one. The same key in copies of a file is told once.
+one file are told as one. The same key in copies of a file is told once. In ROS 2 it is about launch files in YAML: a second `node` without
+a dash of its own replaces the first one.
 
 ## Why it matters
 
@@ -46,10 +47,14 @@ from launchlint.evaluate.problems import YamlDuplicateKey
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.syntax.ros2.problems import KeyTwice
+
 RULE = Rule("LL513", "duplicate-yaml-key", Severity.WARNING)
 
 
-def tell(problem: YamlDuplicateKey, view: object) -> Iterator[Finding]:
+def tell(problem: YamlDuplicateKey | KeyTwice, view: object) -> Iterator[Finding]:
     """Show both keys."""
     key, same = problem.key, problem.same
     places = (problem.place, *(place for place, _ in problem.related))  # in a copy of the file the same

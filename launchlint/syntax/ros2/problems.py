@@ -217,6 +217,13 @@ class BrokenInFrontend(Problem):
     name: str
 
 
+class KeyTwice(Problem):
+    """A key that stands twice in one mapping of YAML: launch sees the last one. ``same``: both have the same value."""
+
+    key: str
+    same: bool
+
+
 class UnreadText(Problem):
     """Text between the tags of XML, in ``parent``: launch reads none. ``behind_tag``: nothing stands between it and the end of a tag."""
 

@@ -17,13 +17,14 @@ from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.problems import MalformedXml, UnreadableFile
 from launchlint.syntax.ros2.description import Description
 from launchlint.syntax.ros2.parsing import Parser
-from launchlint.syntax.ros2.problems import MalformedXml2, MalformedYaml, UnreadText, WrongRoot, YamlForm
+from launchlint.syntax.ros2.problems import KeyTwice, MalformedXml2, MalformedYaml, UnreadText, WrongRoot, YamlForm
 from launchlint.syntax.ros2.tables import DEFAULT, distribution
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.syntax.ros2.entity import Entity
     from launchlint.syntax.ros2.unresolved import Unresolved
+    from launchlint.syntax.ros2.yaml_data import Twice
     from launchlint.syntax.tree import Document
 
 _ENDS = (".yaml", ".yml")
@@ -154,8 +155,9 @@ def _yaml(source: Source, parser: Parser) -> Reading | None:
     ours = not source.file.endswith(".xml")
     everything = Place(source, Span(0, 0))
     problem: Problem
+    twice: list[Twice] = []
     try:
-        item = load(source.text)
+        item = load(source.text, twice)
     except YamlError as error:
         at = min(error.offset, len(source.text))
         origin = Origin(Place(source, Span(at, min(at + 1, len(source.text)))))
@@ -183,7 +185,14 @@ def _yaml(source: Source, parser: Parser) -> Reading | None:
         origin = Origin(entity.name_place)
         parser.problems.append(YamlForm(origin=origin, refused=True, tag=tag, attribute="", shape="children"))
         return Reading(Description((), everything), tuple(parser.problems), source)
-    return Reading(_description(entity, parser), tuple(parser.problems), source)
+    return Reading(_description(entity, parser), (*parser.problems, *_keys_twice(source, twice)), source)
+
+
+def _keys_twice(source: Source, twice: list[Twice]) -> Iterator[Problem]:
+    """The keys of which launch sees only the last."""
+    for key, last, first, same in twice:
+        related = ((Place(source, first), "the first one, which is lost"),)
+        yield KeyTwice(origin=Origin(Place(source, last)), related=related, key=key, same=same)
 
 
 def _description(entity: Entity, parser: Parser) -> Description:

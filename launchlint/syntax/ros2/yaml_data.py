@@ -67,20 +67,30 @@ _KINDS: tuple[tuple[type, str], ...] = (
 )
 
 
-def load(text: str) -> Data:
-    """What stands in ``text``; None for nothing.
+class Twice(NamedTuple):
+    """A key that stands twice in one mapping: where the ``last`` is, which counts, and the one before it; ``same``: with the same value."""
+
+    key: str
+    last: Span
+    first: Span
+    same: bool
+
+
+def load(text: str, twice: list[Twice]) -> Data:
+    """What stands in ``text``; None for nothing. ``twice`` is filled.
 
     Raises:
         YamlError: launch cannot load it. YamlBeyond: it is beyond the bounds of the reader.
     """
     root = parse(text, Reader("ros2 launch")).root
-    return None if root is None else _Maker().item(root)
+    return None if root is None else _Maker(twice).item(root)
 
 
 class _Maker:
-    __slots__ = ("_made", "_pairs")
+    __slots__ = ("_made", "_pairs", "_twice")
 
-    def __init__(self) -> None:
+    def __init__(self, twice: list[Twice]) -> None:
+        self._twice = twice
         self._made: dict[int, Item] = {}
         self._pairs = 0
 
@@ -111,6 +121,12 @@ class _Maker:
             found[key.value if key.tag == STR or key.tag == _VALUE else f"{key.value}"] = Entry(Span(key.start, key.end), self.item(value))
         return found
 
+    def _note(self, before: tuple[Node, Node] | None, key: Node, value: Node) -> None:
+        if before is not None:
+            first, lost = before
+            same = lost.kind == value.kind == SCALAR and lost.value == value.value
+            self._twice.append(Twice(key.value, Span(key.start, key.end), Span(first.start, first.end), same))
+
     def _flattened(self, node: Node) -> list[tuple[Node, Node]]:
         """The pairs of a mapping, those of merge keys first."""
         if node.flat:
@@ -118,9 +134,13 @@ class _Maker:
         node.flat = True
         merged: list[tuple[Node, Node]] = []
         own: list[tuple[Node, Node]] = []
+        known: dict[str, tuple[Node, Node]] = {}
         for key, value in node.value:
             if key.tag != _MERGE:
                 own.append((key, value))
+                if key.kind == SCALAR:
+                    self._note(known.get(key.value), key, value)
+                    known[key.value] = (key, value)
                 continue
             for source in _sources(value):
                 pairs = self._flattened(source)

@@ -71,10 +71,8 @@ def test_what_is_refused_is_told_by_the_rule_for_it(judged: list[Judged]) -> Non
 
 
 def test_it_is_told_at_its_place(judged: list[Judged]) -> None:
-    """One is not: a dash is missing in YAML, so that an arg is gone, and what reads it is told of."""
     refused = [each for each in judged if each.outcome == "refused"]
-    beside = [each for each in refused if not any(each.is_told_by(finding) for finding in each.at_the_place)]
-    assert [each.kind for each in beside] == ["dash_lost"]
+    assert not names([each for each in refused if not any(each.is_told_by(finding) for finding in each.at_the_place)])
 
 
 def test_what_loads_has_no_error(judged: list[Judged]) -> None:
