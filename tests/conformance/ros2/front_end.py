@@ -69,22 +69,29 @@ class FrontEnd:
         return {**self.comparison.ENV, "ROS_DISTRO": self.distro}
 
     def difference(self, corpus: Path, real: Answer, own: Answer) -> str:
-        """The first thing in which two answers differ, in words; empty where they are equal. Why a file is refused does not count."""
+        """The first thing in which two answers differ, in words; empty where they are equal. Why a file is refused does not count.
+
+        Where something deferred fails, launch ends: what is deferred is not compared then, nor what is declared in it.
+        """
         if real["verdict"] != own["verdict"] or real["verdict"] != "ok":
             told = [(each.get("error") or {}).get("message", "") for each in (real, own)]
             return (
                 "" if real["verdict"] == own["verdict"] else f"launch: {real['verdict']} {told[0]}; launchlint: {own['verdict']} {told[1]}"
             )
         compared, root = self.comparison, str(corpus)
-        for part, keys in (("nodes", sum(compared.GROUPS.values(), ())), *compared.LISTS.items()):
-            sides = [[compared.item(_judged(each), keys, root, self.distro) for each in side.get(part) or []] for side in (real, own)]
+        late = [side.get("deferred_errors") or [] for side in (real, own)]
+        if len(late[0]) != len(late[1]):
+            return f"deferred errors: launch {late[0]}, launchlint {late[1]}"
+        parts = {"nodes": sum(compared.GROUPS.values(), ()), **compared.LISTS}
+        if late[0]:
+            del parts["args"]
+        for part, keys in parts.items():
+            items = ([each for each in side.get(part) or [] if not (late[0] and each.get("deferred"))] for side in (real, own))
+            sides = [[compared.item(_judged(each), keys, root, self.distro) for each in listed] for listed in items]
             if compared.compare(*sides) != "equal":
                 return str(compared.first_difference(*sides, part))
-        declared = [compared.canonical(side.get("declared"), root, self.distro) for side in (real, own)]
-        if compared.compare(*declared) != "equal":
-            return str(compared.first_difference(*declared, "declared"))
-        late = [side.get("deferred_errors") or [] for side in (real, own)]
-        return "" if len(late[0]) == len(late[1]) else f"deferred errors: launch {late[0]}, launchlint {late[1]}"
+        declared = [None if late[0] else compared.canonical(side.get("declared"), root, self.distro) for side in (real, own)]
+        return "" if compared.compare(*declared) == "equal" else str(compared.first_difference(*declared, "declared"))
 
 
 def _judged(item: Answer) -> Answer:
