@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from launchlint.export.ros2.tree import Branch
+    from launchlint.model import Launch
     from launchlint.source import Place
     from launchlint.syntax.ros2.description import Description
     from launchlint.syntax.ros2.reading import Reading
@@ -38,7 +39,7 @@ if TYPE_CHECKING:
 XML, YAML = "xml", "yaml"
 ENDS = {XML: ".launch.xml", YAML: ".launch.yaml"}
 PYTHON = ".py"
-MOST_CONFIGURATIONS = 40
+MOST_CONFIGURATIONS = 16
 _DEPENDS = "here stands what it gives as this is exported; that may depend on"
 
 
@@ -104,8 +105,11 @@ def prove(session: Session, file: str, given: Pairs, language: str, data: bytes,
     before, after, there = _side_by_side(session, file, language, data, less, reading)
     names = {there: file}
     evaluate = named(ROS2).evaluate
-    for pairs in _configurations(before, file, after, there, given):
-        old, new = (evaluate(*each, pairs).launch for each in ((before, file), (after, there)))
+    known = [_configurations(*each, given) for each in ((before, file), (after, there))]
+    for pairs in _to_compare(known[0], known[1], given):
+        old, new = (
+            done.get(pairs) or evaluate(*each, pairs).launch for done, each in zip(known, ((before, file), (after, there)), strict=True)
+        )
         found = difference(launched(old, names), _listing_as(launched(old, names), launched(new, names)))
         if found:
             words = " ".join(f"{name}:={value}" for name, value in pairs)
@@ -128,13 +132,17 @@ def _side_by_side(
     return before, after, there
 
 
-def _configurations(before: Session, file: str, after: Session, there: str, given: Pairs) -> Iterator[Pairs]:
-    """Those of both files; then with a value for each arg that has none."""
-    configurations = named(ROS2).configurations
-    found = [each.launch for each in islice(configurations(before, file, given), MOST_CONFIGURATIONS)]
-    others = [each.launch for each in islice(configurations(after, there, given), MOST_CONFIGURATIONS)]
-    yield from dict.fromkeys(each.given for each in (*found, *others))
-    lacking = dict.fromkeys(each.name for each in found[0].listed if each.required and each.name not in dict(given))
+def _configurations(session: Session, file: str, given: Pairs) -> dict[Pairs, Launch]:
+    """What is started in each configuration, the one that is given first."""
+    found = islice(named(ROS2).configurations(session, file, given), MOST_CONFIGURATIONS)
+    return {each.launch.given: each.launch for each in found}
+
+
+def _to_compare(before: dict[Pairs, Launch], after: dict[Pairs, Launch], given: Pairs) -> Iterator[Pairs]:
+    """The configurations of both files; then with a value for each arg that has none."""
+    yield from dict.fromkeys((*before, *after))
+    listed = next(iter(before.values())).listed
+    lacking = dict.fromkeys(each.name for each in listed if each.required and each.name not in dict(given))
     if lacking:
         for value in ("value_of_{}", "1"):
             yield (*given, *((name, value.format(name)) for name in lacking))
