@@ -289,8 +289,24 @@ def test_any_program_is_followed_to_an_end(
     )
     file = str(directory / "x.launch.py")
     session = Session(Packages((str(directory),), {}, explicit=True), {}, str(directory), {file: text.encode()}, "jazzy")
-    session.reads_python = True
     start = time.process_time()
     for evaluation in configurations(session, file):
         assert evaluation.launch.entry.path == "x.launch.py"
+    assert time.process_time() - start < 20
+
+
+def test_loops_that_some_way_may_leave_in_any_round(tmp_path: Path) -> None:
+    """Each round has one way more out of it than the one before: beyond a few, the rest of the rounds is not known."""
+    write(tmp_path, {"package.xml": PACKAGE})
+    loops = "".join(
+        f"    for a{number} in range(4000):\n        if os.path.exists(str(a{number})):\n            break\n        values.append(a{number})\n"
+        for number in range(4)
+    )
+    text = (
+        f"{HEAD}def generate_launch_description():\n    values = []\n{loops}    return LaunchDescription([LogInfo(msg=str(len(values)))])\n"
+    )
+    file = str(tmp_path / "x.launch.py")
+    session = Session(Packages((str(tmp_path),), {}, explicit=True), {}, str(tmp_path), {file: text.encode()}, "jazzy")
+    start = time.process_time()
+    assert [evaluation.launch.refused for evaluation in configurations(session, file)] == [None]
     assert time.process_time() - start < 20

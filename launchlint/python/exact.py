@@ -30,6 +30,8 @@ from launchlint.python.values import (
 from launchlint.python.ways import Way
 
 Loop = ast.For | ast.AsyncFor | ast.While
+MOST_LEFT = 16
+"""How often some way may leave a loop early, before the rest of its rounds counts as unknown: each time there is one way more to follow."""
 
 
 class Exact(Definitions):
@@ -71,6 +73,9 @@ class Exact(Definitions):
             return self._unknown_rounds(node, lambda: self.assign(node.target, UNKNOWN, scope), scope)
         for item in items:
             self.step()
+            if self.opened - mark > MOST_LEFT:
+                flow = self._unknown_rounds(node, lambda: self.assign(node.target, UNKNOWN, scope), scope, alone=False)
+                break
             flow = self._round(node, item, scope)
             if flow:
                 break
@@ -128,7 +133,7 @@ class Exact(Definitions):
         while True:
             self.step()
             known = self.truth(self.evaluate(node.test, scope))
-            if known is None:
+            if known is None or (known and self.opened - mark > MOST_LEFT):
                 flow = self._unknown_rounds(node, lambda: None, scope)
                 break
             if not known:
@@ -139,8 +144,11 @@ class Exact(Definitions):
                 break
         return self._end_loop(node, mark, flow, scope)
 
-    def _unknown_rounds(self, node: Loop, begin: Callable[[], None], scope: Scope) -> int:
-        """A loop of which it is not known how many rounds it has: what it writes is not known in any of them."""
+    def _unknown_rounds(self, node: Loop, begin: Callable[[], None], scope: Scope, *, alone: bool = True) -> int:
+        """A loop of which it is not known how many rounds it has: what it writes is not known in any of them.
+
+        ``alone``: there were no rounds before, so that the ``else`` of a ``for`` is executed here.
+        """
         test = node.iter if isinstance(node, (ast.For, ast.AsyncFor)) else node.test
         said = " ".join(f"for {ast.unparse(node.target)} in {written(test)}".split()) if not isinstance(node, ast.While) else written(test)
 
@@ -164,7 +172,8 @@ class Exact(Definitions):
             if way.flow in (BROKEN, CONTINUED):
                 way.flow = GOES_ON
         flow = self.meet([*ways, (negated(said), Branch())], scope.variables)
-        return self.execute(node.orelse, scope) if flow == GOES_ON and node.orelse and isinstance(node, (ast.For, ast.AsyncFor)) else flow
+        orelse = node.orelse if alone and isinstance(node, (ast.For, ast.AsyncFor)) else []
+        return self.execute(orelse, scope) if flow == GOES_ON and orelse else flow
 
     def _forget(self, mapping: dict[Value, Value], key: Value) -> None:
         """What a loop writes, before its rounds that are not known."""

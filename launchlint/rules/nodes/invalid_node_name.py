@@ -133,12 +133,14 @@ def _left_empty(problem: InvalidNodeName, view: LaunchView) -> str:
     if at is None or at.attribute is None:
         return ""
     asked = {part.only for part in parts_of(at.attribute).substitutions("arg")}
+    return min(asked & view.once(_empty), default="") if asked else ""
+
+
+def _empty(view: LaunchView) -> frozenset[str]:
+    """The args of the entry file that have an empty default and are not given."""
     given = dict(view.launch.given)
-    for element in at.document.elements:
-        name = element.get("name") or ""
-        if element.tag == "arg" and name in asked and element.get("default") == "" and name not in given:
-            return name
-    return ""
+    args = (each for document in view.documents.values() if document.source.file == view.launch.entry.file for each in document.elements)
+    return frozenset(each.get("name") or "" for each in args if each.tag == "arg" and each.get("default") == "") - given.keys()
 
 
 def _split(problem: InvalidNodeName, view: LaunchView, name: str, base: str, namespace: str) -> Fix | None:

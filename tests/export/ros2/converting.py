@@ -14,9 +14,7 @@ VARIABLES = {"HOME": "/home/somebody", "USER": "somebody"}
 
 
 def session(directory: Path, distro: str = "jazzy") -> Session:
-    made = Session(Packages([str(directory)], VARIABLES, explicit=True), VARIABLES, str(directory), distro=distro)
-    made.reads_python = True
-    return made
+    return Session(Packages([str(directory)], VARIABLES, explicit=True), VARIABLES, str(directory), distro=distro)
 
 
 def converted(directory: Path, name: str, text: str, language: str, *given: str, distro: str = "jazzy") -> Converted:

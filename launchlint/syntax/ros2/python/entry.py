@@ -33,7 +33,12 @@ def unreadable(source: Source, error: SyntaxError) -> Problem | None:
 
 
 def without_entry(tree: ast.Module, source: Source) -> Problem | None:
-    """The file has no function that launch could call; None where something else may set its name, or it is a test for launch_testing."""
+    """The file has no function that launch could call; None where something else may set its name, or it is a test for launch_testing.
+
+    A decorator may: those of other launchers put such a function beside the one they are given.
+    """
+    if any(isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)) and each.decorator_list for each in tree.body):
+        return None
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and any(alias.name == "*" for alias in node.names):
             if not is_of_launch(node.module or ""):
