@@ -298,13 +298,10 @@ def test_any_program_is_followed_to_an_end(
 def test_loops_that_some_way_may_leave_in_any_round(tmp_path: Path) -> None:
     """Each round has one way more out of it than the one before: beyond a few, the rest of the rounds is not known."""
     write(tmp_path, {"package.xml": PACKAGE})
-    loops = "".join(
-        f"    for a{number} in range(4000):\n        if os.path.exists(str(a{number})):\n            break\n        values.append(a{number})\n"
-        for number in range(4)
-    )
-    text = (
-        f"{HEAD}def generate_launch_description():\n    values = []\n{loops}    return LaunchDescription([LogInfo(msg=str(len(values)))])\n"
-    )
+    loop = "    for a{} in range(4000):\n        if os.path.exists(str(a{})):\n            break\n        values.append(a{})\n"
+    loops = "".join(loop.replace("{}", str(number)) for number in range(4))
+    made = "LaunchDescription([LogInfo(msg=str(len(values)))])"
+    text = f"{HEAD}def generate_launch_description():\n    values = []\n{loops}    return {made}\n"
     file = str(tmp_path / "x.launch.py")
     session = Session(Packages((str(tmp_path),), {}, explicit=True), {}, str(tmp_path), {file: text.encode()}, "jazzy")
     start = time.process_time()
