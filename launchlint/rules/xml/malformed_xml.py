@@ -90,8 +90,8 @@ def tell(problem: MalformedXml | MalformedXml2 | MalformedYaml | TooDeep, view: 
             f"this is a script and no XML: {_first_line(source.text)}",
             "give it a name that does not end like that of a launch file",
         )
-    elif problem.code == "XML_ERROR_NO_ELEMENTS" and not problem.opened and alone:
-        severity = Severity.INFO
+    elif problem.code == "XML_ERROR_NO_ELEMENTS" and not problem.opened:
+        severity = Severity.INFO if source.text.strip() else Severity.WARNING
     yield RULE.at(
         problem.origin,
         message,
