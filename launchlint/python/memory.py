@@ -28,6 +28,18 @@ Log = dict[tuple[int, Any], tuple[dict[Any, Any], Any, Any]]
 """What was there before something was written: (which mapping, key) → (mapping, key, value)."""
 
 
+def taken_back(log: Log) -> Log:
+    """Put back what was there before, and return what stood in these places until now."""
+    written: Log = {}
+    for place, (mapping, key, before) in log.items():
+        written[place] = (mapping, key, mapping.get(key, MISSING))
+        if before is MISSING:
+            mapping.pop(key, None)
+        else:
+            mapping[key] = before
+    return written
+
+
 class Exhausted(Exception):
     """The program is too much to be followed."""
 
@@ -44,7 +56,7 @@ class Branch:
     def __init__(self, flow: int = 0) -> None:
         self.flow = flow
         self.raised: Ended | None = None
-        self.written: dict[tuple[int, Any], tuple[dict[Any, Any], Any, Any]] = {}
+        self.written: Log = {}
 
 
 class Memory:
@@ -115,12 +127,7 @@ class Memory:
         finally:
             del self.conditions[mark:]
             self._logs.pop()
-            for place, (mapping, key, before) in log.items():
-                branch.written[place] = (mapping, key, mapping.get(key, MISSING))
-                if before is MISSING:
-                    mapping.pop(key, None)
-                else:
-                    mapping[key] = before
+            branch.written = taken_back(log)
 
     def join(self, ways: list[tuple[str, Branch]], local: dict[Any, Any]) -> None:
         """Go on after one of several ways was taken, each with its condition. Variables in ``local`` matter only for ways that get here."""

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from launchlint.python.memory import ENDED, GOES_ON, Branch, Ended, Log, Memory
-from launchlint.python.values import MISSING, conjunction
+from launchlint.python.memory import ENDED, GOES_ON, Branch, Ended, Log, Memory, taken_back
+from launchlint.python.values import conjunction
 
 Way = tuple[str, Branch]
 """A condition, and what is done under it."""
@@ -63,12 +63,7 @@ class Ways(Memory):
             leaving, log, condition = self._open.pop()
             base = Branch()
             self._logs.pop()
-            for place, (mapping, key, before) in log.items():
-                base.written[place] = (mapping, key, mapping.get(key, MISSING))
-                if before is MISSING:
-                    mapping.pop(key, None)
-                else:
-                    mapping[key] = before
+            base.written = taken_back(log)
             found = [*leaving, *((conjunction((condition, each)), _behind(base, way)) for each, way in found)]
         return found
 

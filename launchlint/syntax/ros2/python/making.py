@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from launchlint.python.values import Bound, Choice, Class, Function, Handle, Instance, Partial, Seq, Unknown, Value, alternatives
@@ -165,25 +165,22 @@ class Maker:
 
     def pairs(self, value: Value, place: Place) -> tuple[Pair, ...]:
         """Names with values, as far as they are known."""
-        if value is None:
-            return ()
-        found, complete = pairs(value)
-        made = tuple(Pair(self.texts.text(name, place), self.texts.text(each, place), place) for name, each in found)
-        if complete:
-            return made
-        reason = why(value, "not all of them are known")
-        return (*made, Pair(unknown(reason, place), unknown(reason, place), place))
+        return tuple(Pair(name, each, place) for name, each in self._two_by_two(value, place, "not all of them are known"))
 
     def remaps(self, value: Value, place: Place) -> tuple[Remap, ...]:
         """Remaps, as far as they are known; one that is not known stands for those that are not."""
+        return tuple(Remap(source, target, place) for source, target in self._two_by_two(value, place, "not all remaps are known"))
+
+    def _two_by_two(self, value: Value, place: Place, otherwise: str) -> Iterator[tuple[Text, Text]]:
+        """Two texts each, as far as they are known; at the end two that are not, for those that are not."""
         if value is None:
-            return ()
+            return
         found, complete = pairs(value)
-        made = tuple(Remap(self.texts.text(source, place), self.texts.text(target, place), place) for source, target in found)
-        if complete:
-            return made
-        reason = why(value, "not all remaps are known")
-        return (*made, Remap(unknown(reason, place), unknown(reason, place), place))
+        for first, second in found:
+            yield self.texts.text(first, place), self.texts.text(second, place)
+        if not complete:
+            reason = why(value, otherwise)
+            yield unknown(reason, place), unknown(reason, place)
 
     def _component(self, value: Handle) -> Component:
         given, place = value.state, value.state["place"]

@@ -6,7 +6,7 @@ import ast
 
 from launchlint.model import StandIn
 from launchlint.model import Unknown as NotKnown
-from launchlint.python.memory import Ended, Exhausted, Log
+from launchlint.python.memory import Ended, Exhausted, Log, taken_back
 from launchlint.python.values import MISSING, Handle, Map, Scope, Seq, Unknown, Value
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
@@ -195,9 +195,5 @@ class Caller:
         self._launch = live.launch
         if not self._run.keeps(self._log):
             self._run.keep(self._log)
-        for mapping, key, before in self._log.values():
-            if before is MISSING:
-                mapping.pop(key, None)
-            else:
-                mapping[key] = before
+        taken_back(self._log)
         self._log.clear()
