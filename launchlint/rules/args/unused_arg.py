@@ -155,7 +155,13 @@ def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
         return
     name, place = problem.name, problem.place
     idle = NOTHING_ELSE if problem.alone else "only a comment reads it" if f"$(var {name})" in place.source.text else ""
-    beside = "" if idle else taken_beside(posixpath.abspath(place.source.file), name, _declared(view, problem), view.packages)
+    beside = (
+        ""
+        if idle
+        else taken_beside(
+            posixpath.abspath(place.source.file), name, view.once(_declared).get(id(place.source), frozenset()), view.packages
+        )
+    )
     if beside:
         idle = f"{beside} beside this file takes it, too, and reads it: it may be here for those who include one or the other"
     yield RULE.at(
@@ -173,13 +179,24 @@ def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
 def _cause_of_all(problem: ArgUnused, view: LaunchView, idle: str) -> str:
     """One for all that is unread in a file, and in its copies: those in which the same args are not read."""
     source = problem.place.source
-    names = sorted({each.name for each in view.launch.noticed(ArgUnused) if each.place.source is source})
+    names = view.once(_unread)[id(source)]
     return "; ".join((idle, *names)) if len(names) <= _MOST_ALIKE else f"{source.path} {idle}"
 
 
-def _declared(view: LaunchView, problem: ArgUnused) -> frozenset[str]:
-    """The args that the file of ``problem`` declares."""
-    return frozenset(each.name for each in view.launch.declared if each.origin.place.source is problem.place.source)
+def _unread(view: LaunchView) -> dict[int, list[str]]:
+    """The args that are not read, by the identity of the source that declares them, sorted."""
+    found: dict[int, set[str]] = {}
+    for each in view.launch.noticed(ArgUnused):
+        found.setdefault(id(each.place.source), set()).add(each.name)
+    return {source: sorted(names) for source, names in found.items()}
+
+
+def _declared(view: LaunchView) -> dict[int, frozenset[str]]:
+    """The args that each source declares, by its identity."""
+    found: dict[int, set[str]] = {}
+    for each in view.launch.declared:
+        found.setdefault(id(each.origin.place.source), set()).add(each.name)
+    return {source: frozenset(names) for source, names in found.items()}
 
 
 def _written(place: Place, name: str) -> Place:

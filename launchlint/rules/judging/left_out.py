@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from functools import lru_cache
 
 from launchlint.late import late
 from launchlint.rules.judging.metapackages import members
@@ -123,7 +124,12 @@ def kept_whole(home: Package, packages: Packages) -> str:
 
 
 def _people(manifest: Manifest) -> frozenset[str]:
-    return frozenset(address.lower() for address in _ADDRESS.findall(manifest.source.text))
+    return _addresses(manifest.source.text)
+
+
+@lru_cache(maxsize=4096)  # the manifests of a workspace are asked for each package that is missing anywhere in it
+def _addresses(text: str) -> frozenset[str]:
+    return frozenset(address.lower() for address in _ADDRESS.findall(text))
 
 
 def _base() -> frozenset[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from launchlint.finding import Finding
+from launchlint.plural import listed
 from launchlint.rules.judging.joined import joined
 
 _MOST_NAMED = 6
@@ -24,9 +25,8 @@ def all_undeclared(findings: Sequence[Finding]) -> Finding:
     names = list(dict.fromkeys(each.topic for each in findings if each.topic))
     if len(names) < 2:
         return told
-    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
-    listed, first = f"{', '.join(names[:_MOST_NAMED])}{more}", names[0]
     return told._replace(
-        message=f"{listed} are not declared in {told.location.path}: only what includes it, or the command line, can give them",
-        help=f'declare them: <arg name="{first}"/> …, and pass them in the include',
+        message=f"{listed(names, _MOST_NAMED)} are not declared in {told.location.path}:"
+        " only what includes it, or the command line, can give them",
+        help=f'declare them: <arg name="{names[0]}"/> …, and pass them in the include',
     )

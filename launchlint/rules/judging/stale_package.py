@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from launchlint.late import late
+from launchlint.rules.judging.left_out import SETUP_ASSISTANT
 from launchlint.rules.judging.package_contents import contents
 from launchlint.syntax.ros1.substitutions import parse_again
 from launchlint.workspace.looking import content, exists, is_file, names
@@ -69,7 +70,7 @@ def own_files_instead(name: str, text: str, home: Package, near: str) -> tuple[s
         return ()
     if _asked_elsewhere(name, home, near):
         return ()
-    return files if len(files) > 1 or is_file(posixpath.join(home.directory, ".setup_assistant")) else ()
+    return files if len(files) > 1 or is_file(posixpath.join(home.directory, SETUP_ASSISTANT)) else ()
 
 
 def _asked_elsewhere(name: str, home: Package, near: str) -> bool:

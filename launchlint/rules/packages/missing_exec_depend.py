@@ -82,6 +82,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.late import late
+from launchlint.plural import listed
 from launchlint.rules.judging.copies import first_of_name
 from launchlint.rules.judging.idle_test import why_idle
 from launchlint.rules.judging.left_out import SETUP_ASSISTANT, is_trial, why_left_out
@@ -209,7 +210,7 @@ def _foreign(name: str, files: Sequence[str], where: Place, home: Package) -> Fi
     have = "has it, too" if len(files) == 1 else "has all of them, too"
     return RULE.at(
         where,
-        f"{home.name} asks {name} for {_listed(files)}, and {have}, at the same path{'' if len(files) == 1 else 's'}",
+        f"{home.name} asks {name} for {listed(files, MOST_NAMED)}, and {have}, at the same path{'' if len(files) == 1 else 's'}",
         label=f"is $(find {home.name}) meant?",
         notes=(f"{name} is not declared in package.xml, so that it is probably left over from a template",),
         help=f"write $(find {home.name})",
@@ -273,10 +274,10 @@ def together(findings: Sequence[Finding]) -> Finding:
     if len({edit[:3] for edit in edits}) == 1:  # all at one place: they are one insertion
         joined = edits[0]._replace(text="".join(edit.text for edit in edits))
         added = [finding.topic for finding in findings if finding.fix in fixes]
-        message = f"add {len(fixes)} dependencies" if len(fixes) == len(findings) else f"add {_listed(added)}, not the others"
+        message = f"add {len(fixes)} dependencies" if len(fixes) == len(findings) else f"add {listed(added, MOST_NAMED)}, not the others"
         fix = Fix(message, fixes[0].safe, (joined,))
     return first._replace(
-        message=f"{first.location.path} does not declare {len(names)} packages that its launch files use: {_listed(names)}",
+        message=f"{first.location.path} does not declare {len(names)} packages that its launch files use: {listed(names, MOST_NAMED)}",
         label="not declared here",
         related=tuple(related._replace(label=f"{finding.topic} is used here") for finding in findings for related in finding.related),
         notes=(
@@ -284,16 +285,12 @@ def together(findings: Sequence[Finding]) -> Finding:
             if any(finding.notes[:1] == (ELSEWHERE.format(finding.topic),) for finding in findings)
             else "they lie in this workspace; whoever has only this package lacks them",
             *list(dict.fromkeys(note for finding in findings for note in finding.notes[1:] if note not in passing))[:MOST_NAMED],
-            *([_LATER.format(_listed(later), "declare", "their", "them")] if len(later) > 1 else []),
+            *([_LATER.format(listed(later, MOST_NAMED), "declare", "their", "them")] if len(later) > 1 else []),
         ),
         help=f"{help}, and so on" if help.startswith("add ") else help,
         fix=fix,
         topic="",
     )
-
-
-def _listed(names: Sequence[str]) -> str:
-    return ", ".join(names[:MOST_NAMED]) + (f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else "")
 
 
 def _is_beside(name: str, packages: Packages, near: str) -> bool:

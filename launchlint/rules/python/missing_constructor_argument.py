@@ -38,10 +38,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from launchlint.finding import Edit, Finding, Fix, Severity
+from launchlint.finding import Finding, Fix, Severity
 from launchlint.plural import counted
 from launchlint.rules.edits import LOADS2, fix
-from launchlint.rules.judging.python_text import before, level, stops
+from launchlint.rules.judging.python_text import before, behind, level, stops
 from launchlint.rules.rule import Rule
 from launchlint.syntax.ros2.python.problems import MissingArgument, TooManyPositional
 
@@ -82,9 +82,7 @@ def _fix(problem: TooManyPositional) -> Fix | None:
         return None
     if problem.listed and problem.related:
         (first, _), *_ = problem.related
-        path = first.source.path
-        edits = (Edit(path, first.span.start, first.span.start, "["), Edit(path, extra[-1].span.end, extra[-1].span.end, "]"))
-        return fix("put them in a list", edits, safe=True, changes=LOADS2)
+        return fix("put them in a list", (*before(first, "["), *behind(extra[-1], "]")), safe=True, changes=LOADS2)
     if len(problem.names) == len(extra) == 1:
         return fix(f"write {problem.names[0]}=", before(extra[0], f"{problem.names[0]}="), safe=True, changes=LOADS2)
     return None

@@ -55,6 +55,7 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, around, kind
+from launchlint.plural import listed
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.judging.commented_code import commented_out
 from launchlint.rules.judging.name_places import is_inside
@@ -170,7 +171,7 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
     if not own:
         notes.append(f"{instance.name} has no names of its own")
     elif advice is None and len(own) <= _MOST_NAMES:
-        notes.append(f"the names of {instance.name} are {_listed(own)}")
+        notes.append(f"the names of {instance.name} are {listed(own, _MOST_NAMES)}")
     off = commented_out(written, instance, root_of(view.launch.entry))
     if off:
         notes.append(f"the code that has this name is commented out: {off}")
@@ -307,7 +308,7 @@ def _advice(miss: _Miss, written: str) -> _Advice | None:
         )
     inside = sorted(spelled[full] for full in spelled if full.startswith(f"{source}/"))
     if inside:
-        return _Advice(f"a remap does not reach below a name: remap {_listed(inside)} one by one")
+        return _Advice(f"a remap does not reach below a name: remap {listed(inside, _MOST_NAMES)} one by one")
     if _is_harmless(miss):
         anyhow = miss.applied.target if miss.applied.target in names.used else _as_wanted(miss)
         return _Advice(REMOVE if anyhow is None else f"{REMOVE}: {anyhow} is the name that the node uses anyhow", remove=True)
@@ -359,8 +360,3 @@ def _same_end(source: str, spelled: Mapping[str, str]) -> str | None:
         if found:
             return found[0] if len(found) == 1 else None
     return None
-
-
-def _listed(names: list[str]) -> str:
-    more = len(names) - _MOST_NAMES
-    return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")

@@ -40,6 +40,7 @@ from collections.abc import Iterator, Mapping
 
 from launchlint.finding import Finding, Severity
 from launchlint.model import Node, Unknown
+from launchlint.plural import listed
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
@@ -88,15 +89,15 @@ def _patchy(simulated: list[Node], without: list[Node]) -> Iterator[Finding]:
     same = [node for node in without if _program(node) in programs]
     if not same and len(simulated) < _FEW * len(without):
         return
-    named = ", ".join(_called(node) for node in (same or without)[:_MOST_NAMED])
-    more = f" and {len(same or without) - _MOST_NAMED} more" if len(same or without) > _MOST_NAMED else ""
+    told = same or without
+    named = listed([_called(node) for node in told], _MOST_NAMED)
     other = next((node for node in simulated if same and _program(node) == _program(same[0])), simulated[0])
     yield RULE.at(
-        (same or without)[0].origin,
-        f"{named}{more} {'run' if len(same or without) > 1 else 'runs'} on the wall clock, and {_called(other)} on simulated time",
+        told[0].origin,
+        f"{named} {'run' if len(told) > 1 else 'runs'} on the wall clock, and {_called(other)} on simulated time",
         severity=None if same else Severity.INFO,
         label="without use_sim_time",
-        related=((other.origin.place, "with use_sim_time"), *((node.origin.place, "without, too") for node in (same or without)[1:])),
+        related=((other.origin.place, "with use_sim_time"), *((node.origin.place, "without, too") for node in told[1:])),
         help='set it for all, before the first node: <set_parameter name="use_sim_time" value="true"/>',
         cause="patchy",
     )
