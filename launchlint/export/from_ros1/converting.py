@@ -88,7 +88,7 @@ def _translated(session: Session, file: str, launches: list[Launch], style: Styl
     }
     if launches and launches[0].entry.path == document.source.path:
         values.update(launches[0].arguments)
-    made = translate(session, document, file, Values(session, document, file, values, settings), included)
+    made = translate(session, document, Values(session, document, file, values, settings), included)
     kept = carried(made.description, distribution(session.distro), xml=language == XML)
     lost = (*made.lost, *kept.lost)
     reading = Reading(kept.description, (), document.source, document)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import ast
 
-from launchlint.evaluate.expression.compiled import Compiled, compiled
+from launchlint.evaluate.expression.compiled import compiled
 from launchlint.evaluate.expression.errors import UnknownValue
 from launchlint.evaluate.ros1.expression import ExpressionError
 from launchlint.evaluate.ros1.expression.names import RESERVED
@@ -57,11 +57,11 @@ def translated(code: str, values: Mapping[str, str], make: Make, directory: Call
         if isinstance(node, ast.Name) and node.id in _TRUTHS:
             edits.append((*whole.span(node), [_TRUTHS[node.id]]))
         elif isinstance(node, ast.Name) and node.id not in RESERVED and node.id not in bound:
-            edits.append((*whole.span(node), _written(node, node.id, whole, parents, values, make)))
+            edits.append((*whole.span(node), _written(node, node.id, parents, values, make)))
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
             name = node.func.id
             if name == "arg":
-                edits.append((*whole.span(node), _written(node, _word(node), whole, parents, values, make)))
+                edits.append((*whole.span(node), _written(node, _word(node), parents, values, make)))
             elif name == "dirname":
                 edits.append((*whole.span(node), ["'", *directory(), "'"]))
             elif name in _CALLS and len(node.args) == 1:
@@ -99,7 +99,7 @@ def _word(call: ast.Call) -> str:
     raise NotTranslated("a name in an expression is computed")
 
 
-def _written(node: ast.expr, name: str, whole: Compiled, parents: Mapping[int, ast.AST], values: Mapping[str, str], make: Make) -> Pieces:
+def _written(node: ast.expr, name: str, parents: Mapping[int, ast.AST], values: Mapping[str, str], make: Make) -> Pieces:
     value = make("var", name)
     kind = _use(node, parents, values.get(name))
     if kind == _NUMBER:

@@ -12,15 +12,6 @@ if TYPE_CHECKING:
     from launchlint.syntax.ros2.description import Condition, ParameterSource, Text
 
 
-class Left(Exception):
-    """This part has no counterpart; ``why`` in plain words."""
-
-    def __init__(self, place: Place, why: str) -> None:
-        super().__init__(why)
-        self.place = place
-        self.why = why
-
-
 class Account:
     """What has no counterpart, and what a person should look at. ``dropped`` are the places of elements that the proof leaves out."""
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from launchlint.evaluate.names import canonical
 from launchlint.export.from_ros1.choosing import chosen
-from launchlint.export.from_ros1.frame import Account, Left, Scope, Setting
+from launchlint.export.from_ros1.frame import Account, Scope, Setting
 from launchlint.export.from_ros1.params import Params, dotted
 from launchlint.export.from_ros1.values import Values
+from launchlint.export.ros2.carrying import Left
 from launchlint.export.ros2.comparing import normal
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.command_line import command_line

@@ -7,10 +7,10 @@ from typing import NamedTuple
 from launchlint.evaluate.ros1.launch_tags import TAGS
 from launchlint.evaluate.session import Read, Session
 from launchlint.export.from_ros1.choosing import SUBSTITUTION
-from launchlint.export.from_ros1.frame import Account, Left, Scope, Setting
+from launchlint.export.from_ros1.frame import Account, Scope, Setting
 from launchlint.export.from_ros1.nodes import MOST_CONDITIONS, Nodes
 from launchlint.export.from_ros1.values import Values
-from launchlint.export.ros2.carrying import Lost, Remark
+from launchlint.export.ros2.carrying import Left, Lost, Remark
 from launchlint.export.ros2.comparing import normal
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Condition, Description, Pair, Substitution, Text, TypedValue
@@ -46,8 +46,8 @@ class Translated(NamedTuple):
     dropped: tuple[Place, ...]
 
 
-def translate(session: Session, document: Document, file: str, values: Values, included: Mapping[int, str]) -> Translated:
-    """The launch file ``file``. ``included`` are the files that its includes mean, by where these begin."""
+def translate(session: Session, document: Document, values: Values, included: Mapping[int, str]) -> Translated:
+    """The launch file ``document``. ``included`` are the files that its includes mean, by where these begin."""
     assert document.launch is not None
     account = Account()
     translation = _Translation(session, values, account, included)
@@ -99,7 +99,7 @@ class _Translation:
             name, value = self._must(element, "name"), self._must(element, "value")
             return [described.SetEnvironment(name, value, place, condition)]
         if tag == "group":
-            return self._group(element, scope, condition, last=last)
+            return self._group(element, scope, condition)
         if tag == "include":
             return self._include(element, scope, condition, last=last)
         if tag == "machine":
@@ -122,7 +122,7 @@ class _Translation:
             default = None
         return [described.Argument(name, default, doc, None, place, condition)]
 
-    def _group(self, element: Element, scope: Scope, condition: Condition | None, *, last: bool) -> list[Action]:
+    def _group(self, element: Element, scope: Scope, condition: Condition | None) -> list[Action]:
         place = self._values.place(element)
         inner: list[Action] = []
         namespace = self._values.attribute(element, "ns")

@@ -6,6 +6,8 @@ called as the file is exported. What it asked the context for, it may depend on.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import count
 from typing import NamedTuple
 
 from launchlint.dialects.door import named
@@ -47,7 +49,7 @@ def called(session: Session, file: str, reading: Reading, given: Pairs) -> Calle
         if not any(isinstance(each, described.Opaque) for each in _all(description.actions)):
             break
         record = _record(session, file, reading, description, given)
-        description = description._replace(actions=_replaced(description.actions, record, {}))
+        description = description._replace(actions=_replaced(description.actions, record, count()))
         asked.update((each.place, each.asked) for each in record.values() if each.asked)
     return Called(description, tuple(asked.items()))
 
@@ -66,14 +68,13 @@ _Record = dict[int, _Given]
 def _record(session: Session, file: str, reading: Reading, description: Description, pairs: Pairs) -> _Record:
     """By the number of each function in the description what it gave when it was first called."""
     record: _Record = {}
-    numbers: dict[int, int] = {}
-    actions = _replaced(description.actions, {}, numbers, record)
+    actions = _replaced(description.actions, {}, count(), record)
     watched = session.with_reading(file, reading._replace(description=description._replace(actions=actions)))
     named(ROS2).evaluate(watched, file, pairs)
     return record
 
 
-def _replaced(actions: tuple[Action, ...], made: _Record, numbers: dict[int, int], record: _Record | None = None) -> tuple[Action, ...]:
+def _replaced(actions: tuple[Action, ...], made: _Record, numbers: Iterator[int], record: _Record | None = None) -> tuple[Action, ...]:
     """``actions`` with what is ``made`` in place of functions, or with functions that put it into ``record``."""
     found: list[Action] = []
     for action in actions:
@@ -83,7 +84,7 @@ def _replaced(actions: tuple[Action, ...], made: _Record, numbers: dict[int, int
         if not isinstance(action, described.Opaque):
             found.append(action)
             continue
-        number = numbers[len(numbers)] = len(numbers)
+        number = next(numbers)
         if record is not None:
             found.append(action._replace(call=_watching(action, number, record)))
         elif number in made:

@@ -11,9 +11,9 @@ from typing import NamedTuple
 from launchlint.evaluate.ros2.typed import TypeFault, convert
 from launchlint.export.ros2.said import SAYABLE
 from launchlint.export.ros2.shaping import Shaper
-from launchlint.export.ros2.texts import CannotWrite, TextWriter, joined
+from launchlint.export.ros2.texts import NOWHERE, CannotWrite, TextWriter, joined
 from launchlint.export.ros2.xml import attribute_text, check
-from launchlint.source import Place, Source, Span
+from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import (
     FULL_NAME,
@@ -40,7 +40,6 @@ if TYPE_CHECKING:
     from launchlint.syntax.ros2.description import Action, Component, ParameterSource
     from launchlint.syntax.ros2.tables import Distribution
 
-_NOWHERE = Place(Source("", ""), Span(0, 0))
 _JOIN = "path-join"
 
 
@@ -82,8 +81,8 @@ def carried(description: Description, distribution: Distribution, *, xml: bool, 
     return Carried(Description(actions, description.place), tuple(carrier.lost), tuple(dict.fromkeys(carrier.remarks)))
 
 
-class _Left(Exception):
-    """This part cannot be carried over."""
+class Left(Exception):
+    """This part cannot be carried over, or has no counterpart; ``why`` in plain words."""
 
     def __init__(self, place: Place, why: str) -> None:
         super().__init__(why)
@@ -116,7 +115,7 @@ class _Carrier:
                 bare = made._replace(actions=()) if isinstance(made, (described.Group, described.Timer)) else made
                 self._writable(self._shaper.action(bare))
                 found.append(made)
-            except _Left as left:
+            except Left as left:
                 del self.lost[before:]
                 self.lost.append(Lost(left.place, _what(action), left.why))
             except CannotWrite as cannot:
@@ -139,7 +138,7 @@ class _Carrier:
             name = Text(("use_sim_time",), action.place)
             action = described.SetParameter(name, value, action.place, action.condition)
         if not isinstance(action, SAYABLE):
-            raise _Left(action.place, _why(action))
+            raise Left(action.place, _why(action))
         fields: dict[str, Any] = {}
         if action.condition is not None:
             fields["condition"] = self._condition(action.condition)
@@ -148,11 +147,11 @@ class _Carrier:
         if isinstance(action, described.Timer) and isinstance(action.period, Text):
             period = fields["period"] = _seconds(self._text(action.period))
             if isinstance(period, Text) and period.literal is not None:
-                raise _Left(period.place, "its period is no number")
+                raise Left(period.place, "its period is no number")
         if isinstance(action, (described.Node, described.LoadComponents)):
             fields["components"] = self._components(action.components)
         if isinstance(action, described.LoadComponents) and not fields["components"]:
-            raise _Left(action.place, "nothing is left of what it loads")
+            raise Left(action.place, "nothing is left of what it loads")
         if isinstance(action, described.Node):
             fields.update(self._kind(action), parameters=self._parameters(action.parameters))
         if isinstance(action, (described.Node, described.Executable)):
@@ -162,10 +161,10 @@ class _Carrier:
         if isinstance(action, described.AppendEnvironment) and isinstance(action.prepend, Text):
             prepend = fields["prepend"] = _flag(self._text(action.prepend))
             if isinstance(prepend, Text) and prepend.literal is not None:
-                raise _Left(prepend.place, "prepend is neither true nor false")
+                raise Left(prepend.place, "prepend is neither true nor false")
         if isinstance(action, described.Argument):
             if action.choices == ():
-                raise _Left(action.place, "no value is among its choices")
+                raise Left(action.place, "no value is among its choices")
             self._texts.word(action.name)
         made: Action = self._rest(action, fields)
         return made
@@ -178,7 +177,7 @@ class _Carrier:
         if node.kind != "container":
             return {"kind": "node"}
         if node.name is None or node.namespace is None:
-            raise _Left(node.place, "a <node_container> must have a name and a namespace")
+            raise Left(node.place, "a <node_container> must have a name and a namespace")
         return {"name": self._text(node.name), "namespace": self._text(node.namespace)}
 
     def _components(self, components: tuple[Component, ...]) -> tuple[Component, ...]:
@@ -190,7 +189,7 @@ class _Carrier:
         if component.condition is not None:
             fields["condition"] = self._condition(component.condition)
         if component.name is None:
-            raise _Left(component.place, "a <composable_node> must have a name")
+            raise Left(component.place, "a <composable_node> must have a name")
         fields["name"] = self._text(component.name)
         made: Component = self._rest(component, fields)
         return made
@@ -228,7 +227,7 @@ class _Carrier:
         return made
 
     def _rest(self, item: Any, fields: dict[str, Any]) -> Any:
-        """``item`` with ``fields`` in place of its own, and all other texts in it as they can be written. Raises _Left."""
+        """``item`` with ``fields`` in place of its own, and all other texts in it as they can be written. Raises Left."""
         kinds = type(item).__annotations__
         for name, value in zip(item._fields, item, strict=True):
             if name in fields:
@@ -236,7 +235,7 @@ class _Carrier:
             if isinstance(value, Text):
                 try:
                     fields[name] = self._text(value)
-                except _Left as left:
+                except Left as left:
                     if "None" not in _written(kinds[name]):
                         raise
                     self.lost.append(Lost(value.place, f"{name} of {_what(item)}", left.why))
@@ -265,7 +264,7 @@ class _Carrier:
         before = len(self.lost)
         try:
             return make(given)
-        except _Left as left:
+        except Left as left:
             del self.lost[before:]
             self.lost.append(Lost(left.place, what, left.why))
             return None
@@ -284,7 +283,7 @@ class _Carrier:
 
     def _file(self, source: ParameterSource) -> ParameterSource:
         if not isinstance(source, ParameterFile):
-            raise _Left(source.place, "XML and YAML have nothing for it")
+            raise Left(source.place, "XML and YAML have nothing for it")
         allowed = source.allow_substs
         if isinstance(allowed, Text):
             allowed = _flag(self._text(allowed))
@@ -295,7 +294,7 @@ class _Carrier:
         if parameter.value is None:
             nested = tuple(each for each in (self._kept("a param", self._parameter, each) for each in parameter.nested) if each is not None)
             if not nested:
-                raise _Left(parameter.place, "it holds nothing that can be carried over")
+                raise Left(parameter.place, "it holds nothing that can be carried over")
             return Parameter(name, None, nested, parameter.place)
         return Parameter(name, self._value(parameter.value), (), parameter.place)
 
@@ -315,7 +314,7 @@ class _Carrier:
     def _computed(self, value: TypedValue, place: Place) -> TypedValue:
         """A value that is always a text, and read when it is needed."""
         if not isinstance(value.value, Text):
-            raise _Left(place, "it is a list that is computed item by item")
+            raise Left(place, "it is a list that is computed item by item")
         return TypedValue(self._text(value.value))
 
     # -- texts and conditions ------------------------------------------------------------------------------------------
@@ -324,10 +323,10 @@ class _Carrier:
         if condition.kind in ("if", "unless"):
             return condition._replace(operands=(self._text(condition.operands[0]),))
         if len(condition.operands) < 2:
-            raise _Left(condition.place, "its condition asks whether an arg is set at all")
+            raise Left(condition.place, "its condition asks whether an arg is set at all")
         name, value = condition.operands
         if name.literal is None or not name.literal.isidentifier() or value.literal is None or not _quiet(value.literal):
-            raise _Left(condition.place, "its condition compares in a way that XML and YAML cannot")
+            raise Left(condition.place, "its condition compares in a way that XML and YAML cannot")
         asked = Substitution("var", (name,), condition.place)
         code = Text(("'", asked, f"' == '{value.literal}'"), condition.place)
         compared = Text((Substitution("eval", (code,), condition.place),), condition.place)
@@ -340,7 +339,7 @@ class _Carrier:
             self._texts.text(made)
             return made
         except CannotWrite as cannot:
-            raise _Left(text.place, cannot.reason) from None
+            raise Left(text.place, cannot.reason) from None
 
     def _pieces(self, text: Text) -> tuple[str | Substitution, ...]:
         found: list[str | Substitution] = []
@@ -352,9 +351,9 @@ class _Carrier:
             elif piece.name == FULL_NAME:
                 found += self._container(piece)
             elif piece.name == NOT_KNOWN:
-                raise _Left(piece.place, f"{_shown(piece.place)} is not known ({piece.arguments[0].literal})")
+                raise Left(piece.place, f"{_shown(piece.place)} is not known ({piece.arguments[0].literal})")
             elif piece.name not in self._distribution.substitutions:
-                raise _Left(piece.place, f"XML and YAML have no {piece.name or 'such substitution'}")
+                raise Left(piece.place, f"XML and YAML have no {piece.name or 'such substitution'}")
             else:
                 found.append(piece._replace(arguments=tuple(Text(self._pieces(each), each.place) for each in piece.arguments)))
         return joined(found)
@@ -407,9 +406,9 @@ def _known(text: Text, wanted: str | None, plain: Any) -> Any:
     try:
         value = convert(text.literal, wanted)
     except (TypeFault, YamlBeyond):
-        raise _Left(text.place, "it is no value of its type") from None
+        raise Left(text.place, "it is no value of its type") from None
     if isinstance(value, list):
-        raise _Left(text.place, "it is a list that is written as a text")
+        raise Left(text.place, "it is a list that is written as a text")
     return value
 
 
@@ -436,7 +435,7 @@ def _place(actions: tuple[Action, ...]) -> Place:
 
 def _somewhere(process: Process) -> Place:
     texts = (value for value in process if isinstance(value, Text))
-    return next((text.place for text in texts), _NOWHERE)
+    return next((text.place for text in texts), NOWHERE)
 
 
 def _shown(place: Place) -> str:

@@ -110,7 +110,8 @@ def prove(session: Session, file: str, given: Pairs, language: str, data: bytes,
         old, new = (
             done.get(pairs) or evaluate(*each, pairs).launch for done, each in zip(known, ((before, file), (after, there)), strict=True)
         )
-        found = difference(launched(old, names), _listing_as(launched(old, names), launched(new, names)))
+        was = launched(old, names)
+        found = difference(was, _listing_as(was, launched(new, names)))
         if found:
             words = " ".join(f"{name}:={value}" for name, value in pairs)
             raise CannotExport(f"the written file would not do the same: {found}{f' (with {words})' if words else ''}")

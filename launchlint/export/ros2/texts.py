@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     Pieces = tuple[str | Substitution, ...]
 
-_NOWHERE = Place(Source("", ""), Span(0, 0))
+NOWHERE = Place(Source("", ""), Span(0, 0))
 _SHELL = frozenset(" \t\r\n'\"\\")
 
 
@@ -86,7 +86,7 @@ class TextWriter:
                 pieces.append(" ")
             own = joined(word.pieces)
             pieces.extend(_for_shell(piece) if isinstance(piece, str) else piece for piece in own or ("",))
-        whole = Text(joined(pieces), _NOWHERE)
+        whole = Text(joined(pieces), NOWHERE)
         result = self.text(whole)
         problems: list[Problem] = []
         again = read_command_line(self._read(result), "", "", problems)
@@ -104,7 +104,7 @@ class TextWriter:
 
     def _read(self, written: str) -> Text:
         problems: list[Problem] = []
-        read = parse(Written(written, _NOWHERE), self._distribution, problems)
+        read = parse(Written(written, NOWHERE), self._distribution, problems)
         if problems:
             raise CannotWrite(_why(problems[0]))
         return read
@@ -142,7 +142,7 @@ class TextWriter:
                 continue
             except ValueError:
                 continue
-            if isinstance(again, Substitution) and len(again.arguments) == 1 and same_pieces(again.arguments[0], Text(pieces, _NOWHERE)):
+            if isinstance(again, Substitution) and len(again.arguments) == 1 and same_pieces(again.arguments[0], Text(pieces, NOWHERE)):
                 return word
         raise CannotWrite(refused or "it cannot be put into quotes so that launch reads the same")
 
