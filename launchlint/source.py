@@ -59,6 +59,15 @@ class Source:
         line = bisect_right(starts, offset)
         return Position(line, offset - starts[line - 1] + 1)
 
+    def offset(self, number: int, column: int) -> int:
+        """The offset of a column of line ``number``, counted from 0 in bytes of UTF-8, as Python's syntax trees do; the end of the text
+        where there is no such line.
+        """
+        starts = self.line_starts
+        if not 1 <= number <= len(starts):
+            return len(self.text)
+        return starts[number - 1] + len(self.line(number).encode("utf-8", "replace")[:column].decode("utf-8", "ignore"))
+
     def line(self, number: int, longest: int | None = None) -> str:
         """Text of line ``number`` (from 1) without its line end, at most ``longest`` characters of it; empty where there is none."""
         starts = self.line_starts

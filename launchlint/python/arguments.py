@@ -72,23 +72,20 @@ def own_names(node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) -> froz
                 found.add((each.asname or each.name).partition(".")[0])
             elif isinstance(each, (ast.MatchAs, ast.MatchStar, ast.ExceptHandler)) and each.name:
                 found.add(each.name)
-        for each in own_nodes(node):  # the names of a comprehension are its own
-            if isinstance(each, (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)):
-                found -= {name.id for loop in each.generators for name in ast.walk(loop.target) if isinstance(name, ast.Name)} - _written(
-                    node
-                )
-        known = frozenset(found)
+        known = frozenset(found - _only_in_loops(node))
         setattr(node, _OWN, known)
     return known
 
 
-def _written(node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) -> set[str]:
-    """Names that are written outside of comprehensions' loops."""
+def _only_in_loops(node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) -> set[str]:
+    """The names that the loops of comprehensions have for themselves, and nothing else in the function writes."""
     loops = {
-        id(name)
+        id(name): name.id
         for each in own_nodes(node)
         if isinstance(each, (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp))
         for loop in each.generators
         for name in ast.walk(loop.target)
+        if isinstance(name, ast.Name)
     }
-    return {each.id for each in own_nodes(node) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store) and id(each) not in loops}
+    written = (each for each in own_nodes(node) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store))
+    return set(loops.values()) - {each.id for each in written if id(each) not in loops}

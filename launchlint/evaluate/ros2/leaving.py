@@ -66,7 +66,7 @@ def _quietly(walk: Walk, text: Text) -> Value | None:
     if is_anonymous(text):
         return None
     mine = walk.performer
-    quiet = Performer(mine.session, mine.context, mine.entry, mine.rules, mine.where, mine.spend, _nothing, mine.table)
+    quiet = Performer(mine.session, mine.context, mine.entry, mine.rules, mine.where, mine.spend, tell_nobody, mine.table)
     try:
         return quiet.perform(text)
     except Failure:
@@ -78,8 +78,8 @@ def is_anonymous(text: Text) -> bool:
     return any(isinstance(part, Substitution) and part.name == "anon" for part, _ in parts_of(text))
 
 
-def _nothing(problem: Problem) -> None:
-    """Nobody is told."""
+def tell_nobody(problem: Problem) -> None:
+    """What is only looked at in advance, or once more, is told of elsewhere."""
 
 
 def undeclared(walk: Walk) -> Iterator[Problem]:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from launchlint.evaluate.problems import ConditionNotBoolean, EvaluationBound
 from launchlint.evaluate.ros2.comparing import note_truth
 from launchlint.evaluate.ros2.context import Context, Setting, Value
-from launchlint.evaluate.ros2.leaving import lost_in
+from launchlint.evaluate.ros2.leaving import lost_in, tell_nobody
 from launchlint.evaluate.ros2.listing import Lister, Listings
 from launchlint.evaluate.ros2.performing import Failure, Performer, Rules
 from launchlint.evaluate.ros2.substitutions import PERFORM
@@ -175,7 +175,7 @@ class Walk:
         self.handle = handle
         self.context = Context(session)
         self.performer = Performer(session, self.context, entry, rules, self.at, self.spend_characters, self.record, PERFORM)
-        quiet = Performer(session, Context(session), entry, rules, Origin, self.spend_characters, _nothing, PERFORM)
+        quiet = Performer(session, Context(session), entry, rules, Origin, self.spend_characters, tell_nobody, PERFORM)
         quiet.context.environment = self.context.environment
         self.lister = Lister(quiet, self.description_of, Listings() if repeats is None else repeats.listings)
         self.here = Here(entry, None, ())
@@ -455,7 +455,3 @@ def tag_of(action: Action | described.Component) -> str:
     if isinstance(action, described.Node):
         return _CONTAINERS.get(action.kind, "node")
     return _TAGS[type(action)]
-
-
-def _nothing(problem: Problem) -> None:
-    """Nothing is told of what is only looked at in advance."""

@@ -30,10 +30,6 @@ from launchlint.syntax.ros2.python.recogniser import PACKAGES, LaunchRecogniser,
 from launchlint.syntax.ros2.python.workspace_modules import WorkspaceModules
 from launchlint.workspace import looking
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    pass
-
 MOST_DEEP = 8
 
 
@@ -60,8 +56,8 @@ class Following(Noticing):
             text = looking.content(f"{self.root}/{path}") or b""
             source = self._written[path] = Written(path, text.decode("utf-8-sig", "replace"), f"{self.root}/{path}")
         line, end = getattr(node, "lineno", 1), getattr(node, "end_lineno", None)
-        start = _offset(source, line, getattr(node, "col_offset", 0))
-        return Place(source, Span(start, start if end is None else _offset(source, end, getattr(node, "end_col_offset", 0))))
+        start = source.offset(line, getattr(node, "col_offset", 0))
+        return Place(source, Span(start, start if end is None else source.offset(end, getattr(node, "end_col_offset", 0))))
 
     def name_place(self, function: Function) -> Place:
         """Where the name of a function stands in its definition."""
@@ -172,12 +168,3 @@ def _why(node: ast.AST) -> str:
     if len(said) > 60:
         said = said[:59] + "…"
     return f"what {said} gives is not known"
-
-
-def _offset(source: Written, line: int, column: int) -> int:
-    """The offset of a column that is counted in bytes of UTF-8."""
-    starts = source.line_starts
-    if not 1 <= line <= len(starts):
-        return len(source.text)
-    start = starts[line - 1]
-    return start + len(source.line(line).encode("utf-8", "replace")[:column].decode("utf-8", "ignore"))

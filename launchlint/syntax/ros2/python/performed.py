@@ -29,18 +29,18 @@ def performed_as_boolean(tree: ast.Module, place: Callable[[ast.AST], Place]) ->
     if not booleans:
         return
     tested = {key: whole for key, (use, whole) in uses(tree).items() if use == "test"}
-    made = _assigned(tree, {})
+    made = _assigned(tree)
     found: dict[tuple[int, int], Problem] = {}
     for routine in ast.walk(tree):
         if not isinstance(routine, (ast.FunctionDef, ast.AsyncFunctionDef)):
             continue
-        inside = _assigned(routine, made)
-        texts = _performed(routine, {**made, **inside})
+        held = {**made, **_assigned(routine)}
+        texts = _performed(routine, held)
         for node in ast.walk(routine):
             against = _against_boolean(node)
             whole = tested.get(id(node)) if against is None else against
             side = node if against is None else against.left
-            name = texts.get(side.id, "") if isinstance(side, ast.Name) else _configuration(side, {**made, **inside})
+            name = texts.get(side.id, "") if isinstance(side, ast.Name) else _configuration(side, held)
             if whole is not None and name in booleans:
                 origin = Origin(place(whole))
                 problem = ConfigurationAsPythonValue(origin=origin, use="performed", name="LaunchConfiguration", of=name)
@@ -64,7 +64,7 @@ def _word(function: ast.expr) -> str:
     return function.attr if isinstance(function, ast.Attribute) else function.id if isinstance(function, ast.Name) else ""
 
 
-def _assigned(around: ast.AST, known: Mapping[str, str]) -> dict[str, str]:
+def _assigned(around: ast.AST) -> dict[str, str]:
     """Variables that hold a LaunchConfiguration, with its name; none that holds something else, too."""
     found: dict[str, str] = {}
     other: set[str] = set()

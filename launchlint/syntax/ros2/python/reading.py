@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from launchlint.problem import Problem
 from launchlint.python.memory import Ended, Exhausted
 from launchlint.python.source import Source as Parsed
-from launchlint.python.source import SourceError, parse_text
+from launchlint.python.source import SourceError
 from launchlint.python.values import Choice, Function, Handle
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.ros2 import description as described
@@ -50,8 +50,7 @@ def read(data: bytes, path: str, file: str, outside: Outside, package: str = "")
         reason = "it is too large to be looked into" if len(data) > LARGEST else "it is no text in UTF-8"
         return _reading(source, (described.Open(reason, everything),), ())
     try:
-        tree = ast.parse(text)
-        parsed = parse_text(text)
+        parsed = Parsed(ast.parse(text), len(text))
     except SyntaxError as error:
         problem = unreadable(source, error)
         reason = f"it is no Python that can be read here: {error}"
@@ -61,7 +60,7 @@ def read(data: bytes, path: str, file: str, outside: Outside, package: str = "")
     root = package or os.path.dirname(file)
     run = Following(source, outside, root, package, WorkspaceModules(outside.share))
     try:
-        actions = _actions(run, source, outside, tree, parsed)
+        actions = _actions(run, source, outside, parsed)
     except Ended as ended:
         if isinstance(ended, Ending):
             run.record(ended.problem)
@@ -75,7 +74,7 @@ def _reading(source: Source, actions: tuple[Action, ...], problems: tuple[Proble
     return Reading(Description(actions, Place(source, Span(0, 0))), problems, source, unresolved=tuple(unresolved(actions)))
 
 
-def _actions(run: Following, source: Source, outside: Outside, tree: ast.Module, parsed: Parsed) -> tuple[Action, ...]:
+def _actions(run: Following, source: Source, outside: Outside, parsed: Parsed) -> tuple[Action, ...]:
     """What the file describes; what is wrong with it is noted on the way. Raises as the interpreter does."""
     everything = Place(source, Span(0, 0))
     main = run.main(source.file, parsed)
@@ -84,7 +83,7 @@ def _actions(run: Following, source: Source, outside: Outside, tree: ast.Module,
     for found in (runs_at_load, performed_as_boolean, never_added):
         for problem in found(parsed.tree, lambda node: run.place(node, main.scope)):
             run.record(problem)
-    missing = without_entry(tree, source)
+    missing = without_entry(parsed.tree, source)
     if missing is not None:
         run.record(missing)
         return (described.Open(f"it has no function {ENTRY}", everything),)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import io
 import tokenize
+from bisect import bisect_left
 
 from launchlint.source import Source, Span
 from launchlint.syntax.remarks import Remark
@@ -25,6 +26,7 @@ def remarks(source: Source) -> list[Remark]:
     except (SyntaxError, ValueError, RecursionError, MemoryError, tokenize.TokenError):
         return []
     blocks = _blocks(tree, source)
+    starts = sorted(blocks)
     top = next((each.lineno for each in tree.body if not _is_head(each)), len(source.line_starts) + 1)
     found: list[Remark] = []
     filled = {token.start[0] for token in tokens if token.type not in _BLANK}
@@ -34,7 +36,8 @@ def remarks(source: Source) -> list[Remark]:
         line, column = token.start
         start = source.line_starts[line - 1] + column
         own = line not in filled
-        first = next((number for number in sorted(blocks) if number >= line), None) if own else line
+        behind = bisect_left(starts, line)
+        first = (starts[behind] if behind < len(starts) else None) if own else line
         between = range(line + 1, first or line + 1)
         covers = blocks.get(first) if first is not None and not any(each in filled for each in between) else None
         span = Span(start, start + len(token.string))
@@ -60,13 +63,8 @@ def _blocks(tree: ast.Module, source: Source) -> dict[int, Span]:
         line = source.line(node.lineno)
         if line.encode("utf-8", "replace")[: node.col_offset].strip():
             continue
-        start = _offset(source, node.lineno, node.col_offset)
-        span = Span(start, _offset(source, node.end_lineno, node.end_col_offset))
+        start = source.offset(node.lineno, node.col_offset)
+        span = Span(start, source.offset(node.end_lineno, node.end_col_offset))
         if node.lineno not in found or span.end > found[node.lineno].end:
             found[node.lineno] = span
     return found
-
-
-def _offset(source: Source, line: int, column: int) -> int:
-    """The offset of a column that is counted in bytes of UTF-8."""
-    return source.line_starts[line - 1] + len(source.line(line).encode("utf-8", "replace")[:column].decode("utf-8", "ignore"))
