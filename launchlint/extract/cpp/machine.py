@@ -33,7 +33,7 @@ from launchlint.extract.cpp.values import (
     choices,
     either,
 )
-from launchlint.extract.fact import Doubt, Fact, Plugin
+from launchlint.extract.fact import Doubt, Fact, Made, Plugin
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -84,6 +84,7 @@ class Machine:
         self.names = Names(declarations, self.foreign)
         self.facts: dict[str, Fact] = {}
         self.doubts: dict[Doubt, None] = {}
+        self.nodes: dict[str, Made] = {}
         self.conditions: list[str] = []
         self.when = "start"
         self.horizon = 0

@@ -13,7 +13,7 @@ from launchlint.extract.cpp.machine import Argument, Machine
 from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.values import UNKNOWN, Thing
-from launchlint.extract.fact import Doubt, Fact, Plugin
+from launchlint.extract.fact import Doubt, Fact, Made, Plugin
 from launchlint.extract.template import Template
 
 _MAKES = re.compile(r"(?:\.|->)\s*(?:advertise\w*|subscribe\w*|serviceClient|getParam|param)\s*[<(]")
@@ -40,7 +40,7 @@ def cpp_program(
     templates: Sequence[Template] = (),
     packages: Collection[str] = (),
     trees: Trees | None = None,
-) -> tuple[tuple[Fact, ...], tuple[Doubt, ...]]:
+) -> tuple[tuple[Fact, ...], tuple[Doubt, ...], tuple[Made, ...]]:
     """What a program says, found by following its source code; nothing is run.
 
     Args:
@@ -54,7 +54,7 @@ def cpp_program(
         trees: what is kept of files that several programs read.
 
     Returns:
-        Facts, sorted by category, name and place; and doubts, why there may be more than these.
+        Facts, sorted by category, name and place; doubts, why there may be more than these; and the nodes of ROS 2 that it makes.
 
     Raises:
         UsageError: tree-sitter is not installed.
@@ -78,7 +78,7 @@ def cpp_program(
         machine.doubt_all("the program is nested too deeply to be followed to its end", first, 1)
     for file in files:
         _doubt_torn(machine, file)
-    return _settled(list(machine.facts.values()), list(machine.doubts))
+    return *_settled(list(machine.facts.values()), list(machine.doubts)), tuple(machine.nodes.values())
 
 
 def _doubt_torn(machine: Machine, file: File) -> None:

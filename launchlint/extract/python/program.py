@@ -8,7 +8,7 @@ import os
 import re
 from typing import Any, NamedTuple
 
-from launchlint.extract.fact import Doubt, Fact
+from launchlint.extract.fact import Doubt, Fact, Made
 from launchlint.extract.python.arguments import Call, plain
 from launchlint.extract.python.following import Following
 from launchlint.extract.python.modules import PackageModules
@@ -29,13 +29,15 @@ _PLUGIN = re.compile(r"<class\s[^>]*?\btype\s*=\s*[\"']([\w.]+)[\"'][^>]*?rqt_gu
 class Extracted(NamedTuple):
     """What a program does.
 
-    ``options`` is how its command line is read (see the library format), ``uses_rospy`` whether it imports rospy at all.
+    ``options`` is how its command line is read (see the library format), ``uses_rospy`` whether it imports rospy at all; ``nodes`` are
+    those of ROS 2 that it makes, the first one first.
     """
 
     facts: tuple[Fact, ...]
     doubts: tuple[Doubt, ...]
     options: dict[str, int]
     uses_rospy: bool
+    nodes: tuple[Made, ...] = ()
 
 
 def python_program(path: str, root: str, package: str, finder: PackageModules) -> Extracted:

@@ -17,7 +17,7 @@ def program(root: Path, files: str | dict[str, str], entry: str | None = None) -
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
     sources = [str(root / name) for name in files if name.endswith(".cpp")]
-    return cpp_program(sources, [str(root / "include")], str(root), entry)
+    return cpp_program(sources, [str(root / "include")], str(root), entry)[:2]
 
 
 def spelled(fact: Fact) -> str:

@@ -73,7 +73,7 @@ def test_files_that_cannot_be_read_are_doubts(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.cpp")
     (tmp_path / "large.cpp").write_text(" " * ((1 << 20) + 1))
     sources = [str(tmp_path / name) for name in ("pipe.cpp", "large.cpp", "none.cpp")]
-    facts, doubts = cpp_program(sources, [], str(tmp_path), None)
+    facts, doubts, _ = cpp_program(sources, [], str(tmp_path), None)
     assert facts == ()
     assert sorted({doubt.reason for doubt in doubts}) == [
         "large.cpp cannot be read: it is larger than 1048576 bytes",
@@ -88,7 +88,7 @@ def test_headers_outside_the_given_directories_are_not_read(tmp_path: Path) -> N
     (tmp_path / "package").mkdir()
     source = tmp_path / "package" / "main.cpp"
     source.write_text(f'#include "{tmp_path}/secret.h"\n#include <secret.h>\nint main() {{ f(); }}')
-    assert cpp_program([str(source)], [str(tmp_path / "package")], str(tmp_path / "package"), None) == ((), ())
+    assert cpp_program([str(source)], [str(tmp_path / "package")], str(tmp_path / "package"), None) == ((), (), ())
 
 
 def test_the_same_sources_give_the_same_facts_in_the_same_order(tmp_path: Path) -> None:

@@ -38,7 +38,7 @@ PLUGINS = (Plugin("planners/Straight", "Straight", "Planner"), Plugin("planners/
 def followed(root: Path, source: str, *plugins: Plugin) -> tuple[list[str], list[str]]:
     """All that is found, and for which categories there may be more, and why."""
     (root / "main.cpp").write_text(source)
-    facts, doubts = cpp_program([str(root / "main.cpp")], [], str(root), None, plugins)
+    facts, doubts, _ = cpp_program([str(root / "main.cpp")], [], str(root), None, plugins)
     return [spelled(each) for each in facts], [f"{each.category}: {each.reason}" for each in doubts if each.category == "publishers"]
 
 

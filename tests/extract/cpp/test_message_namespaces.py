@@ -53,5 +53,5 @@ def test_type(before: str, spelled: str, expected: str, tmp_path: Path) -> None:
         "int main(int argc, char** argv) { ros::NodeHandle nh; arm::start(nh); }\n"
     )
     (tmp_path / "main.cpp").write_text(source, encoding="utf-8")
-    facts, _ = cpp_program([str(tmp_path / "main.cpp")], [], str(tmp_path), None)
+    facts, _, _ = cpp_program([str(tmp_path / "main.cpp")], [], str(tmp_path), None)
     assert [(fact.name, fact.type) for fact in facts if fact.category == "subscribers"] == [("a", expected)]
