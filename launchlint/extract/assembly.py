@@ -35,7 +35,8 @@ _MAIN = re.compile(r"^[ \t]*int[ \t\n]+main[ \t\n]*\(", re.MULTILINE)
 class Assembled(NamedTuple):
     """The files of a program and which are templates, where their headers are, the plugins it can load, and why there may be more.
 
-    ``packages`` are those that the packages of its files depend on, and that are not here.
+    ``packages`` are those that the packages of its files depend on, and that are not here; ``parameters`` the YAML files that
+    generate_parameter_library makes classes of, for these packages.
     """
 
     sources: tuple[str, ...]
@@ -44,6 +45,7 @@ class Assembled(NamedTuple):
     plugins: tuple[Plugin, ...]
     doubts: tuple[str, ...]
     packages: tuple[str, ...]
+    parameters: tuple[str, ...]
 
 
 class Parts:
@@ -53,7 +55,8 @@ class Parts:
         self.package = package
         looking.note_tree(package.directory)
         looking.note((os.path.abspath(package.manifest_path),))
-        self.cmake: CMakeFacts = read_cmake(package.directory, lambda: files_below(package.directory), exported)
+        self.is_ament = package.manifest is not None and package.manifest.is_ament
+        self.cmake: CMakeFacts = read_cmake(package.directory, lambda: files_below(package.directory), exported, ament=self.is_ament)
         self.by_output = {target.output: target for target in self.cmake.targets.values() if target.is_library}
         self.own_includes = tuple(each for each in self.cmake.include_directories if os.path.isdir(each))
         self._libraries: tuple[str, ...] | None = None
@@ -63,7 +66,7 @@ class Parts:
         found, seen = [target], {id(target)}
         for each in found:
             for library in each.libraries:
-                inner = self.cmake.targets.get(library)
+                inner = self.cmake.targets.get(library) or self.cmake.targets.get(library.rpartition("::")[2])
                 if inner is not None and id(inner) not in seen:
                     seen.add(id(inner))
                     found.append(inner)
@@ -250,8 +253,15 @@ class _Assembly:
         if len(self.sources) >= MOST_SOURCES or len(self._scanned) >= _MOST_SCANNED:
             self.doubts["it has too many source files to read them all"] = None
         packages = tuple(sorted({each for name in self.packages for each in self.workspace.absent(name)}))
+        described = [path for name in self.packages for path in self.workspace.parts(name).cmake.parameter_libraries.values()]
         return Assembled(
-            tuple(self.sources), tuple(self.templates.values()), tuple(self.includes), tuple(self.plugins), tuple(self.doubts), packages
+            tuple(self.sources),
+            tuple(self.templates.values()),
+            tuple(self.includes),
+            tuple(self.plugins),
+            tuple(self.doubts),
+            packages,
+            tuple(sorted(path for path in described if self.workspace.may_read(path, self.root))),
         )
 
     def _add_target(self, target: Target, name: str, entry: str = "") -> None:

@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from launchlint import __version__
-from launchlint.extract.plan import Plan, Skipped, plan
+from launchlint.extract.plan import Plan, plan
 from launchlint.extract.reading import ProgramReader, Reading
+from launchlint.extract.task import Skipped
 
 PARALLEL_FROM = 8
 """Programs from which a second process pays."""
@@ -69,16 +70,17 @@ def _result(planned: Plan, readings: Sequence[Reading]) -> Result:
             path = task.sources[0][len(task.origin.root) :].lstrip("/")
             skipped.append(Skipped(task.package, task.name, path, reading.problem))
             continue
-        package = packages.setdefault(task.package, {"source": task.origin.id})
+        of_ros2 = {"middleware": "ros2"} if task.is_of_ros2 else {}
+        package = packages.setdefault(task.package, {**of_ros2, "source": task.origin.id})
         package.setdefault(task.kind, {})[task.name] = reading.program
         used.add(task.origin.id)
     missing = {each.package for each in skipped}
     for name, package in packages.items():
         if name in planned.complete and name not in missing:
-            package["complete"] = ["nodelets"]
+            package["complete"] = ["components" if "middleware" in package else "nodelets"]
     document = {
         "format": "launchlint-library",
-        "version": 1,
+        "version": 2 if any("middleware" in package for package in packages.values()) else 1,
         "generator": f"launchlint {__version__} extract",
         "sources": _sources(planned, used),
         "packages": packages,

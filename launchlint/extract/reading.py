@@ -11,9 +11,9 @@ from launchlint.errors import UsageError
 from launchlint.extract.entries import ANY, CATEGORIES, ROS1, ROS2, variant_of
 from launchlint.extract.fact import ELSEWHERE, Doubt, Fact, Made
 from launchlint.extract.literals import SOURCE_ENDS, literals
-from launchlint.extract.plan import Task
 from launchlint.extract.python.modules import PackageModules
 from launchlint.extract.python.program import Extracted, python_program
+from launchlint.extract.task import Task
 from launchlint.python.source import SourceError
 from launchlint.workspace.looking import read_bytes, watched
 
@@ -21,8 +21,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.cpp.files import Trees
 
-MADE_FOR_ROS2 = frozenset(("rclpy", "rclcpp", "component", "container"))
-"""The classes of programs of ROS 2."""
 _TALKS = re.compile(rb"ros::|<ros/|\"ros/|<nodelet/|actionlib|image_transport|rclcpp")
 
 
@@ -88,7 +86,7 @@ def _read(task: Task, reader: ProgramReader) -> Reading:
     doubts = (*doubts, *(Doubt(category, reason, "", 0) for reason in task.doubts for category in CATEGORIES))
     if silent and not facts and (task.client == "roscpp" or not doubts):
         return Reading(task, {"class": "none", "variants": {"default": {}}}, "", 0, 0)
-    variant, unresolved = variant_of(facts, doubts, task.origin.id, ROS2 if task.client in MADE_FOR_ROS2 else ROS1, nodes)
+    variant, unresolved = variant_of(facts, doubts, task.origin.id, ROS2 if task.is_of_ros2 else ROS1, nodes)
     program: dict[str, Any] = {"class": task.client}
     if options:
         program["options"] = options

@@ -7,8 +7,10 @@ from typing import TypeVar
 
 from launchlint.extract.assembly import Workspace
 from launchlint.extract.origin import Origin
-from launchlint.extract.plan import PackageReader, Task
+from launchlint.extract.package_reader import PackageReader
+from launchlint.extract.plan import reader_of
 from launchlint.extract.reading import ProgramReader
+from launchlint.extract.task import Task
 from launchlint.knowledge.checked import checked
 from launchlint.knowledge.entry import Key, Known, States
 from launchlint.workspace import looking
@@ -53,7 +55,7 @@ class SourceReader:
     def _reader(self, package: Package, root: str) -> PackageReader:
         if package.directory not in self._readers:
             origin = Origin(root, "", "", "", "")
-            self._readers[package.directory] = looking.watched(lambda: PackageReader(package, origin, self._workspace))
+            self._readers[package.directory] = looking.watched(lambda: reader_of(package, origin, self._workspace))
         reader, looked = self._readers[package.directory]
         looking.note(looked)
         return reader

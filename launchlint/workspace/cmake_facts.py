@@ -11,7 +11,7 @@ import os
 from collections.abc import Callable, Sequence
 
 from launchlint.late import late
-from launchlint.workspace.ament.cmake import PREFIX_VARIABLES, ament_command
+from launchlint.workspace.ament.cmake import PREFIX_VARIABLES, ament_command, auto_sources
 from launchlint.workspace.cmake import CMakeError, Command, commands
 from launchlint.workspace.cmake_blocks import block_end, never, parsed, section, sources_and_rest
 from launchlint.workspace.cmake_exports import Exported, within
@@ -227,10 +227,10 @@ class _Reader:
         if _TARGET.fullmatch(name) or _TEST_TARGET.fullmatch(name):
             if arguments[1:2] not in (["IMPORTED"], ["ALIAS"]):
                 self._executable(first, name)
-                self._target(first, self.scope.expand(command.arguments, any_way=True)[1:], is_library=False)
+                self._target(first, auto_sources(self.scope, name, command), is_library=False)
         elif _LIBRARY.fullmatch(name):
             if arguments[1:2] not in (["IMPORTED"], ["ALIAS"]) and "IMPORTED" not in arguments[1:3]:
-                self._target(first, self.scope.expand(command.arguments, any_way=True)[1:], is_library=True)
+                self._target(first, auto_sources(self.scope, name, command), is_library=True)
         elif name in ("target_link_libraries", "target_sources", "rosbuild_link_libraries"):
             words = self.scope.expand(command.arguments, any_way=True)[1:]
             self._target_parts(first, words, sources=name == "target_sources")

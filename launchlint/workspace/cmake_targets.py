@@ -48,6 +48,14 @@ class TargetInstall(NamedTuple):
     destination: Value
 
 
+class Component(NamedTuple):
+    """A component of ROS 2 that is registered: the target of the library with it, its class, and the program that runs it alone, if any."""
+
+    library: str
+    plugin: str
+    executable: str
+
+
 class ScriptsInstall(NamedTuple):
     """A file (``setup.cfg``, absolute) that names programs written in Python, and where ``ament_python_install_package`` installs them."""
 
@@ -83,16 +91,18 @@ class CMakeFacts:
     ``installs_by_name`` says that there is an ``install()`` as such: ``catkin_install_python`` makes scripts run in a devel space, too;
     ``installs_targets``, that it takes something that is built.
     ``target_installs`` are the targets that are installed, ``automatic`` those that ``ament_auto_package`` installs if it is called, and
-    ``script_installs`` the programs in Python.
+    ``script_installs`` the programs in Python. ``components`` are what ``rclcpp_components_register_node(s)`` registers;
+    ``parameter_libraries`` maps the name of each library of ``generate_parameter_library`` to the YAML file that it is made of (absolute),
+    and ``automatic_libraries`` are those of ``ament_auto_add_library``.
     ``gaps`` are those of ``installs_reasons`` that concern one destination (the second), if that is known.
     ``executables_reasons``, ``installs_reasons`` and ``targets_reasons`` say why the respective list may be incomplete; empty lists mean:
     it is complete.
     """
 
     __slots__ = (
-        "automatic", "executables", "executables_reasons", "gaps", "include_directories", "installs", "installs_by_name",
-        "installs_reasons", "installs_targets", "made", "programs", "project", "script_installs", "target_installs", "targets",
-        "targets_reasons",
+        "automatic", "automatic_libraries", "components", "executables", "executables_reasons", "gaps", "include_directories", "installs",
+        "installs_by_name", "installs_reasons", "installs_targets", "made", "parameter_libraries", "programs", "project",
+        "script_installs", "target_installs", "targets", "targets_reasons",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -108,6 +118,9 @@ class CMakeFacts:
         self.installs_reasons: list[str] = []
         self.gaps: list[tuple[str, Value]] = []
         self.automatic: list[str] = []
+        self.automatic_libraries: list[str] = []
+        self.components: list[Component] = []
+        self.parameter_libraries: dict[str, str] = {}
         self.target_installs: list[TargetInstall] = []
         self.script_installs: list[ScriptsInstall] = []
         self.targets_reasons: list[str] = []

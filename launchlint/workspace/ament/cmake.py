@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
+from itertools import takewhile
 
 from launchlint.late import late
+from launchlint.workspace import looking
+from launchlint.workspace.cmake import Command
 from launchlint.workspace.cmake_blocks import section
-from launchlint.workspace.cmake_targets import Install, ScriptsInstall, TargetInstall
+from launchlint.workspace.cmake_targets import Component, Install, ScriptsInstall, TargetInstall
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -27,8 +30,8 @@ PREFIX_VARIABLES: Mapping[str, str] = {
 
 _HARMLESS = frozenset(
     """
-    rosidl_generate_interfaces rosidl_get_typesupport_target rosidl_target_interfaces rclcpp_components_register_nodes
-    generate_parameter_library generate_parameter_module add_launch_test add_ros_test add_ros_isolated_launch_test
+    rosidl_generate_interfaces rosidl_get_typesupport_target rosidl_target_interfaces generate_parameter_module add_launch_test
+    add_ros_test add_ros_isolated_launch_test
     qt_wrap_ui qt_wrap_cpp qt_add_resources pybind11_add_module python3_add_library generate_export_header
     configure_build_install_location
     """.split()
@@ -37,6 +40,9 @@ _HARMLESS = frozenset(
 _MAKES = late(r"add_(?:\w+_)?(?:executable|library|gtest|gmock)")
 _AUTO_PACKAGE = late(r"(?:\w+_)?ament_auto_package")
 _AUTO_WORDS = frozenset(("INSTALL_TO_SHARE", "INSTALL_TO_PATH", "USE_SCOPED_HEADER_INSTALL_DIR"))
+_AUTO_TARGET_WORDS = frozenset(("NO_TARGET_LINK_LIBRARIES",))
+_SOURCES = (".c", ".cc", ".cpp", ".cxx")
+_MOST_COMPONENTS = 1_000
 _REGISTER_WORDS = frozenset(("PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX", "NO_UNDEFINED_SYMBOLS"))
 _PYTHON_WORDS = frozenset(("VERSION", "PACKAGE_DIR", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION", "SKIP_COMPILE"))
 
@@ -48,6 +54,9 @@ def ament_command(facts: CMakeFacts, scope: Scope, name: str, arguments: Sequenc
     """
     if name == "ament_auto_add_executable" or name.endswith("_ament_auto_add_executable"):
         facts.automatic += [each for each in arguments[:1] if each]
+        return False
+    if name == "ament_auto_add_library" or name.endswith("_ament_auto_add_library"):
+        facts.automatic_libraries += [each for each in arguments[:1] if each]
         return False
     if _AUTO_PACKAGE.fullmatch(name):
         _auto_package(facts, scope, arguments)
@@ -69,6 +78,9 @@ def _auto_package(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -
             facts.installs.append(Install(scope.path(path), True, f"share/{project}", contents=path.endswith("/")))
     to = "bin" if "INSTALL_TO_PATH" in arguments else f"lib/{project}" if project else None
     facts.target_installs += [TargetInstall(each, to) for each in facts.automatic]
+    for each in facts.automatic:
+        if each in facts.targets:  # they are linked to all libraries that are made so
+            facts.targets[each].libraries += facts.automatic_libraries
     _package(facts, scope, arguments)
 
 
@@ -80,12 +92,46 @@ def _package(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> Non
 def _register_node(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
     """``rclcpp_components_register_node(library PLUGIN class EXECUTABLE name)``: a program that loads the component."""
     project = scope.variables.get("PROJECT_NAME")
-    for name in section(arguments, "EXECUTABLE", _REGISTER_WORDS)[:1]:
+    names = section(arguments, "EXECUTABLE", _REGISTER_WORDS)[:1]
+    for plugin in section(arguments, "PLUGIN", _REGISTER_WORDS)[:1]:
+        if arguments[0] and plugin and len(facts.components) < _MOST_COMPONENTS:
+            facts.components.append(Component(arguments[0], plugin, (names[0] if names else "") or ""))
+    for name in names:
         if name is None:
             facts.targets_reasons.append("rclcpp_components_register_node with a name that is not known")
         else:
             facts.executables.setdefault(name, "rclcpp_components_register_node")
             facts.target_installs.append(TargetInstall(name, f"lib/{project}" if project else None))
+
+
+def _register_nodes(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
+    """``rclcpp_components_register_nodes(library class …)``: components without programs of their own."""
+    for plugin in takewhile(lambda word: word not in _REGISTER_WORDS, arguments[1:]):
+        if arguments[0] and plugin and len(facts.components) < _MOST_COMPONENTS:
+            facts.components.append(Component(arguments[0], plugin, ""))
+
+
+def _parameter_library(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
+    """``generate_parameter_library(name file.yaml …)``: a header with the params that the file describes."""
+    if len(arguments) > 1 and arguments[0] and arguments[1]:
+        facts.parameter_libraries.setdefault(arguments[0], scope.path(arguments[1]))
+
+
+def auto_sources(scope: Scope, name: str, command: Command) -> Sequence[Value]:
+    """What the command ``name`` makes a target of: ``ament_auto_add_executable`` and its like of the C and C++ files in directories, too."""
+    words = scope.expand(command.arguments, any_way=True)[1:]
+    if "ament_auto_add_" not in name:
+        return words
+    found: list[Value] = []
+    for at, word in enumerate(words):
+        if "DIRECTORY" not in words[:at]:
+            found += [] if word == "DIRECTORY" or word in _AUTO_TARGET_WORDS else [word]
+        elif word is None:
+            found.append(None)
+        else:
+            directory = scope.path(word)
+            found += [os.path.join(directory, name) for name in looking.names(directory) if name.lower().endswith(_SOURCES)]
+    return found
 
 
 def _python_package(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
@@ -119,4 +165,6 @@ _COMMANDS: Mapping[str, Callable[[CMakeFacts, Scope, Sequence[Value]], None]] = 
     "ament_python_install_package": _python_package,
     "pluginlib_export_plugin_description_file": _plugins,
     "rclcpp_components_register_node": _register_node,
+    "rclcpp_components_register_nodes": _register_nodes,
+    "generate_parameter_library": _parameter_library,
 }
