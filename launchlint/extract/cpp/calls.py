@@ -31,6 +31,7 @@ from launchlint.extract.cpp.values import (
     Value,
     choices,
     either,
+    node_of,
 )
 from launchlint.extract.fact import ELSEWHERE
 
@@ -357,7 +358,8 @@ def _method(machine: Machine, node: Node, function: Node, frame: Frame) -> Value
 def _bare(machine: Machine, cell: Cell, frame: Frame) -> Value | None:
     """A value for a variable of a ROS class that was never seen to be made."""
     resolved = machine.names.resolve(cell.type, frame)
-    if resolved.name in ros.BARE or (resolved.name in ros.WITH_METHODS and not resolved.member):
+    tables = machine.tables
+    if resolved.name in tables.bare or (not resolved.member and any(owner == resolved.name for owner, _ in tables.methods)):
         return Thing(resolved, None, -1)
     return None
 
@@ -400,7 +402,7 @@ def _on_unknown(asked: Call, cell: Cell | None) -> Value:
 
     machine, frame = asked.machine, asked.frame
     machine.unseen.blind.setdefault(asked.name)
-    category = ros.TELLING_METHODS.get(asked.name)
+    category = machine.tables.categories.get(asked.name)
     if category and asked.arguments:
         if ros.may_be_handle(machine, cell, frame):
             answer = ros.handle_method(Handle(UNKNOWN_SPACE), asked)
@@ -423,8 +425,8 @@ def unanswered(machine: Machine, name: str, given: Sequence[Argument], node: Nod
         for _, value in choices(each.value):
             if isinstance(value, (Callable, Closure)):
                 machine.later(value, machine.when)
-            elif isinstance(value, Handle) and not _HARMLESS.search(name):
-                reason = f"{name} is given a node handle, and is not in these sources"
+            elif (held := node_of(value)) is not None and not _HARMLESS.search(name):
+                reason = f"{name} is given a {held.word}, and is not in these sources"
                 if _OF_PARAMS.search(name):
                     machine.doubt("params", reason, node, frame)
                 else:

@@ -423,7 +423,7 @@ def overriders(machine: Machine, this: Thing, name: str) -> list[tuple[Class, li
         functions = [each for each in machine.declarations.functions.get(joined(declared.name, name), []) if each.body]
         if functions:
             found.append((declared, functions))
-    if any(overloads.tells(each) for _, functions in found[_MOST_SUBCLASSES:] for each in functions):
+    if any(overloads.tells(machine, each) for _, functions in found[_MOST_SUBCLASSES:] for each in functions):
         reason = f"{name} has more than {_MOST_SUBCLASSES} overriders, of which not all are followed"
         machine.doubt_all(reason, found[0][0].path, found[0][1][0].line)
     return found[:_MOST_SUBCLASSES]

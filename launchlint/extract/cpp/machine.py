@@ -17,6 +17,7 @@ from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import ANY, LOOSE, UNKNOWN_SPACE, Instance, Names, finished, is_anchored
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, UNTYPED, Type
 from launchlint.extract.cpp.syntax import Node
+from launchlint.extract.cpp.tables import Tables
 from launchlint.extract.cpp.unseen import Unseen
 from launchlint.extract.cpp.values import (
     UNKNOWN,
@@ -75,8 +76,16 @@ class Pending(NamedTuple):
 class Machine:
     """One run over one program."""
 
-    def __init__(self, declarations: Declarations, root: str = ".", plugins: Sequence[Plugin] = (), foreign: Foreign | None = None) -> None:
+    def __init__(
+        self,
+        declarations: Declarations,
+        tables: Tables,
+        root: str = ".",
+        plugins: Sequence[Plugin] = (),
+        foreign: Foreign | None = None,
+    ) -> None:
         self.declarations = declarations
+        self.tables = tables
         self.foreign = foreign or Foreign()
         self.plugins = plugins
         self.instance: Instance | None = None
@@ -319,7 +328,7 @@ class Machine:
             return UNKNOWN
         self.unseen.visited.add(function)
         if len(self.calls) >= _DEEPEST_CALL or self.depth > _DEEPEST - 20:
-            if overloads.tells(function):
+            if overloads.tells(self, function):
                 self.doubt_all(f"calls are nested too deeply to follow {function.name}", function.path, function.line)
             return UNKNOWN
         if function.body.size > _LARGEST_IRRELEVANT and not overloads.is_relevant(self, function):

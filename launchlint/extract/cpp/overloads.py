@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from functools import lru_cache
 
 from launchlint.extract.cpp.declarations import Class, Function
 from launchlint.extract.cpp.relevance import Relevance
@@ -17,28 +16,6 @@ if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Argument, Machine
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
-_TELLING = frozenset(
-    """advertise advertiseService advertiseCamera subscribe subscribeCamera serviceClient getParam getParamCached param
-    hasParam searchParam NodeHandle waitForMessage waitForService createClient TransformListener TransformBroadcaster
-    StaticTransformBroadcaster SimpleActionServer SimpleActionClient ActionServer ActionClient Subscriber Publisher Server
-    ImageTransport Updater createTimer createWallTimer getNodeHandle getPrivateNodeHandle CameraInfoManager
-    RealtimePublisher initParam thread createInstance createUniqueInstance Loader M_string""".split()
-)
-
-_SILENT = frozenset(
-    "NodeHandle getNodeHandle getPrivateNodeHandle thread createTimer createWallTimer Publisher Loader M_string NodeletLazy".split()
-)
-"""Those of them that make no name by themselves."""
-
-
-@lru_cache(maxsize=1)
-def _telling() -> frozenset[str]:
-    """Words of functions that may have to do with names of ROS."""
-    from launchlint.extract.cpp.ros.library import MAKERS
-    from launchlint.extract.cpp.ros.models import MODELS
-
-    classes = {name.rpartition("::")[2] for name in (*MAKERS, *MODELS) if "::" in name and not name.startswith(("std::", "boost::"))}
-    return _TELLING | classes
 
 
 def chosen(machine: Machine, functions: Sequence[Function], given: Sequence[Argument] | None, this: Thing | None) -> Function | None:
@@ -76,7 +53,8 @@ def _fits(type_: Type, value: Value) -> int:
             return 4 if name == "bool" else 0 if name in INTEGERS else -2
         return 3 if name in DOUBLES or name in INTEGERS else 1 if name == "bool" else -3
     if isinstance(first, Handle):
-        return 4 if "NodeHandle" in name or (type_.arguments and "NodeHandle" in type_.arguments[0].name) else -4
+        called = "NodeHandle" if first.node is None else "Node"
+        return 4 if called in name or (type_.arguments and called in type_.arguments[0].name) else -4
     if isinstance(first, Thing):
         inner = type_.arguments[0].last if type_.name in POINTERS and type_.arguments else type_.last
         return 4 if inner == first.type.last else -2 if name in TEXTS or name in DOUBLES or name in INTEGERS else 0
@@ -99,18 +77,19 @@ def with_defaults(machine: Machine, function: Function) -> dict[int, Node]:
 def is_relevant(machine: Machine, function: Function) -> bool:
     """Whether a function, or one that it calls, may have to do with names of ROS; told by words alone."""
     if function.relevant is None and function.body is not None:
-        Relevance(machine.declarations, machine.names, _telling(), machine.foreign.words_among)
+        Relevance(machine.declarations, machine.names, machine.tables, machine.foreign.words_among)
     return bool(function.relevant)
 
 
-def tells(function: Function) -> bool:
+def tells(machine: Machine, function: Function) -> bool:
     """Whether a function itself may make names of ROS; told by its words alone."""
-    return function.body is not None and telling(function.body.text)
+    return function.body is not None and telling(machine, function.body.text)
 
 
-def telling(text: str) -> bool:
+def telling(machine: Machine, text: str) -> bool:
     """Whether a piece of source may make names of ROS; told by its words alone."""
-    return not (_telling() - _SILENT).isdisjoint(_WORD.findall(text))
+    words = machine.tables.words
+    return any(word in words and word not in machine.tables.silent_words for word in _WORD.findall(text))
 
 
 def talks(machine: Machine, declared: Class) -> bool:

@@ -11,6 +11,7 @@ from launchlint.extract.cpp.files import File, Trees, read_files
 from launchlint.extract.cpp.foreign import Foreign
 from launchlint.extract.cpp.machine import Argument, Machine
 from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
+from launchlint.extract.cpp.ros.roscpp import ROSCPP
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.values import UNKNOWN, Thing
 from launchlint.extract.fact import Doubt, Fact, Made, Plugin
@@ -64,7 +65,7 @@ def cpp_program(
     for file in files:
         declarations.read(file.root, file.path)
     declarations.finish()
-    machine = Machine(declarations, root, plugins, Foreign(missing, packages))
+    machine = Machine(declarations, ROSCPP, root, plugins, Foreign(missing, packages))
     first = files[-1].path if files else "."
     for problem in problems:
         machine.doubt_all(problem, first, 1)

@@ -16,6 +16,7 @@ from launchlint.extract.cpp.foreign import is_silent
 from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import Names
 from launchlint.extract.cpp.spelled_type import Type, parse_type
+from launchlint.extract.cpp.tables import Tables
 
 _SKIPPED = re.compile(
     r'//[^\n]*|/\*.*?\*/|\bR"(\w{0,16})\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n]){1,4}\'',
@@ -63,10 +64,6 @@ def _mentions(text: str) -> dict[str, tuple[Mention, ...]]:
     return by_word
 
 
-def _is_handle(type_: Type) -> bool:
-    return type_.last == "NodeHandle" or any(each.last == "NodeHandle" for each in type_.arguments)
-
-
 def _is_given(handle: Mention) -> bool:
     """Whether the name of a node handle stands for the handle itself, which may be handed on, and not for a member of it."""
     return handle.follow not in (".", "->")
@@ -84,15 +81,14 @@ class Relevance:
     Args:
         declarations: of the program.
         names: looks up the types of what calls stand behind.
-        telling: words that tell.
+        tables: of the client library, with the words that tell.
         others: says which of some words are of headers that are not here and may talk.
     """
 
-    def __init__(
-        self, declarations: Declarations, names: Names, telling: Iterable[str], others: Callable[[Iterable[str]], set[str]]
-    ) -> None:
+    def __init__(self, declarations: Declarations, names: Names, tables: Tables, others: Callable[[Iterable[str]], set[str]]) -> None:
         self._declarations = declarations
         self._names = names
+        self._tables = tables
         self._locals: dict[Function, dict[str, list[str]]] = {}
         self._classes: dict[tuple[Function, str], tuple[str | None, ...]] = {}
         self._lineage: dict[str, frozenset[str]] = {}
@@ -103,8 +99,8 @@ class Relevance:
         self._holders: dict[str, list[Class]] = {}
         self._derived: dict[str, list[Class]] = {}
         self._aliases: dict[str, list[str]] = {}
-        self._handles = {name.rpartition("::")[2] for name, each in declarations.variables.items() if _is_handle(each.type)}
-        self._read(telling, others)
+        self._handles = {name.rpartition("::")[2] for name, each in declarations.variables.items() if self._is_handle(each.type)}
+        self._read(tables.words, others)
         while self._pending:
             self._reached(self._pending.pop())
 
@@ -112,7 +108,7 @@ class Relevance:
         for declared in self._declarations.classes.values():
             self._by_last.setdefault(declared.name.rpartition("::")[2], []).append(declared.name)
             for field_name, field in declared.fields.items():
-                if _is_handle(field.type):
+                if self._is_handle(field.type):
                     self._handles.add(field_name)
                 if not field.pointer:
                     self._holders.setdefault(field.type.last, []).append(declared)
@@ -133,7 +129,7 @@ class Relevance:
             for word in words.intersection(own) if len(own) > len(words) else [word for word in own if word in words]:
                 self._mentioned.setdefault(word, []).extend((each, mention) for mention in own[word])
             for parameter in each.parameters:
-                if _is_handle(parameter.type) and any(_is_given(mention) for mention in own.get(parameter.name, ())):
+                if self._is_handle(parameter.type) and any(_is_given(mention) for mention in own.get(parameter.name, ())):
                     self._found(each)
         for found in self._declarations.functions.values():
             # What is declared with ROS at hand, and stands in no source that is here, may do anything.
@@ -153,6 +149,9 @@ class Relevance:
                     self._found(function)
             if word[0].isupper() and word not in _SILENT_MEMBERS:
                 self._held(word)
+
+    def _is_handle(self, type_: Type) -> bool:
+        return self._tables.is_handle(type_) or any(self._tables.is_handle(each) for each in type_.arguments)
 
     def _is_strange(self, base: Type, declared: Class) -> bool:
         """Whether a base class is not here, and may talk."""

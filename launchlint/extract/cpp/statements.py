@@ -248,13 +248,9 @@ def _if(machine: Machine, node: Node, frame: Frame) -> str:
     def otherwise() -> str:
         return machine.execute(alternative, frame) if alternative else ""
 
-    if _is_running(text):
+    if text.replace(" ", "") in machine.tables.running:
         return machine.execute(consequence, frame) if consequence else ""
     return machine.branch([(text, then), (negated(text), otherwise)])
-
-
-def _is_running(text: str) -> bool:
-    return text.replace(" ", "") in ("ros::ok()", "nh.ok()", "nh_.ok()", "n.ok()", "node.ok()", "ros::isInitialized()")
 
 
 def _for_each(machine: Machine, node: Node, frame: Frame) -> str:

@@ -133,7 +133,7 @@ class Unseen:
     def _tell(self, text: str) -> bool:
         from launchlint.extract.cpp import overloads
 
-        return overloads.telling(text)
+        return overloads.telling(self.machine, text)
 
     def _by_name(self) -> dict[str, list[Function]]:
         if self._words is None:

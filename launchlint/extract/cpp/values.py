@@ -60,9 +60,18 @@ NULL: Final = Null()
 
 
 class Handle(NamedTuple):
-    """A ros::NodeHandle: its namespace is empty, ``~``, ``~/sub``, ``sub`` or ``/global``."""
+    """A ros::NodeHandle: its namespace is empty, ``~``, ``~/sub``, ``sub`` or ``/global``.
+
+    In ROS 2 it is a node, or a sub-node with its namespace; ``node`` is then its key (:attr:`launchlint.extract.fact.Made.key`).
+    """
 
     namespace: str
+    node: str | None = None
+
+    @property
+    def word(self) -> str:
+        """What people call it."""
+        return "node handle" if self.node is None else "node"
 
 
 class Items(NamedTuple):
@@ -128,6 +137,16 @@ class Thing:
 
 
 Value = Unknown | Null | Text | Number | Handle | Items | Callable | Closure | Either | Thing
+
+
+def node_of(value: Value) -> Handle | None:
+    """The node handle, or the node of ROS 2, that a value is; None where it is neither."""
+    if isinstance(value, Thing):
+        held = value.fields.get("<handle>")
+        value = UNKNOWN if held is None else held.value
+        return value if isinstance(value, Handle) and value.node is not None else None
+    return value if isinstance(value, Handle) else None
+
 
 MOST_CHOICES: Final = 8
 MOST_OBJECTS: Final = 64

@@ -118,7 +118,7 @@ def _parameter_library(facts: CMakeFacts, scope: Scope, arguments: Sequence[Valu
 
 
 def auto_sources(scope: Scope, name: str, command: Command) -> Sequence[Value]:
-    """What the command ``name`` makes a target of: ``ament_auto_add_executable`` and its like of the C and C++ files in directories, too."""
+    """What the command ``name`` makes a target of: ``ament_auto_add_executable`` and its like of the files in directories, too."""
     words = scope.expand(command.arguments, any_way=True)[1:]
     if "ament_auto_add_" not in name:
         return words

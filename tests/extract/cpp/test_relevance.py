@@ -11,9 +11,11 @@ from launchlint.extract.cpp import syntax
 from launchlint.extract.cpp.declarations import Declarations
 from launchlint.extract.cpp.naming import Names
 from launchlint.extract.cpp.relevance import Relevance
+from launchlint.extract.cpp.ros.roscpp import ROSCPP
 from tests.extract.cpp.following import program, spelled
 
-TELLING = ("advertise", "param", "NodeHandle", "TransformListener", "SimpleActionClient", "thread")
+WORDS = frozenset(("advertise", "param", "NodeHandle", "TransformListener", "SimpleActionClient", "thread"))
+TABLES = ROSCPP._replace(words=WORDS)
 
 SOURCES = {
     "what calls the interface": ("void f() { nh.advertise<A>(t, 1); } void g() { f(); } void h() { k(); }", {"f", "g"}),
@@ -114,7 +116,7 @@ def test_relevant(name: str) -> None:
     declarations = Declarations()
     declarations.read(syntax.parse(source.encode()), "main.cpp")
     declarations.finish()
-    Relevance(declarations, Names(declarations), TELLING, others)
+    Relevance(declarations, Names(declarations), TABLES, others)
     assert {each.name for found in declarations.functions.values() for each in found if each.relevant} == expected
 
 
@@ -122,7 +124,7 @@ def test_what_is_declared_with_ros_at_hand_and_not_here() -> None:
     declarations = Declarations()
     declarations.read(syntax.parse(b'#include "ros/ros.h"\nvoid setUp(); void f() { setUp(); } void g() { other(); }'), "main.cpp")
     declarations.finish()
-    Relevance(declarations, Names(declarations), TELLING, lambda words: set())
+    Relevance(declarations, Names(declarations), TABLES, lambda words: set())
     assert [each.name for found in declarations.functions.values() for each in found if each.relevant] == ["f"]
 
 

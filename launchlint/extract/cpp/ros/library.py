@@ -9,7 +9,6 @@ from launchlint.extract.cpp.naming import UNKNOWN_SPACE, below, template
 from launchlint.extract.cpp.ros import driver_base, functions, loading, params
 from launchlint.extract.cpp.ros import handle as handles
 from launchlint.extract.cpp.ros.callbacks import action_type, callback_of, explicit, message_type
-from launchlint.extract.cpp.ros.models import MODELS
 from launchlint.extract.cpp.ros.reconfigure import reconfigured
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.values import UNKNOWN, Either, Handle, Number, Text, Thing, Value, choices, either, plain
@@ -17,22 +16,10 @@ from launchlint.extract.cpp.values import UNKNOWN, Either, Handle, Number, Text,
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.cpp.calls import Call
-    from launchlint.extract.cpp.machine import Machine
 
 _DEFAULT, _PRIVATE = Handle(""), Handle("~")
 _TF = "tf2_msgs/TFMessage"
 _IMAGE, _INFO = "sensor_msgs/Image", "sensor_msgs/CameraInfo"
-
-
-def known_name(machine: Machine, type_: Type) -> str:
-    """The full name of a class of ROS that may be named without its namespace."""
-    if type_.name in MAKERS or type_.name in MODELS:
-        return type_.name
-    for used in machine.declarations.used:
-        full = f"{used}::{type_.name}"
-        if full in MAKERS or full in MODELS:
-            return full
-    return type_.name
 
 
 def _thing(asked: Call, name: str, **fields: Value) -> Thing:
