@@ -1,9 +1,9 @@
 """Write the bundled library in canonical form, with its index, or check that it is.
 
 ``python scripts/bundled_library.py`` rewrites every file of ``launchlint/library/bundled`` (same content, canonical text) and makes
-``index.json``: the package of each nodelet class whose name does not begin with it. ``--check`` writes nothing, says what is not as it
-should be, and exits with status 1 where something is not. A file with a fault is never rewritten: ``launchlint library validate`` names
-the same faults.
+``index.json``: the package of each nodelet class whose name does not begin with it; the same in ``ros2/``, for components. ``--check``
+writes nothing, says what is not as it should be, and exits with status 1 where something is not. A file with a fault is never rewritten:
+``launchlint library validate`` names the same faults.
 """
 
 from __future__ import annotations
@@ -15,9 +15,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from launchlint.library.inspection import inspect_file
-from launchlint.library.shipped import DIRECTORY, INDEX
+from launchlint.library.shipped import DIRECTORY, INDEX, ROS2_SHELF, SEPARATORS
+from launchlint.library.terms import TABLES
 from launchlint.library.write import canonical
+from launchlint.model import ROS1, ROS2
 from launchlint.report.library import faults
+
+_CALLED = {ROS1: "ROS 1", ROS2: "ROS 2"}
 
 
 class Expected(NamedTuple):
@@ -27,8 +31,8 @@ class Expected(NamedTuple):
     complaints: list[str]
 
 
-def expected_files(directory: Path) -> Expected:
-    """What every file of the directory should be."""
+def expected_files(directory: Path, middleware: str) -> Expected:
+    """What every file of the directory, the shelf of a middleware, should be."""
     texts: dict[str, str] = {}
     complaints: list[str] = []
     owners: dict[str, str] = {}
@@ -41,19 +45,23 @@ def expected_files(directory: Path) -> Expected:
         if found:
             complaints += found
             continue
+        known = document["packages"][path.stem]
+        if known.get("middleware", ROS1) != middleware:
+            complaints.append(f"{shown(path)}: packages of {_CALLED[known.get('middleware', ROS1)]} have a directory of their own")
         texts[path.name] = canonical(document)
-        for name in document["packages"][path.stem].get("nodelets", ()):
-            if name in owners:
+        for name in known.get(TABLES[middleware][1], ()):
+            if name in owners and middleware == ROS1:  # a component is always asked for with its package
                 complaints.append(f"{shown(path)}: the nodelet class {name} is in {owners[name]}.json already; only one can be right")
             owners.setdefault(name, path.stem)
-    texts[INDEX] = index_text(owners)
+    texts[INDEX] = index_text(owners, middleware)
     return Expected(texts, complaints)
 
 
-def index_text(owners: dict[str, str]) -> str:
-    """The index: nodelet class to package, where its name does not tell."""
-    index: dict[str, Any] = {name: owners[name] for name in sorted(owners) if name.partition("/")[0] != owners[name]}
-    return json.dumps({"nodelets": index}, indent=1, ensure_ascii=False) + "\n"
+def index_text(owners: dict[str, str], middleware: str) -> str:
+    """The index: nodelet class or component to package, where its name does not tell."""
+    separator = SEPARATORS[middleware]
+    index: dict[str, Any] = {name: owners[name] for name in sorted(owners) if name.partition(separator)[0] != owners[name]}
+    return json.dumps({TABLES[middleware][1]: index}, indent=1, ensure_ascii=False) + "\n"
 
 
 def shown(path: Path) -> str:
@@ -68,14 +76,20 @@ def main() -> int:
     parser.add_argument("--directory", type=Path, default=Path(DIRECTORY), help="where the files are (default: the package's own)")
     arguments = parser.parse_args()
     directory: Path = arguments.directory.resolve()
-    expected = expected_files(directory)
+    shelves = {directory: ROS1, **({directory / ROS2_SHELF: ROS2} if (directory / ROS2_SHELF).is_dir() else {})}
+    return max([_shelf(each, middleware, check=arguments.check) for each, middleware in shelves.items()])
+
+
+def _shelf(directory: Path, middleware: str, *, check: bool) -> int:
+    """Write or check the files of a directory; the exit status."""
+    expected = expected_files(directory, middleware)
     present = {path.name: path.read_text(encoding="utf-8") for path in directory.glob("*.json")}
     changed = [name for name, text in sorted(expected.texts.items()) if present.get(name) != text]
     complaints = expected.complaints
-    if arguments.check:
+    if check:
         complaints = [*complaints, *(f"{shown(directory / name)} is not in canonical form" for name in changed)]
     sys.stdout.write(faults(complaints))
-    if arguments.check:
+    if check:
         if complaints:
             print("run: python scripts/bundled_library.py")
             return 1

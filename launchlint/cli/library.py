@@ -25,7 +25,7 @@ def command(context: click.Context) -> int:
 @click.option("-v", "--verbose", is_flag=True, help="Show the evidence for each name, too.")
 @click.argument("names", nargs=-1, metavar="[NAME]...")
 def show(libraries: tuple[str, ...], config: str | None, no_bundled: bool, format_: str, verbose: bool, names: tuple[str, ...]) -> int:
-    """Show what is known of each NAME: a package, PACKAGE/EXECUTABLE or a nodelet class. Without NAME list the packages.
+    """Show what is known of each NAME: a package, PACKAGE/EXECUTABLE, a nodelet class or a component. Without NAME list the packages.
 
     Known is what the bundled library says, what the configuration's `library:` says and what each --library says.
     """
@@ -114,12 +114,13 @@ def diff(old: str, new: str, format_: str) -> int:
 
 
 @command.command("schema")
-def schema() -> int:
+@click.option("--version", type=click.Choice(["1", "2"]), help="Of one version of the format alone; default: of all.")
+def schema(version: str | None) -> int:
     """Print the format of libraries as a JSON Schema, for editors and other programs."""
     import json
 
     from launchlint.library.schema import json_schema
     from launchlint.report.formats import emit
 
-    emit(json.dumps(json_schema(), indent=2) + "\n", sys.stdout)
+    emit(json.dumps(json_schema(None if version is None else int(version)), indent=2) + "\n", sys.stdout)
     return 0

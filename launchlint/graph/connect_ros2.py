@@ -56,7 +56,7 @@ def _instance(node: Node, name: str, containers: Mapping[str, str], parameters: 
     program = node.plugin if node.plugin is not None else f"{node.package}/{node.executable}"
     namer = RclNamer(node.namespace, name, node.remaps, [each.patterns for each in node.open_remaps if each.patterns is not None])
     reason = _unknown_start(node)
-    known = None if reason else library.nodelet(what) if node.plugin is not None else library.executable(node.package, what)
+    known = None if reason else library.component(node.package, what) if node.plugin is not None else library.executable(node.package, what)
     part = Interface([], [], {}, [], has_template=False)
     client = ""
     if known is not None:

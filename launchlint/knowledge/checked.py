@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from copy import deepcopy
 
-from launchlint.library.format import FORMAT, LISTS, VERSION
+from launchlint.library.format import FORMAT, LISTS, VERSION_2
 from launchlint.library.validate import faults
+from launchlint.model import ROS1
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,10 +17,10 @@ _ROUNDS = 3
 """Not all faults of a program are told at once."""
 
 
-def checked(program: Mapping[str, Any], table: str) -> tuple[Mapping[str, Any] | None, str]:
+def checked(program: Mapping[str, Any], table: str, middleware: str = ROS1) -> tuple[Mapping[str, Any] | None, str]:
     """The program without entries that no library may have; None, with the reason, where it is none even so."""
     for _ in range(_ROUNDS):
-        found = faults({"format": FORMAT, "version": VERSION, "packages": {"own": {table: {"own": program}}}})
+        found = faults({"format": FORMAT, "version": VERSION_2, "packages": {"own": {"middleware": middleware, table: {"own": program}}}})
         found = [each for each in found if "evidence" not in each.path]
         if not found:
             return program, ""

@@ -1,4 +1,4 @@
-"""What a library holds, for people who ask by name: a package, ``package/executable`` or a nodelet class."""
+"""What a library holds, for people who ask by name: a package, ``package/executable``, a nodelet class or a component."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.errors import UsageError
-from launchlint.library.format import KINDS
+from launchlint.library.format import TABLES
 from launchlint.library.lookup import Library
+from launchlint.library.shipped import SEPARATORS
 from launchlint.spelling import did_you_mean
 
 TYPE_CHECKING = False
@@ -20,10 +21,11 @@ class Entry(NamedTuple):
 
     Args:
         package: its package.
-        table: ``executables`` or ``nodelets``.
-        name: the executable or nodelet class.
+        table: ``executables``, ``nodelets`` or ``components``.
+        name: the executable, nodelet class or component.
         said: all that the libraries say of it, joined.
         interface: the same, or that of the program it is like; None where its interface is not known.
+        middleware: of its package: ``ros1`` or ``ros2``.
     """
 
     package: str
@@ -31,59 +33,91 @@ class Entry(NamedTuple):
     name: str
     said: Mapping[str, Any]
     interface: Mapping[str, Any] | None
+    middleware: str
 
 
 class Row(NamedTuple):
-    """A package, and how many executables and nodelet classes of it are known."""
+    """A package of a middleware, and how many programs of it are known: executables, and nodelet classes or components."""
 
     package: str
+    middleware: str
     executables: int
-    nodelets: int
+    loadable: int
 
 
 def rows(library: Library) -> list[Row]:
-    """Every package, by name."""
-    return [Row(package, len(library.executables(package)), len(library.nodelets(package))) for package in library.packages()]
+    """Every package, by name; one that is known in both middlewares twice."""
+    each_way = {middleware: library.of(middleware) for middleware in TABLES}
+    return sorted(
+        Row(package, middleware, len(known.executables(package)), len(known.nodelets(package)))
+        for middleware, known in each_way.items()
+        for package in known.packages()
+    )
 
 
 def find(library: Library, names: Sequence[str]) -> list[Entry]:
-    """The programs that the names mean, in their order. ``a/b`` may be an executable and a nodelet class: then it is both.
+    """The programs that the names mean, in their order. ``a/b`` may be several: an executable and a nodelet class, one of each middleware.
 
     Raises:
         UsageError: nothing is known under one of the names; the message names a near one.
     """
-    found: dict[tuple[str, str, str], None] = {}
+    found: dict[_Place, None] = {}
+    each_way = {middleware: library.of(middleware) for middleware in TABLES}
     for name in names:
-        places = _places(library, name)
+        places = _places(each_way, name)
         if not places:
-            raise UsageError(f"nothing is known of {name}: {_hint(library, name)}")
+            raise UsageError(f"nothing is known of {name}: {_hint(list(each_way.values()), name)}")
         found.update(dict.fromkeys(places))
-    return [Entry(*place, *library.described(*place)) for place in found]
+    return [_entry(each_way, place) for place in found]
 
 
 def known(library: Library, names: Iterable[str]) -> list[Entry]:
     """As :func:`find`, without those of which nothing is known; by package, table and name."""
-    places = sorted({place for name in names for place in _places(library, name)})
-    return [Entry(*place, *library.described(*place)) for place in places]
+    each_way = {middleware: library.of(middleware) for middleware in TABLES}
+    places = sorted({place for name in names for place in _places(each_way, name)})
+    return [_entry(each_way, place) for place in places]
 
 
-def _places(library: Library, name: str) -> list[tuple[str, str, str]]:
-    """Package, table and name of each program that a name means."""
+class _Place(NamedTuple):
+    """Which program it is."""
+
+    package: str
+    table: str
+    name: str
+    middleware: str
+
+
+def _entry(each_way: Mapping[str, Library], place: _Place) -> Entry:
+    return Entry(*place[:3], *each_way[place.middleware].described(*place[:3]), place.middleware)
+
+
+def _places(each_way: Mapping[str, Library], name: str) -> list[_Place]:
+    """Each program that a name means."""
+    return [_Place(*place, middleware) for middleware, library in each_way.items() for place in _places_in(library, name, middleware)]
+
+
+def _places_in(library: Library, name: str, middleware: str) -> list[tuple[str, str, str]]:
+    """Package, table and name of each program of a middleware that a name means."""
     package, slash, executable = name.partition("/")
-    if not slash:
-        tables = {"executables": library.executables(name), "nodelets": library.nodelets(name)}
-        return [(name, table, each) for table in KINDS for each in tables[table]]
-    found = [(package, "executables", executable), *((owner, "nodelets", name) for owner in library.packages_of_class(name))]
-    return [each for each in found if library.knows(*each)]
+    loadable = TABLES[middleware][1]
+    separator = SEPARATORS[middleware]
+    if not slash and separator not in name:
+        tables = {"executables": library.executables(name), loadable: library.nodelets(name)}
+        return [(name, table, each) for table in tables for each in tables[table]]
+    found = [(owner, loadable, name) for owner in library.packages_of_class(name)]
+    if slash:
+        found = [(package, "executables", executable), *found, *([(package, loadable, executable)] if separator in executable else [])]
+    return [each for each in dict.fromkeys(found) if library.knows(*each)]
 
 
-def _hint(library: Library, name: str) -> str:
+def _hint(libraries: Sequence[Library], name: str) -> str:
     package, slash, _ = name.partition("/")
-    packages = library.packages()
+    packages = sorted({each for library in libraries for each in library.packages()})
     if not slash:
         return did_you_mean(name, packages) or "launchlint library show lists the packages"
     if package not in packages:
         near = did_you_mean(package, packages)
         return near or f"there is no package {package}, and no nodelet class of that name; launchlint library show lists the packages"
-    known = [*(f"{package}/{each}" for each in library.executables(package)), *library.nodelets(package)]
+    executables = [f"{package}/{each}" for library in libraries for each in library.executables(package)]
+    known = [*executables, *(each for library in libraries for each in library.nodelets(package))]
     return did_you_mean(name, known) or f"launchlint library show {package} lists what is known of the package"

@@ -10,17 +10,18 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from launchlint.library.condition import pattern_of
-from launchlint.library.format import LISTS
-from launchlint.library.lookup import LONGEST_LIKE
+from launchlint.library.format import KINDS, LISTS
+from launchlint.library.lookup import LONGEST_LIKE, table_of
 from launchlint.library.template import Slot, Template, is_template, parse
 from launchlint.library.validate import MOST_PROBLEMS, Fault, Path
+from launchlint.model import ROS1, ROS2
 from launchlint.spelling import did_you_mean
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    FindPackage = Callable[[str], Mapping[str, Any] | None]
+    FindPackage = Callable[[str, str], Mapping[str, Any] | None]
 
 EVERYWHERE = {
     "publishers": ("/rosout",),
@@ -28,7 +29,17 @@ EVERYWHERE = {
     "services": ("~get_loggers", "~set_logger_level"),
     "params": ("/use_sim_time",),
 }
-"""Names that every node has: no library lists them."""
+"""Names that every node of ROS 1 has: no library lists them."""
+
+_PARAM_SERVICES = ("describe_parameters", "get_parameter_types", "get_parameters", "list_parameters", "set_parameters")
+_LIFE_SERVICES = ("change_state", "get_state", "get_available_states", "get_available_transitions", "get_transition_graph")
+EVERYWHERE_2 = {
+    "publishers": ("/rosout", "/parameter_events", "~transition_event"),
+    "subscribers": ("/clock", "/parameter_events"),
+    "services": tuple(f"~{name}" for name in (*_PARAM_SERVICES, "set_parameters_atomically", *_LIFE_SERVICES)),
+    "params": ("~use_sim_time",),
+}
+"""Those of every node of ROS 2, or of every one with a lifecycle."""
 
 _ACTION_TOPICS = {
     ("server", "subscribers"): ("goal", "cancel"),
@@ -36,7 +47,9 @@ _ACTION_TOPICS = {
     ("client", "publishers"): ("goal", "cancel"),
     ("client", "subscribers"): ("status", "feedback", "result"),
 }
+_WHOM = {ROS1: "the ROS master", ROS2: "other nodes"}
 _LITERAL = re.compile(r"[\w/~]*", re.ASCII)
+_LITERAL_OF_PARAM = re.compile(r"[^\s{}]*")
 
 
 def inconsistencies(document: Mapping[str, Any], elsewhere: FindPackage) -> list[Fault]:
@@ -44,7 +57,7 @@ def inconsistencies(document: Mapping[str, Any], elsewhere: FindPackage) -> list
 
     Args:
         document: the library.
-        elsewhere: finds packages that are not in it: those of the library that launchlint ships.
+        elsewhere: finds packages that are not in it, by name and middleware: those of the library that launchlint ships.
     """
     found: list[Fault] = []
     for fault in _packages(document["packages"], elsewhere):
@@ -55,19 +68,18 @@ def inconsistencies(document: Mapping[str, Any], elsewhere: FindPackage) -> list
 
 
 def _packages(packages: Mapping[str, Any], elsewhere: FindPackage) -> Iterator[Fault]:
-    def find(name: str) -> Mapping[str, Any] | None:
-        return packages[name] if name in packages else elsewhere(name)
-
     for package, known in packages.items():
-        for table in ("executables", "nodelets"):
+        middleware = known.get("middleware", ROS1)
+        family = _Family(packages, middleware, elsewhere)
+        for table in KINDS:
             for name, program in known.get(table, {}).items():
                 path = ("packages", package, table, name)
-                yield from _program(program, path)
+                yield from _program(program, path, middleware)
                 if "like" in program:
-                    yield from _like(program, path, _Family(packages, find))
+                    yield from _like(program, path, family)
 
 
-def _program(program: Mapping[str, Any], path: Path) -> Iterator[Fault]:
+def _program(program: Mapping[str, Any], path: Path, middleware: str) -> Iterator[Fault]:
     variants = program.get("variants")
     if "like" in program:
         others = [key for key in ("variants", "options", "status") if key in program]
@@ -83,33 +95,37 @@ def _program(program: Mapping[str, Any], path: Path) -> Iterator[Fault]:
         elif name != "default" and "match" not in variant:
             yield Fault(here, f"the variant {_quoted(name)} is never chosen: only default does without `match`, the condition for it")
         if program.get("class") == "none" and any(variant.get(category) for category in LISTS):
-            yield Fault(here, "a program of class none never talks to the ROS master, so it cannot have these names")
+            yield Fault(here, f"a program of class none never talks to {_WHOM[middleware]}, so it cannot have these names")
         options = program.get("options")
         yield from _options_of_condition(variant.get("match"), options, (*here, "match"))
         for category in LISTS:
-            yield from _entries(category, variant, options, (*here, category))
+            yield from _entries(category, variant, options, (*here, category), middleware)
 
 
-def _entries(category: str, variant: Mapping[str, Any], options: Any, path: Path) -> Iterator[Fault]:
+def _entries(category: str, variant: Mapping[str, Any], options: Any, path: Path, middleware: str) -> Iterator[Fault]:
     seen: dict[str, int] = {}
-    derived = _derived(category, variant)
+    everywhere = EVERYWHERE if middleware == ROS1 else EVERYWHERE_2
+    derived = _derived(category, variant) if middleware == ROS1 else {}
     for index, entry in enumerate(variant.get(category, ())):
         here = (*path, index)
         name = entry["name"]
-        same = json.dumps([entry.get(key) for key in ("name", "role", "condition", "each")], sort_keys=True)
+        same = json.dumps([entry.get(key) for key in ("name", "role", "node", "condition", "each")], sort_keys=True)
         if same in seen:
             yield Fault(
                 here, f"{_quoted(name)} stands in this list already, as number {seen[same] + 1}: join the two, or give each a condition"
             )
         seen.setdefault(same, index)
-        if name in EVERYWHERE.get(category, ()):
+        if name in everywhere.get(category, ()):
             yield Fault((*here, "name"), f"every node has {name}: leave it out")
         elif name in derived:
             yield Fault((*here, "name"), f"{_quoted(name)} follows from the action {_quoted(derived[name])}: leave it out")
+        if entry.get("exists", "constructed") != "constructed" and not variant.get("lifecycle"):
+            yield Fault((*here, "exists"), 'only nodes with a lifecycle are configured and activated: the variant lacks "lifecycle": true')
         yield from _options_of_condition(entry.get("condition"), options, (*here, "condition"))
+        literal = _LITERAL_OF_PARAM if category == "params" and middleware == ROS2 else _LITERAL
         for key in ("name", "type", "parent"):
             if is_template(entry.get(key, "")):
-                yield from (Fault((*here, key), said) for said in _template(parse(entry[key]), entry.get("each"), options))
+                yield from (Fault((*here, key), said) for said in _template(parse(entry[key]), entry.get("each"), options, literal))
         if "each" in entry and not any(slot.kind == "each" for slot in _slots(parse(name))):
             yield Fault((*here, "each"), "each of these things gives the same name: put {each} into the name")
 
@@ -123,11 +139,11 @@ def _derived(category: str, variant: Mapping[str, Any]) -> Mapping[str, str]:
     return found
 
 
-def _template(parts: Template, each: Any, options: Any) -> Iterator[str]:
+def _template(parts: Template, each: Any, options: Any, literal: re.Pattern[str]) -> Iterator[str]:
     """What is of no use in a name or type with templates."""
     slots = list(_slots(parts))
     for part in _literals(parts):
-        if not _LITERAL.fullmatch(part):
+        if not literal.fullmatch(part):
             yield f"{_quoted(part)} cannot be a part of a name: letters, digits, _, / and ~ can"
     for slot in slots:
         if slot.kind == "option" and slot.key not in (options or {}):
@@ -209,11 +225,15 @@ def _option_advice(name: str, options: Any) -> str:
 
 
 class _Family:
-    """The programs of this library and of the one that launchlint ships, for ``like``."""
+    """The programs of a middleware in this library and in the one that launchlint ships, for ``like``."""
 
-    def __init__(self, packages: Mapping[str, Any], find: FindPackage) -> None:
-        self._packages = packages
-        self._find = find
+    def __init__(self, packages: Mapping[str, Any], middleware: str, elsewhere: FindPackage) -> None:
+        self._packages = {name: known for name, known in packages.items() if known.get("middleware", ROS1) == middleware}
+        self._middleware = middleware
+        self._elsewhere = elsewhere
+
+    def table(self, table: str, like: str) -> str:
+        return table_of(like, table, self._middleware)
 
     def executable(self, package: str, like: str) -> tuple[str, str]:
         other, slash, name = like.partition("/")
@@ -228,7 +248,8 @@ class _Family:
         return found
 
     def programs(self, package: str, table: str) -> Mapping[str, Any]:
-        programs: Mapping[str, Any] = (self._find(package) or {}).get(table, {})
+        known = self._packages[package] if package in self._packages else self._elsewhere(package, self._middleware)
+        programs: Mapping[str, Any] = (known or {}).get(table, {})
         return programs
 
 
@@ -238,18 +259,19 @@ def _like(program: Mapping[str, Any], path: Path, family: _Family) -> Iterator[F
     seen = [(package, name)]
     step = program
     while "like" in step:
-        place = family.executable(seen[-1][0], step["like"]) if table == "executables" else family.nodelet(step["like"])
+        place = family.nodelet(step["like"]) if table == "nodelets" else family.executable(seen[-1][0], step["like"])
         if place in seen:
             yield Fault((*path, "like"), "`like` leads in a circle: " + " → ".join(_quoted(each[1]) for each in (*seen, place)))
             return
         if len(seen) > LONGEST_LIKE:
             yield Fault((*path, "like"), f"`like` leads over more than {LONGEST_LIKE} programs: name the last one directly")
             return
+        table = family.table(table, place[1])
         found = family.program(place[0], table, place[1])
         if found is None:
-            what = "executable" if table == "executables" else "nodelet class"
+            what = KINDS[table]
             hint = did_you_mean(place[1], family.programs(place[0], table))
-            where = f"of the package {place[0]} " if table == "executables" else ""
+            where = "" if table == "nodelets" else f"of the package {place[0]} "
             yield Fault(
                 (*path, "like"),
                 f"there is no {what} {_quoted(place[1])} {where}here or in the bundled library{'; ' + hint if hint else ''}",

@@ -24,8 +24,8 @@ class Change(NamedTuple):
     Args:
         kind: ``added``, ``removed`` or ``changed``.
         package: the package.
-        table: ``executables`` or ``nodelets``.
-        program: the executable or nodelet class.
+        table: ``executables``, ``nodelets`` or ``components``.
+        program: the executable, nodelet class or component.
         variant: the variant; empty where the program itself is what changed.
         what: what it is in words: ``executable``, ``variant``, ``publisher``, ``action server`` …
         name: its name.
@@ -77,7 +77,7 @@ def _programs(place: _Place, what: str, old: Any, new: Any) -> Iterator[Change]:
         inner = place._replace(variant=variant)
         one, other = before.get(variant), after.get(variant)
         if one is not None and other is not None:
-            yield from _keys(inner, "variant", variant, one, other, {"match", "open"})
+            yield from _keys(inner, "variant", variant, one, other, {"match", "open", "node", "namespace", "lifecycle", "undeclared"})
         elif variant != "default":
             yield Change("added" if one is None else "removed", *inner, "variant", variant, None, None)
         for category in LISTS:
@@ -86,9 +86,9 @@ def _programs(place: _Place, what: str, old: Any, new: Any) -> Iterator[Change]:
 
 def _entries(place: _Place, what: str, old: Any, new: Any) -> Iterator[Change]:
     before, after = _by_name(old), _by_name(new)
-    for name, role in sorted({*before, *after}):
+    for name, role, node in sorted({*before, *after}):
         said = f"{what} {role}".rstrip()
-        left, right = before.get((name, role), {}), after.get((name, role), {})
+        left, right = before.get((name, role, node), {}), after.get((name, role, node), {})
         gone = [left[text] for text in left if text not in right]
         come = [right[text] for text in right if text not in left]
         for one, other in zip_longest(gone, come):
@@ -98,12 +98,12 @@ def _entries(place: _Place, what: str, old: Any, new: Any) -> Iterator[Change]:
                 yield Change("added" if one is None else "removed", *place, said, name, one, other)
 
 
-def _by_name(entries: Any) -> dict[tuple[str, str], dict[str, Any]]:
+def _by_name(entries: Any) -> dict[tuple[str, str, str], dict[str, Any]]:
     """The entries without their evidence, under their text; several of one name hold under different conditions."""
-    found: dict[tuple[str, str], dict[str, Any]] = {}
+    found: dict[tuple[str, str, str], dict[str, Any]] = {}
     for entry in entries:
         plain = {key: value for key, value in entry.items() if key != "evidence"}
-        found.setdefault((entry["name"], entry.get("role", "")), {})[_text(plain)] = plain
+        found.setdefault((entry["name"], entry.get("role", ""), entry.get("node", "")), {})[_text(plain)] = plain
     return found
 
 

@@ -14,6 +14,8 @@ from zlib import crc32
 
 from launchlint import __version__
 from launchlint.errors import LibraryError, UsageError
+from launchlint.library.terms import TABLES, VERSION
+from launchlint.model import ROS1, ROS2
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,8 +31,8 @@ if TYPE_CHECKING:
         def names(self) -> tuple[str, ...]:
             """All names, sorted."""
 
-        def classes(self) -> Mapping[str, str]:
-            """Nodelet class → package."""
+        def classes(self, middleware: str) -> Mapping[str, str]:
+            """What can be loaded into a process, nodelet class or component → package."""
 
 
 LARGEST = 512 * 1024 * 1024
@@ -44,24 +46,43 @@ MOST_INDICES = 16
 _DIGITS = 64
 """Of a SHA-256."""
 _BLOCK = 1024 * 1024
-_INDEX_VERSION = 2
+_INDEX_VERSION = 3
 
 
 class LibraryFile:
-    """The packages of one library. ``digest`` is the SHA-256 of its content; ``path`` as people see it."""
+    """The packages of one library. ``digest`` is the SHA-256 of its content; ``path`` as people see it; ``version`` of the format."""
 
-    def __init__(self, path: str, digest: str, packages: Packages) -> None:
+    def __init__(self, path: str, digest: str, packages: Packages, version: int) -> None:
         self.path = path
         self.digest = digest
         self._packages = packages
+        self._serves_both = version == VERSION
+        self._known: dict[tuple[str, str], Mapping[str, Any] | None] = {}
 
-    def package(self, name: str) -> Mapping[str, Any] | None:
-        """What the library says of a package: validated JSON."""
-        return self._packages.get(name)
+    def package(self, name: str, middleware: str = ROS1, *, borrowed: bool = True) -> Mapping[str, Any] | None:
+        """What the library says of a package of ``middleware``: validated JSON.
 
-    def package_of_class(self, nodelet: str) -> str | None:
-        """The package that has a nodelet class."""
-        return self._packages.classes().get(nodelet)
+        A package of version 1 is of ROS 1, and serves ROS 2 as well where ``borrowed``: :mod:`.borrowed`.
+        """
+        key = (name, middleware if borrowed else "")
+        if key not in self._known:
+            self._known[key] = self._package(name, middleware, borrowed=borrowed)
+        return self._known[key]
+
+    def _package(self, name: str, middleware: str, *, borrowed: bool) -> Mapping[str, Any] | None:
+        known = self._packages.get(name)
+        if known is None or known.get("middleware", ROS1) == middleware:
+            return known
+        if self._serves_both and borrowed and middleware == ROS2:
+            from launchlint.library.borrowed import in_ros2
+
+            return in_ros2(known)
+        return None
+
+    def package_of_class(self, name: str, middleware: str = ROS1) -> str | None:
+        """The package that has a nodelet class or component."""
+        found = self._packages.classes(middleware).get(name)
+        return self._packages.classes(ROS1).get(name) if found is None and self._serves_both else found
 
     def names(self) -> tuple[str, ...]:
         """The names of all packages, sorted."""
@@ -81,11 +102,11 @@ def open_library(path: str, cache_directory: str | None = None) -> LibraryFile:
         index = os.path.join(cache_directory, f"library-{_INDEX_VERSION}-{__version__}-{digest[:32]}.index")
         known = _Indexed.open(index, lambda: _Loaded(parse(read(path), path)["packages"]))
         if known is not None:
-            return LibraryFile(path, digest, known)
+            return LibraryFile(path, digest, known, known.version)
     document = parse(data, path)
     if index is not None:
-        _write_index(index, document["packages"])
-    return LibraryFile(path, digest, _Loaded(document["packages"]))
+        _write_index(index, document["packages"], document["version"])
+    return LibraryFile(path, digest, _Loaded(document["packages"]), document["version"])
 
 
 def read(path: str) -> bytes:
@@ -186,7 +207,7 @@ class _Loaded:
 
     def __init__(self, packages: Mapping[str, Any]) -> None:
         self._packages = packages
-        self._classes: dict[str, str] | None = None
+        self._classes: dict[str, dict[str, str]] = {}
 
     def get(self, name: str) -> Any:
         return self._packages.get(name)
@@ -194,17 +215,17 @@ class _Loaded:
     def names(self) -> tuple[str, ...]:
         return tuple(sorted(self._packages))
 
-    def classes(self) -> Mapping[str, str]:
-        if self._classes is None:
-            self._classes = classes_of(self._packages)
-        return self._classes
+    def classes(self, middleware: str) -> Mapping[str, str]:
+        if middleware not in self._classes:
+            self._classes[middleware] = classes_of(self._packages, middleware)
+        return self._classes[middleware]
 
 
-def classes_of(packages: Mapping[str, Any]) -> dict[str, str]:
-    """Nodelet class → package; of several the first by name."""
+def classes_of(packages: Mapping[str, Any], middleware: str) -> dict[str, str]:
+    """Nodelet class or component → package; of several the first by name."""
     found: dict[str, str] = {}
     for package in sorted(packages):
-        for name in packages[package].get("nodelets", ()):
+        for name in packages[package].get(TABLES[middleware][1], ()):
             found.setdefault(name, package)
     return found
 
@@ -219,7 +240,8 @@ class _Indexed:
     def __init__(self, data: mmap, head: Any, start: int, anew: Callable[[], Packages]) -> None:
         self._data = data
         self._places: dict[str, list[int]] = head["packages"]
-        self._classes: dict[str, str] = head["classes"]
+        self._classes: dict[str, dict[str, str]] = head["classes"]
+        self.version: int = head["version"]
         self._start = start
         self._anew = anew
         self._read: dict[str, Any] = {}
@@ -253,11 +275,11 @@ class _Indexed:
     def names(self) -> tuple[str, ...]:
         return tuple(self._places)
 
-    def classes(self) -> Mapping[str, str]:
-        return self._classes
+    def classes(self, middleware: str) -> Mapping[str, str]:
+        return self._classes[middleware]
 
 
-def _write_index(path: str, packages: Mapping[str, Any]) -> None:
+def _write_index(path: str, packages: Mapping[str, Any], version: int) -> None:
     """Keep an index; where that cannot be done, the next run reads the library again."""
     from launchlint.atomic import write_text
 
@@ -269,7 +291,8 @@ def _write_index(path: str, packages: Mapping[str, Any]) -> None:
         places[name] = (at, at + len(line), crc32(line.encode()))
         lines.append(line)
         at += len(line) + 1
-    head = json.dumps({"packages": places, "classes": classes_of(packages)}, separators=(",", ":"))
+    classes = {middleware: classes_of(packages, middleware) for middleware in TABLES}
+    head = json.dumps({"version": version, "packages": places, "classes": classes}, separators=(",", ":"))
     try:
         os.makedirs(os.path.dirname(path), mode=0o700, exist_ok=True)
         _forget_oldest(os.path.dirname(path))

@@ -31,8 +31,12 @@ def inspect(data: bytes, path: str) -> tuple[Any, list[str]]:
         text, document = decode(data, path, repeated.mapping)
     except LibraryError as error:
         return None, [str(error)]
-    found = [*repeated.faults(document), *(faults(document) or inconsistencies(document, Bundled().package))]
+    found = [*repeated.faults(document), *(faults(document) or inconsistencies(document, _shipped))]
     return document, located(text, path, found[:MOST_PROBLEMS])
+
+
+def _shipped(package: str, middleware: str) -> Any:
+    return Bundled(middleware).package(package)
 
 
 class _Repeated:

@@ -1,4 +1,4 @@
-"""All libraries of a run as one: what is known of an executable or a nodelet class.
+"""All libraries of a run as one: what is known of an executable, a nodelet class or a component.
 
 What a person wrote comes before what was seen in a run, that before what was read from source (:mod:`.merge`); of equals the user's
 libraries, the last one first, come before the one that launchlint ships. Only what is asked for is read. What the checked packages' own
@@ -12,7 +12,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 
 from launchlint.library.program import Program, program
-from launchlint.library.shipped import Bundled
+from launchlint.library.shipped import SEPARATORS, Bundled
+from launchlint.library.terms import TABLES
+from launchlint.model import ROS1, ROS2
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -35,7 +37,7 @@ if TYPE_CHECKING:
             """Why they say nothing; empty where the program is of no package that is here."""
 
         def packages_of_class(self, name: str, *, everywhere: bool) -> list[str]:
-            """The packages that export a nodelet class: the one that it is named after, or any."""
+            """The packages that export a nodelet class or component: the one that it is named after, or any."""
 
         def asked(self) -> frozenset[Key]:
             """The programs that were asked for since this was called last."""
@@ -49,19 +51,43 @@ LONGEST_LIKE = 5
 
 
 class Library:
-    """What the nodes of a run are known to do."""
+    """What the nodes of a run are known to do.
 
-    def __init__(self, files: Sequence[LibraryFile] = (), *, bundled: bool = True, own: Own | None = None) -> None:
+    Args:
+        files: the user's libraries.
+        bundled: whether what launchlint ships counts.
+        own: the sources of the checked packages.
+        middleware: only packages of it are seen.
+        borrowed: whether packages of version 1, which does not say which middleware they are of, serve ROS 2, too.
+    """
+
+    def __init__(
+        self,
+        files: Sequence[LibraryFile] = (),
+        *,
+        bundled: bool = True,
+        own: Own | None = None,
+        middleware: str = ROS1,
+        borrowed: bool = True,
+    ) -> None:
         self._files = tuple(files)
-        self._bundled = Bundled() if bundled else None
+        self._bundled = Bundled(middleware) if bundled else None
         self._own = own
+        self._middleware = middleware
+        self._borrowed = borrowed
+        self._loadable = TABLES[middleware][1]
         self._programs: dict[Key, Program | None] = {}
         self._hangs_on: dict[Key, frozenset[Key]] = {}
 
     @cached_property
-    def given(self) -> Library:
-        """What the user's libraries say alone: those that launchlint ships, and the sources that it reads, are of ROS 1."""
-        return Library(self._files, bundled=False)
+    def ros2(self) -> Library:
+        """What the same libraries say of nodes of ROS 2."""
+        return Library(self._files, bundled=self._bundled is not None, middleware=ROS2)
+
+    def of(self, middleware: str) -> Library:
+        """What the same libraries say of packages that are of ``middleware`` and say so, where the format lets them."""
+        bundled = self._bundled is not None
+        return self if middleware == ROS1 else Library(self._files, bundled=bundled, middleware=middleware, borrowed=False)
 
     @property
     def digests(self) -> tuple[str, ...]:
@@ -73,24 +99,28 @@ class Library:
         return self._program(package, "executables", name)
 
     def nodelet(self, name: str) -> Program | None:
-        """What is known of a nodelet class; None where nothing is."""
+        """What is known of a nodelet class, in ROS 2 of a component; None where nothing is."""
         for package in self.packages_of_class(name):
-            found = self._program(package, "nodelets", name)
+            found = self._program(package, self._loadable, name)
             if found is not None:
                 return found
         return None
+
+    def component(self, package: str, plugin: str) -> Program | None:
+        """What is known of a component of a package; None where nothing is."""
+        return self._program(package, self._loadable, plugin)
 
     def executables(self, package: str) -> tuple[str, ...]:
         """The executables of a package that are known, sorted: for did-you-mean."""
         return self._listed(package, "executables")
 
     def nodelets(self, package: str) -> tuple[str, ...]:
-        """The nodelet classes of a package that are known, sorted: for did-you-mean."""
-        return self._listed(package, "nodelets")
+        """The nodelet classes (components) of a package that are known, sorted: for did-you-mean."""
+        return self._listed(package, self._loadable)
 
     def has_all_nodelets(self, package: str) -> bool:
-        """Whether some library says that it lists every nodelet class of the package."""
-        return any("nodelets" in known.get("complete", ()) for known in self._sources(package))
+        """Whether some library says that it lists every nodelet class (component) of the package."""
+        return any(self._loadable in known.get("complete", ()) for known in self._sources(package))
 
     def has_all_executables(self, package: str) -> bool:
         """Whether some library says that it lists every executable of the package."""
@@ -110,11 +140,12 @@ class Library:
     def packages(self) -> tuple[str, ...]:
         """The names of all packages, sorted."""
         sources = (*self._files, *(() if self._bundled is None else (self._bundled,)))
-        return tuple(sorted({name for source in sources for name in source.names()}))
+        return tuple(sorted({name for source in sources for name in source.names() if source is self._bundled or self._has(name)}))
 
     def packages_of_class(self, name: str) -> list[str]:
-        """The packages that have a nodelet class, those of the most trusted library first."""
-        found = [package for file in reversed(self._files) if (package := file.package_of_class(name)) is not None]
+        """The packages that have a nodelet class or component, those of the most trusted library first."""
+        files = reversed(self._files)
+        found = [package for file in files if (package := file.package_of_class(name, self._middleware)) is not None]
         bundled = None if self._bundled is None else self._bundled.package_of_class(name)
         own = [] if self._own is None else self._own.packages_of_class(name, everywhere=not found and bundled is None)
         return list(dict.fromkeys([*found, *own, *([] if bundled is None else [bundled])]))
@@ -152,10 +183,11 @@ class Library:
         if not steps:
             return None
         other, slash, inner = found["like"].partition("/")
-        if table == "nodelets":
+        if table == self._loadable and self._middleware == ROS1:
             packages = self.packages_of_class(found["like"])
             return next((data for each in packages if (data := self._data(each, table, found["like"], steps - 1)) is not None), None)
-        return self._data(other if slash else package, table, inner if slash else found["like"], steps - 1)
+        target = inner if slash else found["like"]
+        return self._data(other if slash else package, table_of(target, table, self._middleware), target, steps - 1)
 
     def _said(self, package: str, table: str, name: str) -> list[Mapping[str, Any]]:
         """What is said of a program, the most trusted first."""
@@ -189,9 +221,12 @@ class Library:
 
     def _given(self, package: str) -> Iterable[Mapping[str, Any]]:
         for file in reversed(self._files):
-            known = file.package(package)
+            known = file.package(package, self._middleware, borrowed=self._borrowed)
             if known is not None:
                 yield known
+
+    def _has(self, package: str) -> bool:
+        return next(iter(self._given(package)), None) is not None
 
     def _shipped(self, package: str) -> Iterable[Mapping[str, Any]]:
         known = None if self._bundled is None else self._bundled.package(package)
@@ -200,6 +235,13 @@ class Library:
 
     def _listed(self, package: str, table: str) -> tuple[str, ...]:
         return tuple(sorted({name for each in self._sources(package) for name in each.get(table, ())}))
+
+
+def table_of(like: str, table: str, middleware: str) -> str:
+    """The table of a program that one of ``table`` is said to be like: in ROS 2 an executable may run a component, and the names tell."""
+    if middleware == ROS1:
+        return table
+    return TABLES[ROS2][1] if SEPARATORS[ROS2] in like or "/" in like else TABLES[ROS2][0]
 
 
 def _about(sources: Iterable[Mapping[str, Any]], table: str, name: str) -> list[Mapping[str, Any]]:

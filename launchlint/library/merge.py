@@ -11,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from launchlint.errors import LibraryError
-from launchlint.library.format import CATEGORIES, FORMAT, LISTS, VERSION
+from launchlint.library.format import CATEGORIES, FORMAT, KINDS, LISTS
 from launchlint.library.template import default_text, is_template
+from launchlint.model import ROS1
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ MANUAL, DYNAMIC, STATIC = 3, 2, 1
 TRUST = {"manual": MANUAL, "dynamic": DYNAMIC, "static": STATIC}
 MOST_ALIKE = 100
 """Entries of one name that are compared with another source's."""
-_WHETHER = ("condition", "each", "when")
+_WHETHER = ("condition", "each", "when", "exists")
 """Keys that say whether there is such a name at all: their absence says something, too."""
 
 
@@ -52,7 +53,11 @@ def merge_libraries(documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     Raises:
         Clash: they say different things of one message type: then types of the same name do not connect.
     """
-    merged: dict[str, Any] = {"format": FORMAT, "version": VERSION, **_agreed(documents, ("generator", "environment"))}
+    merged: dict[str, Any] = {
+        "format": FORMAT,
+        "version": max(document["version"] for document in documents),
+        **_agreed(documents, ("generator", "environment")),
+    }
     sources = {source["id"]: source for document in reversed(documents) for source in document.get("sources", ())}
     if sources:
         merged["sources"] = [sources[key] for key in sorted(sources)]
@@ -67,7 +72,7 @@ def merge_libraries(documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         merged["messages"] = messages
     names = sorted({name for document in documents for name in document["packages"]})
     merged["packages"] = {
-        name: _packages([document["packages"][name] for document in documents if name in document["packages"]]) for name in names
+        name: _packages(name, [document["packages"][name] for document in documents if name in document["packages"]]) for name in names
     }
     return merged
 
@@ -78,12 +83,14 @@ def _agreed(documents: Sequence[Mapping[str, Any]], keys: Iterable[str]) -> dict
     return {key: first[key] for key in keys if key in first and all(document.get(key) == first[key] for document in documents)}
 
 
-def _packages(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
-    merged = _first(known, ("version", "source", "build", "launch"))
+def _packages(package: str, known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    if len({each.get("middleware", ROS1) for each in known}) > 1:
+        raise Clash(f"{package} is a package of ROS 1 in one and of ROS 2 in another, and a library has a package once: keep two files")
+    merged = _first(known, ("middleware", "version", "source", "build", "launch"))
     complete = list(dict.fromkeys(table for each in known for table in each.get("complete", ())))
     if complete:
         merged["complete"] = complete
-    for table in ("executables", "nodelets"):
+    for table in KINDS:
         names = sorted({name for each in known for name in each.get(table, {})})
         if names:
             merged[table] = {name: merge_programs([each[table][name] for each in known if name in each.get(table, {})]) for name in names}
@@ -91,7 +98,7 @@ def _packages(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
 
 
 def merge_programs(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
-    """One executable or nodelet class of what several libraries say of it, the most trusted first.
+    """One executable, nodelet class or component of what several libraries say of it, the most trusted first.
 
     One that could not be run adds its problems only; a reference to another program (``like``) holds where nothing else is known.
     """
@@ -124,7 +131,7 @@ def _trust(entry: Mapping[str, Any]) -> int:
 def _variants(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     if len(known) == 1:
         return dict(known[0])
-    merged = _first(known, ("match", "args", "env", "remap", "run"))
+    merged = _first(known, ("match", "args", "env", "remap", "run", "node", "namespace", "lifecycle", "undeclared"))
     for category in LISTS:
         if any(category in each for each in known):
             merged[category] = _entries([each.get(category, ()) for each in known])
@@ -144,11 +151,12 @@ def _variants(known: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
 
 def _entries(lists: Sequence[Sequence[Mapping[str, Any]]]) -> list[dict[str, Any]]:
     """One list of several. Entries of the same list stay apart: they may share a name under different conditions."""
-    groups: dict[tuple[str, str], list[list[Mapping[str, Any]]]] = {}
+    groups: dict[tuple[str, str, str], list[list[Mapping[str, Any]]]] = {}
     for entries in sorted(lists, key=lambda entries: -max(map(_trust, entries), default=0)):
         taken: set[int] = set()
         for entry in entries:
-            known = groups.setdefault((default_text(entry["name"]), entry.get("role", "")), [])
+            key = (default_text(entry["name"]), entry.get("role", ""), entry.get("node", ""))
+            known = groups.setdefault(key, [])
             free = [group for group in known[:MOST_ALIKE] if id(group) not in taken]
             group = max(free, key=lambda group: _alike(group[0], entry), default=None)
             if group is None:
@@ -173,6 +181,8 @@ def _entry(group: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         entry = {key: value for key, value in entry.items() if key not in _WHETHER or key in best}
     else:
         entry["name"] = next((each["name"] for each in ranked if is_template(each["name"])), best["name"])
+    if "qos" in entry:
+        entry["qos"] = {policy: value for each in reversed(ranked) for policy, value in each.get("qos", {}).items()}
     md5 = next((each["md5"] for each in ranked if "md5" in each and each.get("type", entry.get("type")) == entry.get("type")), None)
     if md5 is not None:
         entry["md5"] = md5

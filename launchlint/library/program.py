@@ -16,8 +16,27 @@ if TYPE_CHECKING:
     from launchlint.library.template import Situation
 
 
+class Declared(NamedTuple):
+    """What a node of ROS 2 says of a param when it declares it; the fields are the keys of the format.
+
+    ``declared``: False where it only asks for it, None where that is not known.
+    """
+
+    type: str
+    declared: bool | None = None
+    dynamic: bool = False
+    read_only: bool = False
+    min: Any = None
+    max: Any = None
+    step: Any = None
+    one_of: tuple[Any, ...] = ()
+
+
 class Declaration(NamedTuple):
-    """One name that a program declares; the fields are the keys of the format. ``category`` is one of CATEGORIES."""
+    """One name that a program declares; the fields are the keys of the format. ``category`` is one of CATEGORIES.
+
+    The last ones are of ROS 2: ``qos`` has what is known of it, ``node`` is the node of the program that has the name (empty: the first).
+    """
 
     category: str
     name: str
@@ -33,6 +52,11 @@ class Declaration(NamedTuple):
     evidence: tuple[Mapping[str, str], ...] = ()
     removed: Mapping[str, str] | None = None
     by_hand: bool = False
+    qos: Mapping[str, Any] | None = None
+    overrides: bool = False
+    node: str = ""
+    exists: str = "constructed"
+    declared: Declared | None = None
 
 
 class FrameDeclaration(NamedTuple):
@@ -53,7 +77,9 @@ class FrameDeclaration(NamedTuple):
 class Variant(NamedTuple):
     """One way a program can be started. ``match`` is the condition for it (None: always); ``open`` the categories that may hold more.
 
-    ``literals`` are texts in its sources that may be names; ``has_template``: some name depends on how it is started.
+    ``literals`` are texts in its sources that may be names; ``has_template``: some name depends on how it is started. In ROS 2 ``node``
+    and ``namespace`` are those that the program gives itself (templates; empty: not known), ``lifecycle``: somebody has to activate it,
+    ``undeclared``: it takes params that it does not declare.
     """
 
     name: str
@@ -63,10 +89,14 @@ class Variant(NamedTuple):
     frames: tuple[FrameDeclaration, ...] = ()
     literals: tuple[str, ...] = ()
     has_template: bool = False
+    node: str = ""
+    namespace: str = ""
+    lifecycle: bool = False
+    undeclared: bool = False
 
 
 class Program(NamedTuple):
-    """An executable or a nodelet class. ``client`` is roscpp, rospy, nodelet, none or other; ``options`` how its command line is read."""
+    """An executable, a nodelet class or a component. ``client`` is what the format calls ``class``; ``options`` how its args are read."""
 
     package: str
     name: str
@@ -106,6 +136,10 @@ def _variant(name: str, data: Mapping[str, Any]) -> Variant:
         tuple(frames),
         tuple(data.get("literals", ())),
         any(is_template(each.name) for each in declarations),
+        data.get("node", ""),
+        data.get("namespace", ""),
+        data.get("lifecycle", False),
+        data.get("undeclared", False),
     )
 
 
@@ -130,4 +164,15 @@ def _declaration(category: str, entry: Mapping[str, Any]) -> Declaration:
         tuple(entry.get("evidence", ())),
         entry.get("removed"),
         entry.get("by_hand", False),
+        entry.get("qos"),
+        entry.get("overrides", False),
+        entry.get("node", ""),
+        entry.get("exists", "constructed"),
+        _declared(entry) if category == "params" else None,
     )
+
+
+def _declared(entry: Mapping[str, Any]) -> Declared:
+    dynamic, read_only = entry.get("dynamic", False), entry.get("read_only", False)
+    limits = (entry.get("min"), entry.get("max"), entry.get("step"), tuple(entry.get("one_of", ())))
+    return Declared(entry.get("type", ""), entry.get("declared"), dynamic, read_only, *limits)

@@ -4,6 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from launchlint.model import ROS1, ROS2
+
+VERSION = 1
+"""Of a library that does not say which middleware its packages are of."""
+VERSION_2 = 2
+"""Of a library that says it."""
+
 CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 """The kinds of names a node has, in the order in which they are written."""
 
@@ -13,8 +20,11 @@ FRAMES = "frames"
 LISTS = (*CATEGORIES, FRAMES)
 """All that a variant lists, in the order in which it is written."""
 
-KINDS = {"executables": "executable", "nodelets": "nodelet class"}
+KINDS = {"executables": "executable", "nodelets": "nodelet class", "components": "component"}
 """The tables of programs in a package, with what one of each is called."""
+
+TABLES = {ROS1: ("executables", "nodelets"), ROS2: ("executables", "components")}
+"""The tables that a package has, by its middleware; what can be loaded into a process is in the last one."""
 
 DEEPEST_CONDITION = 8
 """Levels of ``not``, ``all`` and ``any`` in a condition, and of templates in templates."""

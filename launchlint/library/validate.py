@@ -10,20 +10,21 @@ from typing import NamedTuple
 from launchlint.library.condition import QUESTIONS, pattern_of
 from launchlint.library.format import (
     DEEPEST_CONDITION,
+    INTERFACES,
+    INTERFACES_2,
+    LIBRARIES,
     LIBRARY,
-    LONGEST_NAME,
-    VERSION,
-    Entries,
-    Flag,
-    Items,
-    Keys,
-    Number,
-    Plain,
-    Rule,
-    Shape,
-    Text,
+    LISTS,
+    PACKAGE,
+    PACKAGE_2,
+    PROGRAM,
+    PROGRAM_2,
+    VARIANT,
+    VARIANT_2,
 )
+from launchlint.library.shapes import LONGEST_NAME, Amount, Choice, Entries, Flag, Items, Keys, Number, Plain, Rule, Shape, Text
 from launchlint.library.template import TemplateError, is_template, parse
+from launchlint.model import ROS1, ROS2
 from launchlint.spelling import did_you_mean
 
 TYPE_CHECKING = False
@@ -32,6 +33,21 @@ if TYPE_CHECKING:
 
 Path = tuple[str | int, ...]
 
+_OF_ROS2 = PACKAGE_2.shapes[ROS2]
+_COUNTERPARTS = (
+    *((INTERFACES[each], INTERFACES_2[each]) for each in LISTS),
+    (VARIANT, VARIANT_2),
+    (PROGRAM, PROGRAM_2),
+    (PACKAGE, _OF_ROS2),
+    (PACKAGE_2.shapes[ROS1], _OF_ROS2),
+)
+"""The shapes of one thing in ROS 1 and in ROS 2."""
+_INSTEAD = {
+    "latched": '; here `qos` has "durability": "transient_local"',
+    "queue": "; here `qos` has a `depth`",
+    "nodelets": "; here there are `components`",
+}
+
 DEEPEST_VALUE = 50
 """Levels of lists and mappings in a param's default."""
 MOST_PROBLEMS = 100
@@ -39,6 +55,9 @@ MOST_PROBLEMS = 100
 
 _NAME = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*|~|/", re.ASCII)
 _TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII)
+_TYPE_2 = re.compile(r"[A-Za-z]\w*/(?:msg|srv|action)/[A-Za-z]\w*", re.ASCII)
+_PARAM_2 = re.compile(r"~[^\s~/{}][^\s~{}]*")
+_NODE = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _FRAME = re.compile(r"[^\s/~{}][^\s~{}]*")
 _MD5 = re.compile(r"[0-9a-f]{32}|\*")
 
@@ -53,14 +72,22 @@ class Fault(NamedTuple):
 def faults(document: Any) -> list[Fault]:
     """What is wrong with a library, in the order of the document; at most :data:`MOST_PROBLEMS`."""
     found: list[Fault] = []
-    for fault in _walk(LIBRARY, document, ()):
+    for fault in _walk(_library(document), document, ()):
         found.append(fault)
         if len(found) == MOST_PROBLEMS:
             break
     return found
 
 
+def _library(document: Any) -> Keys:
+    """The shape that a document shall have: that of the version that it is of, or says to be of."""
+    said = document.get("version") if isinstance(document, dict) else None
+    return LIBRARIES.get(said, LIBRARY) if isinstance(said, int) else LIBRARY
+
+
 def _walk(shape: Shape, value: Any, path: Path) -> Iterator[Fault]:
+    if isinstance(shape, Choice):
+        shape = shape.of(value)
     if isinstance(shape, Keys):
         yield from _keys(shape, value, path)
     elif isinstance(shape, Text):
@@ -92,7 +119,7 @@ def _keys(shape: Keys, value: Any, path: Path) -> Iterator[Fault]:
     for key, item in value.items():
         inner = shape.keys.get(key)
         if inner is None:
-            hint = did_you_mean(key, shape.keys) or f"there are {', '.join(shape.keys)}"
+            hint = _of_another(shape, key) or did_you_mean(key, shape.keys) or f"there are {', '.join(shape.keys)}"
             yield Fault((*path, key), f"{shape.name} has no key {json.dumps(key[:80], ensure_ascii=False)}: {hint}")
         elif isinstance(inner, Text):  # most of a library is words: no generator for each of them
             fault = _text(inner, item)
@@ -109,8 +136,15 @@ def _leaf(shape: Shape, value: Any, path: Path) -> Iterator[Fault]:
     if isinstance(shape, Number):
         if isinstance(value, bool) or not isinstance(value, int) or value < shape.least:
             yield Fault(path, f"this must be a whole number, at least {shape.least}, and is {_said(value)}")
-        elif path == ("version",) and value != VERSION:
-            yield Fault(path, f"this launchlint reads version 1 of the format, and this is version {value}: use a newer launchlint")
+        elif path == ("version",) and value not in LIBRARIES:
+            known = " and ".join(map(str, LIBRARIES))
+            yield Fault(
+                path, f"this launchlint reads the versions {known} of the format, and this is version {value}: use a newer launchlint"
+            )
+    elif isinstance(shape, Amount):
+        fault = _amount(shape, value)
+        if fault:
+            yield Fault(path, fault)
     elif isinstance(shape, Flag):
         if not isinstance(value, bool):
             yield Fault(path, f"this must be true or false, and is {_said(value)}")
@@ -127,10 +161,33 @@ def _text(shape: Text, value: Any) -> str:
         return f"this must be a string, and is {_said(value)}"
     if len(value) > shape.longest:
         return f"this is longer than {shape.longest} characters"
+    if shape.templates and is_template(value):
+        return _template(value)
     if shape.one_of and value not in shape.one_of:
         hint = did_you_mean(value, shape.one_of)
         return f"{_said(value)} is not one of {', '.join(shape.one_of)}{'; ' + hint if hint else ''}"
     return _SYNTAX[shape.syntax](value) if shape.syntax else ""
+
+
+def _amount(shape: Amount, value: Any) -> str:
+    """What is wrong with a number, or nothing."""
+    if isinstance(value, str) and (value in shape.words or is_template(value)):
+        return "" if value in shape.words else _template(value)
+    wanted = int if shape.whole else (int, float)
+    if isinstance(value, bool) or not isinstance(value, wanted) or value < 0:
+        what = " or ".join([f"a {'whole ' if shape.whole else ''}number, at least 0", *map(json.dumps, shape.words), "a template"])
+        return f"this must be {what}, and is {_said(value)}"
+    return ""
+
+
+def _of_another(shape: Keys, key: str) -> str:
+    """Where a key that a shape lacks is one of the other middleware's, what to do; else nothing."""
+    for one, other in _COUNTERPARTS:
+        if shape is one and key in other.keys:
+            return 'that is said of packages of ROS 2: "version": 2, and "middleware": "ros2" in the package'
+        if shape is other and key in one.keys:
+            return f"that is said of packages of ROS 1{_INSTEAD.get(key, '')}"
+    return ""
 
 
 def _name(value: str) -> str:
@@ -159,11 +216,33 @@ def _type(value: str) -> str:
     return "" if value == "*" or _TYPE.fullmatch(value) else f"{_said(value)} is no type: it is written package/Type"
 
 
+def _param_2(value: str) -> str:
+    if is_template(value):
+        return _template(value)
+    return "" if _PARAM_2.fullmatch(value) else f"{_said(value)} is no param: in ROS 2 each is a node's own, and written ~name, ~name.inner"
+
+
+def _type_2(value: str) -> str:
+    if is_template(value):
+        return _template(value)
+    return (
+        ""
+        if value == "*" or _TYPE_2.fullmatch(value)
+        else f"{_said(value)} is no type: in ROS 2 it is written package/msg/Type (srv, action)"
+    )
+
+
+def _node(value: str) -> str:
+    if is_template(value):
+        return _template(value)
+    return "" if _NODE.fullmatch(value) else f"{_said(value)} is no node's name: letters, digits and _, no digit first"
+
+
 def _md5(value: str) -> str:
     return "" if _MD5.fullmatch(value) else f"{_said(value)} is no MD5 sum: 32 digits of 0-9 a-f"
 
 
-_SYNTAX = {"name": _name, "frame": _frame, "type": _type, "md5": _md5}
+_SYNTAX = {"name": _name, "frame": _frame, "type": _type, "type2": _type_2, "param2": _param_2, "node": _node, "md5": _md5}
 _COMPARISONS = ("is", "in", "set", "default")
 
 

@@ -5,16 +5,21 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping
 
-from launchlint.library.format import INTERFACES, LIBRARY, Entries, Items, Keys, Rule, Shape
+from launchlint.library.format import INTERFACES, INTERFACES_2, shape_of
+from launchlint.library.shapes import Choice, Entries, Items, Keys, Rule, Shape
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
 
+_ENTRIES = (*INTERFACES.values(), *INTERFACES_2.values())
+"""The shapes that get one line."""
+
+
 def canonical(document: Mapping[str, Any]) -> str:
     """The text of a (validated) library: the same text for the same library, with a newline at its end."""
-    return "\n".join(_readable(line) for line in "".join(_lines(LIBRARY, document, 0)).split("\n")) + "\n"
+    return "\n".join(_readable(line) for line in "".join(_lines(shape_of(document), document, 0)).split("\n")) + "\n"
 
 
 def _readable(line: str) -> str:
@@ -25,9 +30,11 @@ def _readable(line: str) -> str:
 
 
 def _lines(shape: Shape, value: Any, depth: int) -> Iterator[str]:
+    if isinstance(shape, Choice):
+        shape = shape.of(value)
     if isinstance(shape, Keys) and _is_broad(shape):
         items = [(key, shape.keys[key], value[key]) for key in shape.keys if key in value]
-    elif isinstance(shape, Entries) and isinstance(shape.each, Keys):
+    elif isinstance(shape, Entries) and isinstance(shape.each, (Keys, Choice)):
         items = [(key, shape.each, value[key]) for key in sorted(value)]
     elif isinstance(shape, Items) and isinstance(shape.each, Keys):
         yield from _bracketed("[", "]", [_compact(shape.each, item) for item in _ordered(shape.each, value)], depth)
@@ -41,7 +48,7 @@ def _lines(shape: Shape, value: Any, depth: int) -> Iterator[str]:
 
 def _is_broad(shape: Keys) -> bool:
     """Whether each of its keys gets a line of its own: those that hold something larger than a word."""
-    return any(isinstance(inner, (Items, Entries)) for inner in shape.keys.values()) and shape not in INTERFACES.values()
+    return any(isinstance(inner, (Items, Entries)) for inner in shape.keys.values()) and shape not in _ENTRIES
 
 
 def _bracketed(opening: str, closing: str, parts: list[str], depth: int) -> Iterator[str]:
@@ -55,8 +62,8 @@ def _bracketed(opening: str, closing: str, parts: list[str], depth: int) -> Iter
 
 
 def _ordered(shape: Keys, items: list[Any]) -> list[Any]:
-    if shape in INTERFACES.values():
-        return sorted(items, key=lambda item: (item["name"], item.get("role", ""), json.dumps(item, sort_keys=True)))
+    if shape in _ENTRIES:
+        return sorted(items, key=lambda item: (item["name"], item.get("role", ""), item.get("node", ""), json.dumps(item, sort_keys=True)))
     return sorted(items, key=lambda item: json.dumps(item, sort_keys=True))
 
 

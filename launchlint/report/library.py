@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from launchlint.library.catalogue import Entry, Row
-from launchlint.library.format import CATEGORIES, FRAMES, KINDS, LISTS
+from launchlint.library.format import CATEGORIES, FRAMES, KINDS, LISTS, TABLES
+from launchlint.model import ROS1, ROS2
 from launchlint.plural import counted
 from launchlint.report.escape import line_start, visible
 
@@ -20,6 +21,9 @@ _VERBS = {
     "params": "reads",
     "frames": "frame",
 }
+_LOADABLE = {"nodelets": "nodelet", "components": "component"}
+_MARKS = {ROS1: "", ROS2: "  ROS 2"}
+_EXISTS = {"configured": "once it is configured", "active": "while it is active"}
 _WHEN = {"subscriber": "while somebody listens", "message": "after a first message or call"}
 
 
@@ -31,8 +35,8 @@ def faults(lines: Iterable[str]) -> str:
 def summary(path: str, library: Mapping[str, Any]) -> str:
     """One line: a library that is in order, and how much it knows."""
     packages = library["packages"].values()
-    executables, nodelets = (sum(len(package.get(table, ())) for package in packages) for table in KINDS)
-    return f"{line_start(path)}: ok: {counted(len(packages), 'package')}, {_programs(executables, nodelets)}\n"
+    numbers = {table: sum(len(package.get(table, ())) for package in packages) for table in KINDS}
+    return f"{line_start(path)}: ok: {counted(len(packages), 'package')}, {_numbers(numbers)}\n"
 
 
 def canonical_json(text: str) -> str:
@@ -45,14 +49,15 @@ def listing(rows: Sequence[Row]) -> str:
     if not rows:
         return "no package is known\n"
     width = min(40, max(len(row.package) for row in rows))
-    total = _programs(sum(row.executables for row in rows), sum(row.nodelets for row in rows))
-    lines = [f"{visible(row.package):{width}}  {_programs(row.executables, row.nodelets)}\n" for row in rows]
-    return f"{''.join(lines)}\n{counted(len(rows), 'package')}, {total}\n"
+    counts = [_counts(row) for row in rows]
+    lines = [f"{visible(row.package):{width}}  {_numbers(each)}{_MARKS[row.middleware]}\n" for row, each in zip(rows, counts, strict=True)]
+    total = {table: sum(each.get(table, 0) for each in counts) for table in KINDS}
+    return f"{''.join(lines)}\n{counted(len({row.package for row in rows}), 'package')}, {_numbers(total)}\n"
 
 
 def listing_json(rows: Sequence[Row]) -> str:
     """The same as JSON."""
-    return json.dumps([row._asdict() for row in rows], indent=2) + "\n"
+    return json.dumps([{"package": row.package, "middleware": row.middleware, **_counts(row)} for row in rows], indent=2) + "\n"
 
 
 def entries(found: Sequence[Entry], *, verbose: bool = False) -> str:
@@ -64,7 +69,14 @@ def entries_json(found: Sequence[Entry]) -> str:
     """The same as JSON, in the words of the library format."""
     return json.dumps(
         [
-            {"package": entry.package, "kind": KINDS[entry.table], "name": entry.name, "said": entry.said, "interface": entry.interface}
+            {
+                "package": entry.package,
+                "middleware": entry.middleware,
+                "kind": KINDS[entry.table],
+                "name": entry.name,
+                "said": entry.said,
+                "interface": entry.interface,
+            }
             for entry in found
         ],
         indent=2,
@@ -72,8 +84,8 @@ def entries_json(found: Sequence[Entry]) -> str:
 
 
 def title(package: str, table: str, name: str) -> str:
-    """How a program is called in a heading; the class of a nodelet names its package itself."""
-    return visible(f"{package}/{name}") if table == "executables" else f"{visible(name)} (nodelet of {visible(package)})"
+    """How a program is called in a heading; the class of a nodelet or component names its package itself."""
+    return visible(f"{package}/{name}") if table == "executables" else f"{visible(name)} ({_LOADABLE[table]} of {visible(package)})"
 
 
 def condition_words(condition: Any) -> str:
@@ -107,7 +119,7 @@ def value_words(value: Any) -> str:
 def _entry(entry: Entry, verbose: bool) -> Iterator[str]:
     said = entry.said
     client = f"  {said['class']}" if "class" in said and entry.table == "executables" else ""
-    yield f"{title(entry.package, entry.table, entry.name)}{client}"
+    yield f"{title(entry.package, entry.table, entry.name)}{client}{_MARKS[entry.middleware]}"
     if "like" in said:
         yield f"  the same program as {visible(said['like'])}"
     for problem in said.get("problems", ()):
@@ -128,6 +140,8 @@ def _variant(name: str, variant: Mapping[str, Any], verbose: bool, *, alone: boo
     if not alone or name != "default":
         match = f", where {condition_words(variant['match'])}" if "match" in variant and name != "default" else ""
         yield f"  variant {visible(name + match)}"
+    for said in _of_node(variant):
+        yield f"  {visible(said)}"
     table = [(category, entry) for category in LISTS for entry in variant.get(category, ())]
     kind = {FRAMES: "role"}
     cells = [(_VERBS[category], visible(entry["name"]), visible(entry.get(kind.get(category, "type"), "?"))) for category, entry in table]
@@ -144,12 +158,36 @@ def _variant(name: str, variant: Mapping[str, Any], verbose: bool, *, alone: boo
         yield "  no names of its own"
 
 
+def _of_node(variant: Mapping[str, Any]) -> Iterator[str]:
+    """What is said of the node as a whole in ROS 2, not yet :func:`visible`."""
+    if "node" in variant:
+        yield f"calls itself {variant.get('namespace', '').rstrip('/')}{'/' if 'namespace' in variant else ''}{variant['node']}"
+    if variant.get("lifecycle"):
+        yield "has a lifecycle: somebody has to configure and activate it"
+    if variant.get("undeclared"):
+        yield "takes params that it does not declare"
+
+
+def qos_words(qos: Mapping[str, Any]) -> str:
+    """A QoS profile in words, as far as it is known: *reliable, transient_local, keep_last 1*."""
+    said = [str(qos[each]) for each in ("reliability", "durability") if each in qos]
+    history = " ".join(str(qos[each]) for each in ("history", "depth") if each in qos)
+    times = [f"{each} {qos[each]}" for each in ("deadline", "lifespan", "liveliness", "lease") if each in qos]
+    return ", ".join([*said, *([history if "history" in qos else f"depth {history}"] if history else []), *times])
+
+
 def notes(category: str, entry: Mapping[str, Any]) -> Iterator[str]:
     """What is said of one name of a program beside its type, in words, not yet :func:`visible`."""
     if category == "actions":
         yield entry["role"]
     if entry.get("latched"):
         yield "latched"
+    if "qos" in entry:
+        yield qos_words(entry["qos"])
+    if entry.get("overrides"):
+        yield "QoS as params say"
+    if "node" in entry:
+        yield f"of its node {entry['node']}"
     if entry.get("by_hand"):
         yield "while a person acts"
     if "transport" in entry:
@@ -166,6 +204,14 @@ def notes(category: str, entry: Mapping[str, Any]) -> Iterator[str]:
         yield f"default {_plain(entry['default'])}"
     if "min" in entry or "max" in entry:
         yield f"{_plain(entry.get('min', '…'))} to {_plain(entry.get('max', '…'))}"
+    if "one_of" in entry:
+        yield f"one of {', '.join(map(_plain, entry['one_of']))}"
+    if entry.get("read_only"):
+        yield "read-only"
+    if entry.get("declared") is False:
+        yield "not declared"
+    if entry.get("exists") in _EXISTS:
+        yield _EXISTS[entry["exists"]]
     if "each" in entry:
         yield _each_words(entry["each"])
     if entry.get("when", "start") in _WHEN:
@@ -186,5 +232,15 @@ def _plain(value: Any) -> str:
     return text if len(text) <= 60 else f"{text[:59]}…"
 
 
-def _programs(executables: int, nodelets: int) -> str:
-    return f"{counted(executables, 'executable')}, {counted(nodelets, 'nodelet class', 'nodelet classes')}"
+def _counts(row: Row) -> dict[str, int]:
+    return dict(zip(TABLES[row.middleware], (row.executables, row.loadable), strict=True))
+
+
+def _numbers(counts: Mapping[str, int]) -> str:
+    """How many programs there are of each kind; nodelet classes are named even where there are none, unless there are components."""
+    words = [counted(counts.get("executables", 0), "executable")]
+    if counts.get("nodelets") or not counts.get("components"):
+        words += [counted(counts.get("nodelets", 0), "nodelet class", "nodelet classes")]
+    if counts.get("components"):
+        words += [counted(counts["components"], "component")]
+    return ", ".join(words)

@@ -15,6 +15,12 @@ def library(**packages: Any) -> dict[str, Any]:
     return {"format": "launchlint-library", "version": 1, "packages": packages}
 
 
+def ros2_library(**packages: Any) -> dict[str, Any]:
+    """A library of version 2 with these packages of ROS 2."""
+    known = {name: {"middleware": "ros2", **package} for name, package in packages.items()}
+    return {"format": "launchlint-library", "version": 2, "packages": known}
+
+
 def executable(**interface: Any) -> dict[str, Any]:
     """An executable with this as its default variant."""
     return {"class": "roscpp", "variants": {"default": interface}}

@@ -87,8 +87,8 @@ def test_show_lists_packages(here: Path) -> None:
         "",
     )  # fmt: skip
     assert json.loads(shown(here, "--format", "json").output) == [
-        {"package": "demo", "executables": 4, "nodelets": 1},
-        {"package": "other", "executables": 1, "nodelets": 0},
+        {"package": "demo", "middleware": "ros1", "executables": 4, "nodelets": 1},
+        {"package": "other", "middleware": "ros1", "executables": 1, "nodelets": 0},
     ]
 
 
@@ -116,13 +116,13 @@ def test_show_a_package(here: Path) -> None:
 
 
 def test_show_as_json(here: Path) -> None:
-    programs = DEMO["packages"]["demo"]["executables"]
+    programs, relay = DEMO["packages"]["demo"]["executables"], DEMO["packages"]["demo"]["nodelets"]["demo/Relay"]
+    place = {"package": "demo", "middleware": "ros1"}
     assert json.loads(shown(here, "--format", "json", "demo/copy", "demo/Relay", "demo/broken").output) == [
-        {"package": "demo", "kind": "executable", "name": "copy", "said": {"like": "relay"}, "interface": programs["relay"]},
-        {"package": "demo", "kind": "nodelet class", "name": "demo/Relay", "said": DEMO["packages"]["demo"]["nodelets"]["demo/Relay"],
-         "interface": DEMO["packages"]["demo"]["nodelets"]["demo/Relay"]},
-        {"package": "demo", "kind": "executable", "name": "broken", "said": programs["broken"], "interface": None},
-    ]  # fmt: skip
+        {**place, "kind": "executable", "name": "copy", "said": {"like": "relay"}, "interface": programs["relay"]},
+        {**place, "kind": "nodelet class", "name": "demo/Relay", "said": relay, "interface": relay},
+        {**place, "kind": "executable", "name": "broken", "said": programs["broken"], "interface": None},
+    ]
 
 
 @pytest.mark.parametrize(
@@ -172,14 +172,14 @@ def test_show_hostile_text(here: Path) -> None:
 
 
 def test_validate(here: Path) -> None:
-    written(here / "wrong.json", '{"format": "launchlint-library",\n "version": 2, "packages": []}')
+    written(here / "wrong.json", '{"format": "launchlint-library",\n "version": 3, "packages": []}')
     written(here / "useless.json", one({"like": "node"}))
     assert run(here, "library", "validate", "demo.json") == (0, "demo.json: ok: 2 packages, 5 executables, 1 nodelet class\n", "")
     assert run(here, "library", "validate", "-q", "demo.json") == (0, "", "")
     assert run(here, "library", "validate", "wrong.json", "none.json", "demo.json", "useless.json") == (
         2,
         (
-            "wrong.json:2:13: this launchlint reads version 1 of the format, and this is version 2: use a newer launchlint\n"
+            "wrong.json:2:13: this launchlint reads the versions 1 and 2 of the format, and this is version 3: use a newer launchlint\n"
             "wrong.json:2:28: this must be a mapping from each package to what it is, and is a list\n"
             "none.json: the library cannot be read: No such file or directory\n"
             "demo.json: ok: 2 packages, 5 executables, 1 nodelet class\n"

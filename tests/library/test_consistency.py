@@ -19,8 +19,9 @@ def told(document: Any) -> list[str]:
     """The faults of a library that follows the format; paths from the package on."""
     assert faults(document) == []
     return [
-        f"{'/'.join(map(str, fault.path[1:]))}: {fault.message}" for fault in inconsistencies(document, SHIPPED["packages"].get)
-    ]  # fmt: skip
+        f"{'/'.join(map(str, fault.path[1:]))}: {fault.message}"
+        for fault in inconsistencies(document, lambda name, _: SHIPPED["packages"].get(name))
+    ]
 
 
 def variant(**interface: Any) -> list[str]:

@@ -75,9 +75,9 @@ def test_a_changed_library_has_another_index(tmp_path: Path, validations: list[s
 
 
 def test_a_broken_library_has_no_index(tmp_path: Path) -> None:
-    path, cache = written(tmp_path / "lib.json", {**DOCUMENT, "version": 2}), tmp_path / "cache"
+    path, cache = written(tmp_path / "lib.json", {**DOCUMENT, "version": 3}), tmp_path / "cache"
     for _ in range(2):
-        with pytest.raises(LibraryError, match="reads version 1 of the format"):
+        with pytest.raises(LibraryError, match="reads the versions 1 and 2 of the format"):
             open_library(path, str(cache))
     assert not cache.exists()
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from launchlint.library.condition import QUESTIONS
-from launchlint.library.format import INTERFACES, PACKAGE, PROGRAM, VARIANT
+from launchlint.library.format import INTERFACES, INTERFACES_2, PACKAGE, PACKAGE_2, PROGRAM, PROGRAM_2, QOS, VARIANT, VARIANT_2
 from launchlint.library.inspection import inspect
 from launchlint.library.template import SLOTS
 
@@ -16,18 +16,28 @@ OF_PROBES = {"args", "env", "remap", "run", "hash", "build", "launch"}
 """Keys in which a probe writes down how it ran a node; nobody writes or reads them."""
 
 
-def example() -> str:
-    (block,) = re.findall(r"^```json\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
-    return str(block)
+def examples() -> list[str]:
+    return [str(block) for block in re.findall(r"^```json\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)]
 
 
 def keys() -> Iterator[str]:
-    for shape in (PACKAGE, PROGRAM, VARIANT, *INTERFACES.values()):
+    shapes = (
+        PACKAGE,
+        PROGRAM,
+        VARIANT,
+        *INTERFACES.values(),
+        *PACKAGE_2.shapes.values(),
+        PROGRAM_2,
+        VARIANT_2,
+        *INTERFACES_2.values(),
+        QOS,
+    )
+    for shape in shapes:
         yield from shape.keys
 
 
-def test_the_example_is_a_library() -> None:
-    assert inspect(example().encode(), "example.json")[1] == []
+def test_each_example_is_a_library() -> None:
+    assert [inspect(each.encode(), "example.json")[1] for each in examples()] == [[], []]
 
 
 def test_every_key_is_explained() -> None:

@@ -162,7 +162,7 @@ def test_nodelet_classes_are_found(tmp_path: Path) -> None:
     for name, document in files.items():
         written(tmp_path / f"{name}.json", document)
     (tmp_path / INDEX).write_text(json.dumps({"nodelets": {"demo/B": "far", "Plain": "far"}}))
-    bundled = Bundled(str(tmp_path))
+    bundled = Bundled(directory=str(tmp_path))
     assert [bundled.package_of_class(name) for name in ("demo/A", "demo/B", "Plain", "demo/C")] == ["demo", "far", "far", None]
 
 

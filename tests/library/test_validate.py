@@ -55,8 +55,8 @@ SHAPES = [
     ('{"format": §"other", "version": 1, "packages": {}}', '"other" is not one of launchlint-library'),
     ('{"format": §3, "version": 1, "packages": {}}', "this must be a string, and is 3"),
     (
-        '{"format": "launchlint-library", "version": §2, "packages": {}}',
-        "this launchlint reads version 1 of the format, and this is version 2: use a newer launchlint",
+        '{"format": "launchlint-library", "version": §3, "packages": {}}',
+        "this launchlint reads the versions 1 and 2 of the format, and this is version 3: use a newer launchlint",
     ),
     ('{"format": "launchlint-library", "version": §true, "packages": {}}', "this must be a whole number, at least 1, and is true"),
     ('§{"format": "launchlint-library", "version": 1}', 'the library lacks the key "packages"'),
