@@ -87,11 +87,6 @@ class Rule(NamedTuple):
         """
         origin = where if isinstance(where, Origin) else Origin(where)
         source, span = origin.place
-        if source.path.endswith(".py"):
-            from launchlint.rules.python_words import in_python
-
-            message, help = in_python(message), in_python(help)
-            notes, related = tuple(map(in_python, notes)), tuple((place, in_python(text)) for place, text in related)
         finding = self.at_location(
             Location.of(origin.place),
             message,

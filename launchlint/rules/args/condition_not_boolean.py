@@ -59,6 +59,7 @@ from launchlint.model import ROS2
 from launchlint.rules.edits import LOADS, LOADS2, fix, is_literal, set_value, spot, write_over
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.rules.wording import words_at
 from launchlint.spelling import closest, surely
 from launchlint.syntax.problems import InvalidValue
 from launchlint.syntax.ros1.substitutions import parse
@@ -129,12 +130,13 @@ def _ros2(problem: ConditionNotBoolean) -> Finding:
     meant = WORDS.get(word) or surely(word, ("true", "false"))
     made = f" (from {text[:60]})" if text != value else ""
     shown = "is empty" if not word else f"comes to {value[:60]!r}{made}" if made else f"is {value[:60]!r}"
+    words = words_at(problem.origin)
     if COMPUTED.search(value):
-        advice = "comparisons need $(eval …), as in $(eval \"'$(var mode)' == 'fast'\")"
+        advice = f"comparisons need {words.call('eval', '…')}, as in {words.equals('mode', 'fast')}"
     elif made:
-        advice = f"make what it comes from {meant}" if meant else "compare it, as in $(eval \"'$(var mode)' == 'fast'\")"
+        advice = f"make what it comes from {meant}" if meant else f"compare it, as in {words.equals('mode', 'fast')}"
     else:
-        advice = f'write {name}="{meant}"' if meant else "write true or false"
+        advice = f"write {words.set_to(name, meant)}" if meant else "write true or false"
     return RULE.at(
         problem.origin,
         f"{name} {shown}, which is no boolean",
@@ -147,11 +149,12 @@ def _ros2(problem: ConditionNotBoolean) -> Finding:
 
 
 def _in_substitution(problem: NotABoolean) -> Finding:
+    words = words_at(problem.origin)
     return RULE.at(
         problem.origin,
-        f"$({problem.substitution} …) looks at {problem.value[:60]!r}, which is no boolean",
+        f"{words.call(problem.substitution, '…')} looks at {problem.value[:60]!r}, which is no boolean",
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         label="must be true or false",
         notes=("ros2 launch stops when it gets here",),
-        help="write true or false, or a comparison: $(eval …)",
+        help=f"write true or false, or a comparison: {words.call('eval', '…')}",
     )

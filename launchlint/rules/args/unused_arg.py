@@ -66,6 +66,7 @@ from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.judging.one_interface import taken_beside
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, LaunchView, of_ros2
+from launchlint.rules.wording import words_at, words_of
 from launchlint.source import Origin, Place, Span
 from launchlint.spelling import closest, distance, folded, is_part
 from launchlint.syntax.ros1.substitutions import expression_in, parts_of, slip
@@ -170,7 +171,7 @@ def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
         severity=Severity.INFO if idle else None,
         label="unused",
         notes=(idle or NO_EFFECT,),
-        help=f"remove it here and in the includes that pass it, or use it as $(var {name})",
+        help=f"remove it here and in the includes that pass it, or use it as {words_at(place).call('var', name)}",
         topic=name,
         cause=_cause_of_all(problem, view, idle),
     )
@@ -214,7 +215,8 @@ def together(findings: Sequence[Finding]) -> Finding:
         return result
     more = f" and {len(names) - 4} more" if len(names) > 4 else ""
     bare = sorted({name_of(finding) for finding in findings if lacks_default(finding)})
-    written = "$(var …)" if "$(var " in result.help else "$(arg …)"
+    own = next(finding for finding in findings if finding.rule == RULE.id)
+    written = words_of(own.location.path).call("var", "…") if own.topic else "$(arg …)"  # those of ROS 1 have no topic
     return result._replace(
         message=f"{len(names)} args are never read: {', '.join(names[:4])}{more}",
         notes=(*result.notes[:1], *([_without_default(bare)] if bare else [])),

@@ -7,7 +7,8 @@ where only the default of an arg leads there that all files which include this o
 no choice, for files of the robot (below `/etc`, `/opt`, `/home` and the like, outside of the workspace), for names made from an environment
 variable, whose value here says little, and for a file that is made: by a command of `CMakeLists.txt`, from a template that lies beside
 it, by a node that gets its name (or the name of the launch file that it is made from) in another configuration, or by what `.gitignore`
-keeps out of the repository; for one in a git submodule that is not checked out; and in a launch file that is called a template. A
+keeps out of the repository; for one in a git submodule that is not checked out; for one that roslaunch is to find in a package which
+is for ROS 2 here; and in a launch file that is called a template. A
 directory that is missing is told once, with all files that would be in it, and so is one in which files are looked for that lie in
 another, and one that lacks several files which one launch file names. A name with a placeholder (`__robot__`, `@ROBOT@`) is left alone.
 
@@ -149,6 +150,12 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
     if severity is None and problem.origin.step is None and is_called_template(source.path):
         severity = Severity.INFO
         notes.append("this file is called a template: people copy it, and start the copy")
+    home = None if relative or not file else view.packages.package_of(file)
+    if home is not None and home.manifest is not None and home.manifest.is_ament and not home.manifest.is_catkin:
+        severity, repair = Severity.INFO, None
+        notes.append(
+            f"{shown(home.directory, root)} is a package for ROS 2: where roslaunch starts this file, another {home.name} is found"
+        )
     if environment:
         severity = Severity.INFO
         advice = "give the variable the value it has on the robot, under env: in .launchlint.yaml, or correct the path"

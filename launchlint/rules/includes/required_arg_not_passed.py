@@ -53,6 +53,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.broken_call import broken_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL912", "required-arg-not-passed", Severity.ERROR, roslaunch="refuses")
 
@@ -65,7 +66,7 @@ def tell(problem: RequiredArgNotPassed, view: LaunchView) -> Iterator[Finding]:
         return  # told with the first
     listed = ", ".join(names)
     several = len(names) > 1
-    passes = "; ".join(f'<arg name="{name}" value="$(var {name})"/>' for name in names)
+    passes = "; ".join(map(words_at(problem.origin).passed_on, names))
     yield RULE.at(
         problem.origin,
         f"{problem.file} needs {listed}, which {'are' if several else 'is'} set here, and not passed",

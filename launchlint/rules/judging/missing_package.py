@@ -14,7 +14,9 @@ from launchlint.finding import Severity
 from launchlint.late import late
 from launchlint.library.shipped import Bundled, is_in_library
 from launchlint.rules.judging.stale_package import holds_some, lacks_all, own_instead, programs_asked
+from launchlint.rules.judging.template import is_among_templates
 from launchlint.spelling import closest, distance, folded, one_slip
+from launchlint.workspace.crawl import COLCON
 from launchlint.workspace.looking import note, watched
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
@@ -151,9 +153,12 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
         outer = packages.package_of(posixpath.dirname(home.directory))
         if outer is not None and not outer.is_metapackage:
             inner = _shown(home.directory, packages)
-            why = f"it is this file's own package, and {inner} lies in another one, {outer.name}: rospack does not look below a package"
+            finder = "colcon" if packages.way is COLCON else "rospack"
+            why = f"it is this file's own package, and {inner} lies in another one, {outer.name}: {finder} does not look below a package"
+            if is_among_templates(inner):
+                return Judgement(Severity.INFO, f"{why}; as a template it becomes a package where it is copied to", "")
             severity = Severity.ERROR if packages.complete else Severity.WARNING
-            return Judgement(severity, why, f"move {inner} out of {outer.name}, or name its files by $(find {outer.name})")
+            return Judgement(severity, why, f"move {inner} out of {outer.name}, or take its files from the package {outer.name}")
     declared = packages.once(_declared_here) | _declared([] if home is None else [home])
     if packages.complete:
         here = packages.names()
@@ -194,7 +199,8 @@ def _judge(name: str, packages: Packages, home: Package | None) -> Judgement | N
 def _say_hidden(hidden: Hidden, packages: Packages, home: Package | None) -> Judgement:
     """A package of the workspace that is switched off; a launch file that is switched off with it is not likely to be started."""
     marker = _shown(hidden.marker, packages)
-    why = f"the package lies in {_shown(hidden.directory, packages)}, and {marker} hides it from catkin and rospack"
+    finders = "colcon" if packages.way is COLCON else "catkin and rospack"
+    why = f"the package lies in {_shown(hidden.directory, packages)}, and {marker} hides it from {finders}"
     off = home is not None and packages.is_hidden(home.directory)
     severity = Severity.INFO if off else Severity.ERROR if packages.complete else Severity.WARNING
     return Judgement(severity, why, f"remove {marker}, or leave out what uses {hidden.name}")

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from launchlint.finding import Finding
 from launchlint.plural import listed
 from launchlint.rules.judging.joined import joined
+from launchlint.rules.wording import words_of
 
 _MOST_NAMED = 6
 
@@ -28,5 +29,5 @@ def all_undeclared(findings: Sequence[Finding]) -> Finding:
     return told._replace(
         message=f"{listed(names, _MOST_NAMED)} are not declared in {told.location.path}:"
         " only what includes it, or the command line, can give them",
-        help=f'declare them: <arg name="{names[0]}"/> …, and pass them in the include',
+        help=f"declare them: {words_of(told.location.path).declared(names[0])} …, and pass them in the include",
     )

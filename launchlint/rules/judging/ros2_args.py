@@ -19,11 +19,13 @@ from launchlint.evaluate.problems import (
 from launchlint.finding import Finding, Severity
 from launchlint.model import ROS2
 from launchlint.rules.judging.broken_call import broken_call
+from launchlint.rules.judging.near_launch_file import near_launch_file
 from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.rules.wording import words_at
 from launchlint.source import Place
 from launchlint.spelling import closest, surely
 
@@ -43,7 +45,7 @@ def undeclared(problem: UndeclaredArg, rule: Rule, view: LaunchView) -> Iterator
     elsewhere = problem.elsewhere
     certain = meant is not None or view.declared_entry or bool(elsewhere)
     refused = Severity.ERROR if problem.refused else Severity.WARNING
-    message, advice = f"{name} is not set", f"declare it above, or write $(var {name} DEFAULT)"
+    message, advice = f"{name} is not set", f"declare it above, or write {words_at(problem.origin).call('var', name, 'DEFAULT')}"
     if elsewhere:
         message, advice = _set_elsewhere(problem)
         if any(isinstance(each, RequiredArgUnset) for each in view.launch.problems):
@@ -74,12 +76,12 @@ def declared_below(problem: UndeclaredArg, view: LaunchView) -> Place | None:
 
 def _set_elsewhere(problem: UndeclaredArg) -> tuple[str, str]:
     """What is wrong where the file does set the configuration, and what to do."""
-    name, read = problem.name, problem.place.span.start
+    name, read, words = problem.name, problem.place.span.start, words_at(problem.origin)
     if all(place.span.start > read for place in problem.elsewhere):
         return f"{name} is not set yet: launch executes the file from top to bottom, and sets it further down", "move what sets it up"
     return (
         f"{name} is not set here: a group keeps what is set in it for itself, and with forwarding off it lets nothing in",
-        'set it in the same group, before it is read; a group with forwarding="false" needs it in a <keep>',
+        f"set it in the same group, before it is read; a group with {words.set_to('forwarding', 'false')} needs it in {words.tag('keep')}",
     )
 
 
@@ -142,9 +144,12 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
     others = list(view.packages.colcon.launch_files(base)) if base and not relative else []
     advice = "correct the name, or create the file"
     if relative and file:
-        advice = f"write $(dirname)/{file}, or find it by its package: $(find-pkg-share PACKAGE)/…"
+        words = words_at(problem.place)
+        advice = f"write {words.under('dirname', '', file)}, or find it by its package: {words.under('find-pkg-share', 'PACKAGE', '…')}"
     elif len(others) == 1:
         advice = f"did you mean {shown(others[0], root_of(source))}?"
+    elif not relative and file and (near := near_launch_file(file, {posixpath.abspath(source.file), *view.included_by.get(source, ())})):
+        advice = f"did you mean {near}?"
     elsewhere = relative and source.path.endswith(".py")  # people start such files from the workspace they are made for
     yield rule.at(
         problem.origin,
@@ -153,7 +158,7 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
         label="not found",
         notes=tuple(notes),
         help=advice,
-        cause=f"{source.path} {file}",
+        cause=f"{source.path} {file}" if relative else f"not there {file}",
     )
 
 
@@ -173,7 +178,8 @@ def cycle(problem: IncludeCycle, rule: Rule) -> Iterator[Finding]:
 def environment(problem: EnvUnset, rule: Rule, view: LaunchView, reason: str, slip: str | None) -> Iterator[Finding]:
     """``$(env …)`` of a variable that is not set; ``reason`` is why that may be meant, ``slip`` the variable that was meant."""
     name = problem.variable
-    advice = f"write $(env {name} DEFAULT), or give it a value under env: in .launchlint.yaml if it is always set"
+    written = words_at(problem.origin).call("env", name, "DEFAULT")
+    advice = f"write {written}, or give it a value under env: in .launchlint.yaml if it is always set"
     yield rule.at(
         problem.origin,
         f"the environment variable {name} is not set here",
@@ -194,10 +200,11 @@ def takes_text_for_name(problem: EvalError | EvalNotCovered) -> bool:
 
 def expression(problem: EvalError | EvalNotCovered, rule: Rule) -> Iterator[Finding]:
     """``$(eval …)`` that fails, or that is not computed."""
+    words = words_at(problem.origin)
     if isinstance(problem, EvalNotCovered):
         yield rule.at(
             problem.origin,
-            f"launchlint does not compute this $(eval …): {problem.reason}",
+            f"launchlint does not compute this {words.call('eval', '…')}: {problem.reason}",
             severity=Severity.INFO,
             notes=("what depends on it is not checked any further",),
         )
@@ -205,14 +212,14 @@ def expression(problem: EvalError | EvalNotCovered, rule: Rule) -> Iterator[Find
     text = problem.expression
     advice = ""
     if "'true'" in problem.reason or "'false'" in problem.reason:
-        advice = "Python writes True and False; to compare a launch configuration with a text, put quotes around both: '$(var x)' == 'true'"
+        advice = f"Python writes True and False; to compare a launch configuration with a text: {words.equals('x', 'true')}"
     elif "not defined" in problem.reason:
-        advice = "an expression knows no launch configurations: put quotes around $(var …) if it is a text"
+        advice = f"an expression knows no launch configurations: put quotes around {words.call('var', '…')} if it is a text"
     elif "SyntaxError" in problem.reason:
         advice = "write it as one expression of Python"
     yield rule.at(
         problem.origin,
-        f"$(eval …) fails: {problem.reason}",
+        f"{words.call('eval', '…')} fails: {problem.reason}",
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         notes=(f"what Python gets is {text[:80]}", "ros2 launch stops with the same error of Python's"),
         help=advice,

@@ -20,6 +20,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.missing_package import cause, judge
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.rules.wording import words_at
 from launchlint.spelling import closest
 from launchlint.syntax.problems import InvalidValue
 
@@ -117,13 +118,14 @@ def value(problem: ChoiceRefused | InvalidValue | UnsplittablePrefix, rule: Rule
 
 def substitution(problem: ParameterNotSet | CommandOption | NoDirectory, rule: Rule) -> Iterator[Finding]:
     """A substitution that fails when it is performed."""
+    words = words_at(problem.origin)
     if isinstance(problem, ParameterNotSet):
-        message = f"no <set_parameter> has set {problem.name}"
-        advice = f"set it above, or write $(param {problem.name} DEFAULT)"
+        message = f"no {words.tag('set_parameter')} has set {problem.name}"
+        advice = f"set it above, or write {words.call('param', problem.name, 'DEFAULT')}"
     elif isinstance(problem, CommandOption):
-        message = f"{problem.value!r} says nothing to $(command …)"
+        message = f"{problem.value!r} says nothing to {words.call('command', '…')}"
         advice = f"write one of {', '.join(problem.known)}, or put the whole command in quotes"
     else:
-        message, advice = f"there is no file for $({problem.substitution})", ""
+        message, advice = f"there is no file for {words.call(problem.substitution)}", ""
     severity = Severity.ERROR if problem.refused else Severity.WARNING
     yield rule.at(problem.origin, message, severity=severity, notes=(STOPS,), help=advice)

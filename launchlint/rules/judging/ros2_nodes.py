@@ -9,6 +9,7 @@ from launchlint.finding import Finding, Severity
 from launchlint.model import Node
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.rules.wording import words_at
 from launchlint.source import Place
 
 
@@ -22,7 +23,7 @@ def one_name(problem: DuplicateNode, rule: Rule, view: LaunchView) -> Iterator[F
         notes.append(f"only with {tried}, which is not what this launch file does by itself")
     advice = "rename one, or put them into different namespaces"
     if twice:
-        advice = "include the file once, or push a namespace in a <group> around each include"
+        advice = f"include the file once, or push a namespace in a {words_at(problem.origin).tag('group')} around each include"
     yield rule.at(
         problem.origin,
         f"the node {name} is started twice" if twice else f"two nodes are named {name}",

@@ -40,6 +40,11 @@ def is_called_template(path: str) -> bool:
     return "template" in _LETTERS.findall(posixpath.basename(path).lower())
 
 
+def is_among_templates(directory: str) -> bool:
+    """Whether ``directory`` lies in a folder of templates: what stands there is copied before anybody launches it."""
+    return not {"template", "templates"}.isdisjoint(directory.lower().split("/"))
+
+
 def is_to_fill_in(value: str) -> bool:
     """Whether ``value`` as a whole asks its reader for another: ``your app id here``, ``<id>``, ``CHANGEME``, ``xxx``.
 

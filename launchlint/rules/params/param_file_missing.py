@@ -63,6 +63,7 @@ from launchlint.rules.judging.robot_file import advice, is_robots
 from launchlint.rules.judging.template import is_path_to_fill_in
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL502", "param-file-missing", Severity.ERROR, roslaunch="refuses")
 SENTINELS = ("true", "false", "none")
@@ -185,20 +186,24 @@ def _near(problem: ParamFileMissing, view: LaunchView) -> str | None:
     return None if package is None else elsewhere(posixpath.normpath(problem.file), package, view)
 
 
+def _find(view: LaunchView) -> str:
+    return "find" if view.dialect.name == ROS1 else "find-pkg-share"
+
+
 def _advice(problem: ParamFileMissing, near: str | None, view: LaunchView) -> str:
     if problem.environment:
         return "give the variable the value it has on the robot, under env: in .launchlint.yaml, or correct the path"
     if near is not None:
         return f"did you mean {near}?"
     if problem.relative:
-        return f"start the path with $({'find' if view.dialect.name == ROS1 else 'find-pkg-share'} PACKAGE) or $(dirname)"
+        words = words_at(problem.origin)
+        return f"start the path with {words.call(_find(view), 'PACKAGE')} or {words.call('dirname')}"
     if not problem.missing:
         return "give the path of a text file in UTF-8"
     package = view.packages.package_of(problem.file)
     other = "" if package is None else in_another_package(problem.file, package, view.packages)
     if package is not None and other:
-        find = "find" if view.dialect.name == ROS1 else "find-pkg-share"
-        return f"did you mean $({find} {other})/{posixpath.relpath(problem.file, package.directory)}?"
+        return f"did you mean {words_at(problem.origin).under(_find(view), other, posixpath.relpath(problem.file, package.directory))}?"
     if problem.no_directory:
         return f"correct the path: there is no directory {problem.no_directory} either"
     return "correct the path, or add the file"

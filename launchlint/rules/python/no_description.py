@@ -1,7 +1,8 @@
 """Launch gets no description out of a launch file in Python: the function is missing, wants arguments, or returns something else.
 
 It executes the file, calls `generate_launch_description()` without arguments, and wants a `LaunchDescription` of actions back. A list of
-actions is none, nor is `None`, as from a function that forgets its `return`, nor one with an item that is no action.
+actions is none, nor is `None`, as from a function that forgets its `return`, nor one with an item that is no action. It is a warning for
+an empty file, which is still to be written.
 
 ## Why it matters
 
@@ -60,6 +61,10 @@ def tell(problem: NoDescription | NotAnAction, view: object) -> Iterator[Finding
         return
     message, advice, note = _said(problem)
     # A program that calls the function itself, as tests do, is not made for ros2 launch.
+    if problem.form == "missing" and not problem.place.source.text.strip():
+        severity = Severity.WARNING  # left to be written, and started by nobody
+        yield RULE.at(problem.origin, "the launch file is empty", severity=severity, notes=stops(note), help="write it, or remove it")
+        return
     own = problem.form == "arguments" and "__main__" in problem.place.source.text
     yield RULE.at(problem.origin, message, severity=Severity.INFO if own else level(problem), notes=stops(note), help=advice)
 

@@ -48,6 +48,7 @@ from collections.abc import Iterator
 from launchlint.evaluate.ros2.parameter_problems import NamedForUnnamed
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL944", "anonymous-gets-named-params", Severity.WARNING)
 
@@ -55,9 +56,10 @@ RULE = Rule("LL944", "anonymous-gets-named-params", Severity.WARNING)
 def tell(problem: NamedForUnnamed, view: object) -> Iterator[Finding]:
     """Say under which key they would reach it."""
     file, keys = problem.file.rpartition("/")[2], ", ".join(problem.keys)
+    words = words_at(problem.origin)
     if problem.anonymous:
         message, note = f"nothing in {file} reaches this node: its name is made up for each start", f"the keys of the file: {keys}"
-        advice = "write /** as the key, or give the node a name without $(anon …)"
+        advice = f"write /** as the key, or give the node a name without {words.call('anon', '…')}"
     elif problem.certain:
         message = f"nothing in {file} reaches {problem.program}: no key is in its namespace {problem.namespace}"
         note = f"the keys of the file: {keys}"
@@ -65,7 +67,7 @@ def tell(problem: NamedForUnnamed, view: object) -> Iterator[Finding]:
     else:
         message = f"{file} reaches {problem.program} only if it calls itself {keys}: the launch file does not say its name"
         note = "a node without a name here has the one that its program gives it"
-        advice = f'say it here, too: name="{problem.keys[0].rpartition("/")[2]}"'
+        advice = f"say it here, too: {words.set_to('name', problem.keys[0].rpartition('/')[2])}"
     yield RULE.at(
         problem.origin,
         message,

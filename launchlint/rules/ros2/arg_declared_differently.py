@@ -53,6 +53,7 @@ from launchlint.evaluate.ros2.problems import DefaultOverruled
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule, shortened
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL915", "arg-declared-differently", Severity.INFO)
 
@@ -63,7 +64,7 @@ def tell(problem: DefaultOverruled, view: object) -> Iterator[Finding]:
         return
     name = problem.name
     where = "above" if problem.same_file else f"in {problem.setter}"
-    advice = "remove one of them" if problem.same_file else f'pass it in the include: <arg name="{name}" value="$(var {name})"/>'
+    advice = "remove one of them" if problem.same_file else f"pass it in the include: {words_at(problem.origin).passed_on(name)}"
     yield RULE.at(
         problem.origin,
         f"the default of {name} does not count: {where} it is declared with {problem.value}",

@@ -47,6 +47,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL939", "condition-ignored", Severity.WARNING)
 
@@ -57,10 +58,11 @@ def check(view: LaunchView) -> Iterator[Finding]:
         if not node.condition_ignored or not node.conditions:
             continue
         condition = node.conditions[-1]
+        load = words_at(node.origin).tag("load_composable_node")
         yield RULE.at(
             node.origin._replace(place=condition.place),
             f"{node.name or node.plugin} is loaded, whatever this condition says",
             label=f"{condition.text} here, and not looked at",
-            notes=(f"<load_composable_node> of {view.launch.distro} does not look at the conditions of what it loads",),
-            help="put the condition on a <load_composable_node> of its own",
+            notes=(f"{load} of {view.launch.distro} does not look at the conditions of what it loads",),
+            help=f"put the condition on a {load} of its own",
         )

@@ -47,9 +47,11 @@ from launchlint.finding import Finding, Severity
 from launchlint.model import Node, UnknownText
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
+from launchlint.rules.wording import words_at
 from launchlint.source import Origin
 from launchlint.spelling import closest, one_slip
 
+_STARTED = {"pkg": "rclcpp_components", "exec": "component_container", "name": "…", "namespace": "…"}
 RULE = Rule("LL937", "container-missing", Severity.ERROR)
 _MOST_NAMED = 6
 
@@ -87,7 +89,7 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
             if near is not None and near.rpartition("/")[2] == full.rpartition("/")[2]
             else f"did you mean {near}?"
             if near is not None
-            else 'start it: <node_container pkg="rclcpp_components" exec="component_container" name="…" namespace="…"/>',
+            else f"start it: {words_at(place).written('node_container', _STARTED, 'ComposableNodeContainer(name=…, namespace=…, …)')}",
         )
 
 

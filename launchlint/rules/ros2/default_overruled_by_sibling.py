@@ -71,6 +71,7 @@ from launchlint.evaluate.ros2.problems import DefaultOverruled
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule, shortened
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL911", "default-overruled-by-sibling", Severity.WARNING)
 _HOW = {"passed": "was passed to another include", "default": "is the default of another file", "let": "was set in another file"}
@@ -80,14 +81,14 @@ def tell(problem: DefaultOverruled, view: object) -> Iterator[Finding]:
     """Say where the value comes from (launch.actions.DeclareLaunchArgument sets a default only where nothing is set)."""
     if not problem.left:
         return
-    name = problem.name
+    name, group = problem.name, words_at(problem.origin).tag("group")
     yield RULE.at(
         problem.origin,
         f"the default of {name} does not count: it is {problem.value} here, which {_HOW[problem.how]} before",
         label=f"{problem.default} does not count",
         related=problem.related,
         notes=("an include leaves behind whatever it was passed and whatever its file has set",),
-        help=f"put that include into a <group>, or pass {name} in the include of {problem.place.source.path}",
+        help=f"put that include into a {group}, or pass {name} in the include of {problem.place.source.path}",
         topic=name,
         cause=f"{problem.setter} {problem.place.source.path}",
     )

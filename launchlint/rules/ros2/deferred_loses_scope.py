@@ -44,6 +44,7 @@ from launchlint.evaluate.ros2.problems import ScopeLost
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.rule import Rule
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL919", "deferred-loses-scope", Severity.WARNING)
 
@@ -51,8 +52,9 @@ RULE = Rule("LL919", "deferred-loses-scope", Severity.WARNING)
 def tell(problem: ScopeLost, view: object) -> Iterator[Finding]:
     """Say what it gets instead (launch.actions.TimerAction executes its actions in the context of the whole launch)."""
     name, value, instead = problem.name, problem.value, problem.instead
+    words = words_at(problem.origin)
     timer = problem.later == "timer"
-    when, waiting = ("the timer fires", "the <timer>") if timer else (f"this is executed ({problem.later})", "what waits")
+    when, waiting = ("the timer fires", f"the {words.tag('timer')}") if timer else (f"this is executed ({problem.later})", "what waits")
     if not name:
         message = f"this is not started in {value}: the group has ended when {when}"
         label, cause = f"in {instead or '/'} instead", f"{problem.place.source.path} namespace {value}"
@@ -70,7 +72,7 @@ def tell(problem: ScopeLost, view: object) -> Iterator[Finding]:
         label=label,
         related=problem.related,
         notes=(f"ros2 launch stops then with: launch configuration '{name}' does not exist",) if gone else (),
-        help=f"put the <group> into {waiting}, with what is set in it",
+        help=f"put the {words.tag('group')} into {waiting}, with what is set in it",
         topic=name,
         cause=cause,
         shared_cause=never_declared(problem.place.source.path, name) if gone else "",

@@ -63,19 +63,22 @@ from collections.abc import Iterator
 from launchlint.evaluate.ros2.problems import DirectoryOfAnother
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL916", "dirname-after-include", Severity.ERROR)
 
 
 def tell(problem: DirectoryOfAnother, view: object) -> Iterator[Finding]:
     """Say what it means there (launch.actions.IncludeLaunchDescription sets ``current_launch_file_directory``)."""
-    word = f"$({problem.substitution})"
+    words = words_at(problem.origin)
+    word = words.call(problem.substitution)
+    kept = words.written("let", {"name": "here", "value": word}, f"SetLaunchConfiguration('here', {word})")
     what = "the folder of" if problem.substitution == "dirname" else "which is"
     yield RULE.at(
         problem.origin,
         f"{word} is {problem.means} here, {what} the file included before, not this one",
         label=f"{problem.means} at this point",
         notes=("an include sets it, and nothing puts it back",),
-        help=f'keep it before the first include: <let name="here" value="{word}"/>, and write $(var here) from there on',
+        help=f"keep it before the first include: {kept}, and write {words.call('var', 'here')} from there on",
         cause=f"{problem.place.source.path} {problem.substitution}",
     )

@@ -50,18 +50,20 @@ from collections.abc import Iterator
 from launchlint.evaluate.ros2.problems import NamespaceLeft
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL918", "namespace-leaks-from-include", Severity.WARNING)
 
 
 def tell(problem: NamespaceLeft, view: object) -> Iterator[Finding]:
     """Say who gets it (launch_ros.actions.PushROSNamespace sets a launch configuration like any other)."""
+    group = words_at(problem.origin).tag("group")
     yield RULE.at(
         problem.origin,
         f"the namespace {problem.namespace} outlives this file: what is started behind the include gets it, too",
         label="not put back at the end of the file",
         related=problem.related,
-        notes=("only the end of a <group> takes a pushed namespace away, and not the end of a file",),
-        help="put a <group> around it and all that it is meant for, or around the include",
+        notes=(f"only the end of a {group} takes a pushed namespace away, and not the end of a file",),
+        help=f"put a {group} around it and all that it is meant for, or around the include",
         cause=problem.place.source.path,
     )

@@ -34,6 +34,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.ros2_instead import instead_of
 from launchlint.rules.rule import Rule
+from launchlint.rules.wording import Words, words_at
 from launchlint.syntax.ros2.problems import NotInDistribution
 from launchlint.syntax.ros2.python.problems import KeywordNotInDistribution
 
@@ -41,9 +42,8 @@ RULE = Rule("LL934", "not-in-this-distro", Severity.ERROR, roslaunch="refuses")
 _LATER = "later"
 
 _TAGS = {
-    "lifecycle_node": "<node>",
-    "log_info": "<log>",
-    "set_ros_log_dir": '<set_env name="ROS_LOG_DIR" value="…"/>',
+    "lifecycle_node": "node",
+    "log_info": "log",
 }
 """Tags that do the same, or nearly so, in all distributions."""
 
@@ -63,7 +63,7 @@ def tell(problem: NotInDistribution | KeywordNotInDistribution, view: object) ->
     since = (
         "it came after all distributions that launchlint knows" if problem.since == _LATER else f"it came with {problem.since.capitalize()}"
     )
-    instead = _TAGS.get(name, "") if problem.what == "tag" else ""
+    instead = _tag_instead(name, words_at(problem.origin)) if problem.what == "tag" else ""
     if problem.what in ("substitution", "words"):
         instead = instead_of(name, problem.place)
     advice = "remove it" if problem.what == "attribute" else "do without it"
@@ -76,6 +76,12 @@ def tell(problem: NotInDistribution | KeywordNotInDistribution, view: object) ->
         help=f"write {instead}, or set distro: if another one is meant" if instead else f"{advice}, or set distro: if another one is meant",
         cause=f"{problem.place.source.path} {problem.what} {problem.tag if problem.what == 'attribute' else ''} {name}",
     )
+
+
+def _tag_instead(name: str, words: Words) -> str:
+    if name == "set_ros_log_dir":
+        return words.written("set_env", {"name": "ROS_LOG_DIR", "value": "…"}, "")
+    return words.tag(_TAGS[name]) if name in _TAGS else ""
 
 
 def _keyword(problem: KeywordNotInDistribution) -> Finding:

@@ -48,6 +48,7 @@ from collections.abc import Iterator
 from launchlint.evaluate.ros2.parameter_problems import ParameterDies, ParametersFileDies
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL904", "params-file-refused", Severity.ERROR)
 
@@ -57,7 +58,7 @@ def tell(problem: ParametersFileDies | ParameterDies, view: object) -> Iterator[
     if isinstance(problem, ParameterDies):
         yield RULE.at(
             problem.origin,
-            f"{problem.node} cannot start with this <param>: {problem.reason}",
+            f"{problem.node} cannot start with this {words_at(problem.origin).tag('param')}: {problem.reason}",
             notes=("launch writes it into a file for the node, texts without quotes where YAML needs none, and rcl refuses that file",),
             help="put the param into a parameter file, with quotes around each text",
         )

@@ -1,7 +1,8 @@
 """A parameter file is given to a ROS 2 node, and a key in it that is meant for the node does not reach it.
 
 A key is the full name of a node, or has wildcards: `/**` is all of them, `/**/n` every `n`. Without a slash, `n` is `/n` and nothing else:
-a node in a namespace has another full name.
+a node in a namespace has another full name. It is an info where the key is the name of the node with a namespace before it, which a
+launch file that includes this one may push.
 
 ## Why it matters
 
@@ -68,12 +69,18 @@ def tell(problem: ParametersForNobody, view: object) -> Iterator[Finding]:
     last = node.rpartition("/")[2]
     every = f", or /**/{last} for every {last}" if problem.wildcards else ""
     means = f"{key} is /{key} and nothing else" if not key.startswith("/") else f"{key} is another name"
+    around = f"/{key.lstrip('/')}".removesuffix(node) if problem.near == "namespace" else ""
+    included = bool(around) and f"{around}{node}" == f"/{key.lstrip('/')}"  # for a launch file that includes this one
     yield RULE.at(
         problem.origin,
         f"the params under {key} do not reach {node}",
+        severity=Severity.INFO if included else None,
         label="no node that is given this file has that name",
         related=problem.related,
-        notes=(f"{means}, and the node is {node}",),
+        notes=(
+            f"{means}, and the node is {node}",
+            *([f"they do where the launch file is included with the namespace {around} pushed"] if included else []),
+        ),
         help=f"did you mean {node}?" if problem.near == "spelling" else f"write {node}{every}",
         cause=f"{problem.file} {key}",
     )

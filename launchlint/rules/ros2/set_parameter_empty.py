@@ -39,17 +39,21 @@ from collections.abc import Iterator
 from launchlint.evaluate.ros2.parameter_problems import SetParameterDies
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL909", "set-parameter-empty", Severity.ERROR)
 
 
 def tell(problem: SetParameterDies, view: object) -> Iterator[Finding]:
     """Say that every node behind it dies."""
+    words = words_at(problem.origin)
     what = "its value is empty" if problem.empty else problem.reason
     yield RULE.at(
         problem.origin,
-        f"every node behind this <set_parameter> dies when it starts: {what}",
+        f"every node behind this {words.tag('set_parameter')} dies when it starts: {what}",
         label="",
         notes=(f"launch passes -p {problem.name}:={problem.value}, and rcl refuses that",),
-        help="set the empty text in a parameter file under /**, and name that in <set_parameters_from_file>" if problem.empty else "",
+        help=f"set the empty text in a parameter file under /**, and name that in {words.tag('set_parameters_from_file')}"
+        if problem.empty
+        else "",
     )

@@ -39,6 +39,7 @@ from collections.abc import Iterator
 from launchlint.evaluate.ros2.parameter_problems import ListBecomesText
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL908", "set-parameter-list", Severity.ERROR)
 
@@ -49,5 +50,5 @@ def tell(problem: ListBecomesText, view: object) -> Iterator[Finding]:
         problem.origin,
         f"nodes get the list {problem.name} as the text {problem.text!r}",
         notes=(f"launch passes -p {problem.name}:={problem.text}, and that is no list to rcl",),
-        help="put it into a parameter file under /**, and name that in <set_parameters_from_file>",
+        help=f"put it into a parameter file under /**, and name that in {words_at(problem.origin).tag('set_parameters_from_file')}",
     )

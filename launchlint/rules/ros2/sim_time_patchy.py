@@ -43,6 +43,7 @@ from launchlint.model import Node, Unknown
 from launchlint.plural import listed
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
+from launchlint.rules.wording import words_at
 from launchlint.source import Origin
 
 RULE = Rule("LL943", "sim-time-patchy", Severity.WARNING)
@@ -79,7 +80,7 @@ def _no_boolean(node: Node, kind: str, value: object) -> Finding:
         severity=Severity.ERROR,
         label=f"of the type {kind}",
         notes=("the node dies when it starts: it declares use_sim_time as a boolean",),
-        help='write true or false, without quotes and without type="str"',
+        help="write true or false, and nothing that makes a text of it: no quotes, no type str",
         cause="no boolean",
     )
 
@@ -98,7 +99,10 @@ def _patchy(simulated: list[Node], without: list[Node]) -> Iterator[Finding]:
         severity=None if same else Severity.INFO,
         label="without use_sim_time",
         related=((other.origin.place, "with use_sim_time"), *((node.origin.place, "without, too") for node in told[1:])),
-        help='set it for all, before the first node: <set_parameter name="use_sim_time" value="true"/>',
+        help="set it for all, before the first node: "
+        + words_at(told[0].origin).written(
+            "set_parameter", {"name": "use_sim_time", "value": "true"}, "SetParameter('use_sim_time', True)"
+        ),
         cause="patchy",
     )
 

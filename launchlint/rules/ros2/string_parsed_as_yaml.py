@@ -53,6 +53,7 @@ from collections.abc import Iterator
 from launchlint.evaluate.ros2.parameter_problems import CommandReadAsYaml
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
+from launchlint.rules.wording import words_at
 from launchlint.workspace.looking import content
 
 _COLON = re.compile(rb":(?:[ \t]|$)", re.MULTILINE)
@@ -61,10 +62,10 @@ RULE = Rule("LL907", "string-parsed-as-yaml", Severity.WARNING)
 
 def tell(problem: CommandReadAsYaml, view: object) -> Iterator[Finding]:
     """Say how it stays a text (launch_ros.parameter_descriptions.ParameterValue)."""
-    advice = (
-        'write type="str" beside the value' if problem.typed else 'give it to the nodes themselves: <param name="…" value="…" type="str"/>'
-    )
-    if problem.place.source.file.endswith(".py"):
+    words = words_at(problem.origin)
+    typed = words.written("param", {"name": "…", "value": "…", "type": "str"}, "")
+    advice = f"write {words.set_to('type', 'str')} beside the value" if problem.typed else f"give it to the nodes themselves: {typed}"
+    if words.language == "python":
         advice = "write ParameterValue(…, value_type=str) around it"
     breaks, named = _breaks(problem.file), problem.file.rpartition("/")[2]
     yield RULE.at(

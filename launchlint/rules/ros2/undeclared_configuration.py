@@ -53,6 +53,7 @@ from launchlint.evaluate.ros2.problems import UndeclaredRead
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.never_declared import all_undeclared, never_declared
 from launchlint.rules.rule import Rule
+from launchlint.rules.wording import words_at
 
 RULE = Rule("LL914", "undeclared-configuration", Severity.INFO)
 
@@ -71,7 +72,7 @@ def tell(problem: UndeclaredRead, view: object) -> Iterator[Finding]:
         label="not declared here",
         related=problem.related,
         notes=(f"started by itself the file stops with: launch configuration '{name}' does not exist",),
-        help=f'declare it: <arg name="{name}"/>, and pass it in the include',
+        help=f"declare it: {words_at(problem.origin).declared(name)}, and pass it in the include",
         topic=name,
         shared_cause=never_declared(path),
     )
