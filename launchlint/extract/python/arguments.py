@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from launchlint.extract.python.canonical import message_class
-from launchlint.extract.python.names import ros_name
 from launchlint.python import call
 from launchlint.python.values import MISSING, UNKNOWN, Map, Scope, Seq, Value, alternatives, conjunction
 
@@ -32,10 +30,10 @@ class Call(call.Call):
         types = more.pop("type", "")
         for condition, each in alternatives(UNKNOWN if name is MISSING else name):
             for other, type_ in alternatives(types):
-                spelled = ros_name(each)
+                spelled = self.run.dialect.spelled(each, category)
                 fact = {"category": category, "name": spelled, "path": self.path, "line": self.line, **more}
                 if category != "params":
-                    fact["type"] = type_ if isinstance(type_, str) else message_class(type_)
+                    fact["type"] = type_ if isinstance(type_, str) else self.run.dialect.type_of(type_)
                 self.run.note(fact, conjunction((condition, other)))
 
     def doubt(self, reason: str, categories: tuple[str, ...] | None = None) -> None:

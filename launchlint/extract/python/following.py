@@ -7,6 +7,7 @@ from typing import Any
 
 from launchlint.extract.fact import Doubt, Fact
 from launchlint.extract.python.arguments import Call
+from launchlint.extract.python.dialect import Dialect
 from launchlint.python.interpreter import Interpreter
 from launchlint.python.memory import Exhausted
 from launchlint.python.values import Value, conjunction
@@ -20,6 +21,7 @@ LONGEST_CONDITION = 300
 class Following(Interpreter):
     """What recognised calls need: notes of facts and doubts, and what only the program as a whole can tell."""
 
+    dialect: Dialect
     facts: list[Fact]
     doubts: dict[Doubt, None]
     starts: list[str]
@@ -27,7 +29,7 @@ class Following(Interpreter):
     when: str
     options: dict[str, int]
     """How its command line is read: options with how many values follow."""
-    uses_rospy: bool
+    uses_ros: bool
 
     def doubt(self, reason: str, path: str, line: int, categories: tuple[str, ...] = CATEGORIES) -> None:
         """Note why there may be more of some categories."""

@@ -91,15 +91,16 @@ _DECLARED = re.compile(rb">\s*python3?-([A-Za-z0-9][\w.-]{0,80}?)(?:-pip)?\s*<")
 _REQUIRED = re.compile(rb"^[ \t]*([A-Za-z0-9][\w.-]{0,80})", re.MULTILINE)
 
 
-def is_silent(name: str, declared: frozenset[str] = frozenset()) -> bool:
+def is_silent(name: str, declared: frozenset[str] = frozenset(), more: frozenset[str] = frozenset()) -> bool:
     """Whether what stands in a module is known to make no names that are not recognised by themselves.
 
     Args:
         name: the full name of a module, or of something in it.
         declared: libraries of Python that the package says it needs.
+        more: packages that make no names but those that are recognised, in one middleware only.
     """
     top, _, rest = name.partition(".")
-    if top in _SILENT or top.endswith(("_msgs", "_srvs")) or rest.partition(".")[0] in _GENERATED:
+    if top in _SILENT or top in more or top.endswith(("_msgs", "_srvs")) or rest.partition(".")[0] in _GENERATED:
         return True
     if any(part.endswith(("_pb2", "_pb2_grpc")) for part in name.split(".")):
         return True  # what protoc generates

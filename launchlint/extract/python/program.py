@@ -13,7 +13,7 @@ from launchlint.extract.python.arguments import Call, plain
 from launchlint.extract.python.following import Following
 from launchlint.extract.python.modules import PackageModules
 from launchlint.extract.python.names import ros_name
-from launchlint.extract.python.recognised import MAKING
+from launchlint.extract.python.recognised import ROSPY
 from launchlint.extract.python.recogniser import TYPES, RosRecogniser
 from launchlint.extract.python.silence import says_nothing
 from launchlint.python.calls import Callback
@@ -52,7 +52,7 @@ def python_program(path: str, root: str, package: str, finder: PackageModules) -
     Raises:
         SourceError: the file itself is not Python, or cannot be read.
     """
-    run = _Run(root, package, finder, os.path.dirname(path))
+    run = Run(root, package, finder, os.path.dirname(path))
     collecting = gc.isenabled()
     gc.disable()  # a tree is many objects, of which none is garbage: looking for it takes a third of the time
     try:
@@ -62,7 +62,7 @@ def python_program(path: str, root: str, package: str, finder: PackageModules) -
         if collecting:
             gc.enable()
     facts = tuple(dict.fromkeys(_hashable(_as_node(fact, run.starts)) for fact in run.facts))
-    return Extracted(tuple(each.fact for each in facts), tuple(run.doubts), run.options, run.uses_rospy)
+    return Extracted(tuple(each.fact for each in facts), tuple(run.doubts), run.options, run.uses_ros)
 
 
 def _as_node(fact: Fact, starts: list[str]) -> Fact:
@@ -75,7 +75,7 @@ def _as_node(fact: Fact, starts: list[str]) -> Fact:
 
 def configuration_params(path: str, root: str) -> tuple[list[Fact], bool]:
     """The params that a dynamic_reconfigure ``.cfg`` file describes, as private ones, and whether that is all of them."""
-    run = _Run(root, "", PackageModules({}), os.path.dirname(path))
+    run = Run(root, "", PackageModules({}), os.path.dirname(path))
     try:
         run.follow(path)
     except SourceError:
@@ -105,16 +105,21 @@ def _hashable(fact: Fact) -> _Hashed:
     return _Hashed(fact)
 
 
-class _Run(Following):
+class Run(Following):
+    """One program of ROS as it is followed, by default one of ROS 1."""
+
+    dialect = ROSPY
+    recognise: type[RosRecogniser] = RosRecogniser
+
     def __init__(self, root: str, package: str, finder: PackageModules, beside: str) -> None:
-        super().__init__(RosRecogniser(self), root, package, finder, beside)
+        super().__init__(self.recognise(self), root, package, finder, beside)
         self._modules_of_packages = finder
         self.facts = []
         self.doubts = {}
         self.starts = []
         self.when = "start"
         self.options = {}
-        self.uses_rospy = False
+        self.uses_ros = False
 
     # -- the run ------------------------------------------------------------------------------------------------------
 
@@ -208,7 +213,7 @@ class _Run(Following):
 
     def _talks(self, module: Module, routine: Routine) -> bool:
         """Whether a function makes names by itself, or calls what may."""
-        if not MAKING.isdisjoint(routine.calls):
+        if not self.dialect.making.isdisjoint(routine.calls):
             return True
         outside = [module.scope.variables.get(each) for each in routine.roots]
         return any(isinstance(each, External) and not self.recogniser.is_silent(each.name) for each in outside)

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from launchlint.extract.python import command_line, libraries, models, rospy
 from launchlint.extract.python.arguments import Call
+from launchlint.extract.python.canonical import canonical, message_class
+from launchlint.extract.python.dialect import Dialect, Handler, Method
+from launchlint.extract.python.names import ros_name
 from launchlint.extract.python.outside import MessageClass
 from launchlint.python import standard
-from launchlint.python.values import UNKNOWN, Class, Handle, Value
-
-Handler = Callable[[Call], Value]
+from launchlint.python.values import UNKNOWN, Class, Value
 
 _MESSAGE = re.compile(r"([A-Za-z]\w*)/(?:msg/|srv/)?([A-Za-z]\w*)", re.ASCII)
 
@@ -43,7 +44,7 @@ HANDLERS: Mapping[str, Handler] = {
     **command_line.HANDLERS,
 }
 
-METHODS: Mapping[tuple[str, str], Callable[[Handle, Call], Value]] = {
+METHODS: Mapping[tuple[str, str], Method] = {
     **rospy.METHODS,
     **libraries.METHODS,
     **command_line.METHODS,
@@ -54,3 +55,23 @@ _QUIET = frozenset(
 )
 MAKING = frozenset(name.rpartition(".")[2] for name in (*rospy.HANDLERS, *libraries.HANDLERS, *models.NAMES)) - _QUIET
 """The last words of calls that make or ask for names."""
+
+ROSPY = Dialect(
+    handlers=HANDLERS,
+    methods=METHODS,
+    making=MAKING,
+    modules=frozenset(("rospy",)),
+    never_followed=frozenset(
+        """rospy roslib rosgraph actionlib tf tf2_ros tf2_py message_filters dynamic_reconfigure smach smach_ros diagnostic_updater
+        rosunit rostest
+        genpy genmsg rospkg catkin interactive_markers cv_bridge rosparam rosbag""".split()
+    ),
+    talking=frozenset(("rospy", "actionlib", "tf2_ros", "message_filters")),
+    silent=frozenset(),
+    calls_back=("rospy.",),
+    canonical=canonical,
+    type_of=message_class,
+    spelled=lambda value, category: ros_name(value),
+    model_of=models.model_of,
+)
+"""Programs of ROS 1."""

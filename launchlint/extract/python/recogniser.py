@@ -1,4 +1,4 @@
-"""What lies outside of a program of ROS: rospy and the packages around it, and what makes no names."""
+"""What lies outside of a program of ROS: the client library and the packages around it, and what makes no names."""
 
 from __future__ import annotations
 
@@ -6,11 +6,9 @@ from collections.abc import Sequence
 
 from launchlint.extract.python import messages, models
 from launchlint.extract.python.arguments import Call
-from launchlint.extract.python.canonical import canonical, message_class
 from launchlint.extract.python.foreign import is_silent
 from launchlint.extract.python.modules import GENERATED
 from launchlint.extract.python.outside import NODE
-from launchlint.extract.python.recognised import HANDLERS, MAKING, METHODS
 from launchlint.python import builtins, standard
 from launchlint.python.values import MISSING, UNKNOWN, External, Handle, Instance, Scope, Seq, Text, Value
 
@@ -20,13 +18,6 @@ if TYPE_CHECKING:
 
     from launchlint.extract.python.following import Following
 
-_NEVER_FOLLOWED = frozenset(
-    """rospy roslib rosgraph actionlib tf tf2_ros tf2_py message_filters dynamic_reconfigure smach smach_ros diagnostic_updater rosunit
-    rostest
-    genpy genmsg rospkg catkin interactive_markers cv_bridge rosparam rosbag""".split()
-)
-_TALKING = ("rospy", "actionlib", "tf2_ros", "message_filters")
-_MODULES = ("rospy",)
 TYPES = {f"{name}{ending}": name for name in ("bool", "int", "double", "str") for ending in ("", "_t")}
 """How ``.cfg`` files call the types of params → what they are."""
 
@@ -36,25 +27,26 @@ class RosRecogniser:
 
     def __init__(self, run: Following) -> None:
         self._run = run
+        self._dialect = run.dialect
 
     def call(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
         """Something outside is called."""
         run = self._run
-        name = canonical(name)
+        name = self._dialect.canonical(name)
         made = Call(run, name, positional, keywords, node, scope)
         if name.endswith(".__init__") and positional and isinstance(positional[0], Instance):
             self.inherited(name[: -len(".__init__")], positional[0], positional[1:], keywords, node, scope)
             return None
-        handler = HANDLERS.get(name)
+        handler = self._dialect.handlers.get(name)
         if handler is not None:
             return handler(made)
         if name.startswith("os.path."):
             return _path_function(name[len("os.path.") :], positional)
-        if message_class(External(name)):
+        if self._dialect.type_of(External(name)):
             return UNKNOWN
-        when = "message" if name.startswith("rospy.") and name != "rospy.Timer" else "start"
+        when = "message" if name.startswith(self._dialect.calls_back) else "start"
         run.escape([*positional, *keywords.values()], when)
-        model = models.model_of(name)
+        model = self._dialect.model_of(name)
         if model is not None:
             models.follow(model, made)
         elif not self.is_silent(name):
@@ -64,9 +56,9 @@ class RosRecogniser:
     def attribute(self, name: str, member: str) -> Value:
         """``name.member`` of a module that is not followed."""
         if member in ("_type", "_md5sum", "__name__"):
-            type_ = message_class(External(name))
+            type_ = self._dialect.type_of(External(name))
             if type_:
-                return {"_type": type_, "__name__": type_.partition("/")[2]}.get(member, UNKNOWN)
+                return {"_type": type_, "__name__": type_.rpartition("/")[2]}.get(member, UNKNOWN)
         return standard.attribute(name, member)
 
     def member(self, receiver: Handle, name: str) -> Value:
@@ -77,7 +69,7 @@ class RosRecogniser:
         self, receiver: Handle, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
     ) -> Value:
         """Call a method of what a recognised call made."""
-        handler = METHODS.get((receiver.kind, name))
+        handler = self._dialect.methods.get((receiver.kind, name))
         if handler is not None:
             return handler(receiver, Call(self._run, name, positional, keywords, node, scope))
         self._run.escape([*positional, *keywords.values()], "message" if receiver.kind != "plain" else "start")
@@ -87,17 +79,17 @@ class RosRecogniser:
         self, base: str, instance: Instance, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
     ) -> None:
         """The constructor of a base class that is not followed."""
-        base = canonical(base)
+        base = self._dialect.canonical(base)
         if base in ("builtins.object", "object"):
             return
         run = self._run
-        handler = HANDLERS.get(base)
+        handler = self._dialect.handlers.get(base)
         if handler is not None:
             handler(Call(run, base, positional, keywords, node, scope))
             run.escape([*positional, *keywords.values()], "message")
             return
         run.escape([*positional, *keywords.values()], "start")
-        model = models.model_of(base)
+        model = self._dialect.model_of(base)
         if model is not None:
             models.follow(model, Call(run, base, positional, keywords, node, scope))
 
@@ -117,9 +109,9 @@ class RosRecogniser:
     def stays_outside(self, name: str) -> bool:
         """The ROS packages that are recognised."""
         top = name.partition(".")[0]
-        if top in _TALKING:
-            self._run.uses_rospy = True
-        return top in _NEVER_FOLLOWED
+        if top in self._dialect.talking:
+            self._run.uses_ros = True
+        return top in self._dialect.never_followed
 
     def is_generated(self, name: str) -> bool:
         """What catkin makes of messages, services and configurations."""
@@ -132,8 +124,8 @@ class RosRecogniser:
     def from_stars(self, name: str, stars: list[str]) -> Value:
         """What is recognised, a message, or something of which nothing is known."""
         for star in stars:
-            full = canonical(f"{star}.{name}")
-            if full in HANDLERS:
+            full = self._dialect.canonical(f"{star}.{name}")
+            if full in self._dialect.handlers:
                 return External(full)
         if name in TYPES and any("parameter_generator" in star for star in stars):
             return External(f"dynamic_reconfigure.parameter_generator.{name}")
@@ -142,22 +134,22 @@ class RosRecogniser:
 
     def is_silent(self, name: str) -> bool:
         """Whether a module, or what is in it, is known to make no names that are not recognised."""
-        return is_silent(name, self._run.libraries())
+        return is_silent(name, self._run.libraries(), self._dialect.silent)
 
     def is_open(self, name: str) -> bool:
         """Whether nothing is known of what something outside makes."""
-        name = canonical(name)
-        return name not in HANDLERS and models.model_of(name) is None and not self.is_silent(name)
+        name = self._dialect.canonical(name)
+        return name not in self._dialect.handlers and self._dialect.model_of(name) is None and not self.is_silent(name)
 
     def matters(self, name: str) -> bool:
         """Whether something outside makes or asks for names when it is called, or is a module in which there is such a thing."""
-        name = canonical(name)
-        return (name in HANDLERS and name.rpartition(".")[2] in MAKING) or name in _MODULES
+        name = self._dialect.canonical(name)
+        return (name in self._dialect.handlers and name.rpartition(".")[2] in self._dialect.making) or name in self._dialect.modules
 
     def mattering(self, name: str) -> list[str]:
         """What in the module or class ``name`` makes or asks for names."""
-        start = canonical(name) + "."
-        return [each[len(start) :] for each in HANDLERS if each.startswith(start) and self.matters(each)]
+        start = self._dialect.canonical(name) + "."
+        return [each[len(start) :] for each in self._dialect.handlers if each.startswith(start) and self.matters(each)]
 
 
 def _path_function(name: str, positional: list[Value]) -> Value:
