@@ -34,10 +34,10 @@ class Interpreter(Statements):
         self.beside = beside
         self.modules: dict[str, Module] = {}
 
-    def main(self, path: str, source: Source) -> Module:
-        """The module of the program itself, before its first statement."""
-        main = Module("__main__", self.shown(path), source)
-        main.scope.variables.update({"__name__": "__main__", "__file__": UNKNOWN, "__doc__": UNKNOWN})
+    def main(self, path: str, source: Source, name: str = "__main__") -> Module:
+        """The module of the program itself, before its first statement; ``name`` is that which it is imported by."""
+        main = Module(name, self.shown(path), source)
+        main.scope.variables.update({"__name__": name, "__file__": UNKNOWN, "__doc__": UNKNOWN})
         self.modules[os.path.realpath(path)] = main
         return main
 

@@ -14,13 +14,12 @@ NODE = SIGNS[0]
 NAMESPACE = SIGNS[1]
 """In a :class:`Text`: the node's namespace as rospy.get_namespace gives it, with a slash at its end."""
 
-_PARAM = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*", re.ASCII)
-
 
 class Param(Outside):
     """The value of a param. ``default`` is :data:`MISSING` where reading it without one fails."""
 
     __slots__ = ("default", "name")
+    pattern = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*", re.ASCII)
 
     def __init__(self, name: str, default: Value) -> None:
         self.name = name
@@ -28,7 +27,7 @@ class Param(Outside):
 
     def template(self) -> str:
         """``{param:~name|default}``."""
-        if not _PARAM.fullmatch(self.name):
+        if not self.pattern.fullmatch(self.name):
             return ANY
         if self.default is MISSING or self.default is None:
             return f"{{param:{self.name}}}"
@@ -46,11 +45,11 @@ class Param(Outside):
         if name not in ("strip", "lstrip", "rstrip") or positional:
             return UNKNOWN
         default = string_method(self.default, name, ()) if isinstance(self.default, str) else self.default
-        return Param(self.name, default)
+        return type(self)(self.name, default)
 
     def otherwise(self, default: Value) -> Value:
         """``rospy.get_param(x, "") or default``."""
-        return Param(self.name, default) if self.default in (None, "", MISSING) else MISSING
+        return type(self)(self.name, default) if self.default in (None, "", MISSING) else MISSING
 
 
 class MessageClass(Thing):

@@ -18,9 +18,9 @@ from launchlint.extract.python.recogniser import TYPES, RosRecogniser
 from launchlint.extract.python.silence import says_nothing
 from launchlint.python.calls import Callback
 from launchlint.python.memory import Ended, Exhausted
-from launchlint.python.source import Routine, SourceError, parse
+from launchlint.python.source import Routine, Source, SourceError, parse
 from launchlint.python.text import joined
-from launchlint.python.values import MISSING, UNKNOWN, Bound, Class, External, Function, Instance, Module, Scope, Value
+from launchlint.python.values import MISSING, UNKNOWN, Bound, Class, External, Function, Instance, Module, Scope, Unknown, Value
 from launchlint.workspace.looking import read_bytes
 
 _PLUGIN = re.compile(r"<class\s[^>]*?\btype\s*=\s*[\"']([\w.]+)[\"'][^>]*?rqt_gui_py")
@@ -52,17 +52,30 @@ def python_program(path: str, root: str, package: str, finder: PackageModules) -
     Raises:
         SourceError: the file itself is not Python, or cannot be read.
     """
-    run = Run(root, package, finder, os.path.dirname(path))
+    return followed(Run(root, package, finder, os.path.dirname(path)), path)
+
+
+def followed(run: Run, path: str, entry: str = "") -> Extracted:
+    """What a program does.
+
+    Args:
+        run: follows it.
+        path: the file.
+        entry: ``module:function`` where that is what is called of it.
+
+    Raises:
+        SourceError: the file is not Python, or cannot be read.
+    """
     collecting = gc.isenabled()
     gc.disable()  # a tree is many objects, of which none is garbage: looking for it takes a third of the time
     try:
-        run.follow(path)
+        run.follow(path, entry)
     finally:
         run.leave()
         if collecting:
             gc.enable()
-    facts = tuple(dict.fromkeys(_hashable(_as_node(fact, run.starts)) for fact in run.facts))
-    return Extracted(tuple(each.fact for each in facts), tuple(run.doubts), run.options, run.uses_ros)
+    facts = tuple(dict.fromkeys(_hashable(_as_node(fact, run.starts)) for fact in run.settled()))
+    return Extracted(tuple(each.fact for each in facts), tuple(run.doubts), run.options, run.uses_ros, run.made)
 
 
 def _as_node(fact: Fact, starts: list[str]) -> Fact:
@@ -123,14 +136,24 @@ class Run(Following):
 
     # -- the run ------------------------------------------------------------------------------------------------------
 
-    def follow(self, path: str) -> None:
-        """Follow the file at ``path`` from beginning to end."""
+    @property
+    def made(self) -> tuple[Made, ...]:
+        """The nodes that it makes, where that is told."""
+        return ()
+
+    def settled(self) -> list[Fact]:
+        """The facts, once all is followed."""
+        return self.facts
+
+    def follow(self, path: str, entry: str = "") -> None:
+        """Follow the file at ``path`` from beginning to end, or the function that the entry point ``module:function`` names."""
         source = parse(path)
         if says_nothing(source, self.beside, self.package, self.finder):
             return
-        main = self.main(path, source)
+        name, _, function = entry.partition(":")
+        main = self.main(path, source, name or "__main__")
         try:
-            self.execute(source.tree.body, main.scope)
+            self._begin(source, main, function)
             self._call_back()
             self._doubt_unseen()
         except Ended:
@@ -138,6 +161,27 @@ class Run(Following):
         except (Exhausted, RecursionError):
             self.conditions.clear()
             self.doubt("it is too much to be followed to its end", main.path, 1)
+        self.doubt_nothing(main.path)
+
+    def _begin(self, source: Source, main: Module, function: str) -> None:
+        """Go through the file, and call the function of it that is asked for."""
+        mark = self.opened
+        flow = self.execute(source.tree.body, main.scope)
+        if not function:
+            return
+        if self.opened > mark:
+            self._leave(mark, flow, main.scope)
+        node = ast.Pass(lineno=1, col_offset=0)
+        value: Value = main
+        for name in function.split("."):
+            value = self.attribute(value, name, node, main.scope)
+        if isinstance(value, Unknown) or value is MISSING:
+            self.doubt(f"its entry point {function} was not found", main.path, 1)
+        else:
+            self.call(value, [], {}, node, main.scope)
+
+    def doubt_nothing(self, path: str) -> None:
+        """Note it where nothing at all was understood of the program at ``path``."""
 
     def _call_back(self) -> None:
         """What others call, after the program has come to its end."""
@@ -152,7 +196,7 @@ class Run(Following):
 
     def _call_one(self, callback: Callback) -> None:
         self.conditions = [callback.condition] if callback.condition else []
-        self.when = callback.when
+        self._enter(callback.when)
         positional = callback.positional if callback.known else self._unknown_arguments(callback.function)
         try:
             self.call(callback.function, positional, callback.keywords, ast.Pass(lineno=1, col_offset=0), Scope(Module("", "", None), None))
@@ -160,7 +204,11 @@ class Run(Following):
             pass
         finally:
             self.conditions = []
-            self.when = "start"
+            self._enter("start")
+
+    def _enter(self, when: str) -> None:
+        """From here on it is ``when``."""
+        self.when = when
 
     @staticmethod
     def _unknown_arguments(function: Value) -> list[Value]:
@@ -182,8 +230,7 @@ class Run(Following):
         names = {name for each in instance.type.order if isinstance(each, Class) for name in each.attributes if name.startswith("__")}
         return [(name, "message") for name in sorted(names - {"__init__", "__new__", "__owner__", "__qualname__", "__class__"})]
 
-    @staticmethod
-    def _callable(instance: Instance, foreign: list[Value]) -> list[tuple[str, str]]:
+    def _callable(self, instance: Instance, foreign: list[Value]) -> list[tuple[str, str]]:
         names = dict.fromkeys(name for each in instance.type.order if isinstance(each, Class) for name in each.attributes)
         bases = {each.name if isinstance(each, External) else "" for each in foreign}
         if bases and bases <= {"threading.Thread", "multiprocessing.Process"}:

@@ -24,13 +24,14 @@ if TYPE_CHECKING:
 class Program(NamedTuple):
     """A program of a package. ``how`` it comes to be: a command, an entry point, or ``file``. ``sources`` are files (absolute) it is made
     from, as far as they are known. ``destination``: the directory below the prefix it is installed to, empty where it is built and not
-    installed, ``None`` where that is not known.
+    installed, ``None`` where that is not known. ``entry`` is the ``module:function`` of an entry point.
     """
 
     name: str
     how: str
     sources: tuple[str, ...]
     destination: str | None
+    entry: str = ""
 
 
 class Installed:
@@ -113,7 +114,7 @@ def of_cmake(package: Package, facts: CMakeFacts, files: Mapping[str, int], scri
     ``files`` are those of the package; ``scripts`` the programs in Python that ``setup.cfg`` names, ``reasons`` why there may be more.
     """
     programs = [*_targets(facts), *_files(facts.installs, package, files)]
-    programs += [Program(each.name, "console_scripts", each.sources, below_prefix(each.destination)) for each in scripts]
+    programs += [Program(each.name, "console_scripts", each.sources, below_prefix(each.destination), each.entry) for each in scripts]
     gaps = [(reason, below_prefix(destination)) for reason, destination in facts.gaps]
     local = {reason for reason, _ in gaps} - {reason for reason, destination in gaps if destination is None}
     return Installed(
@@ -130,7 +131,7 @@ def of_files(
     package: Package, installs: Sequence[Install], reasons: Iterable[str], scripts: Sequence[Script], script_reasons: Iterable[str]
 ) -> Installed:
     """What a package of build type ``ament_python`` installs: its ``data_files``, and its programs."""
-    programs = [Program(each.name, "setup.py", each.sources, below_prefix(each.destination)) for each in scripts]
+    programs = [Program(each.name, "setup.py", each.sources, below_prefix(each.destination), each.entry) for each in scripts]
     return Installed(package.name, installs, reasons, [*programs, *_files(installs, package, {})], script_reasons)
 
 

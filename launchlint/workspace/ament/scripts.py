@@ -16,16 +16,20 @@ if TYPE_CHECKING:
 
 SETUP_CFG = "setup.cfg"
 
-_ENTRY = late(r"\s*([^=\s\[#;][^=]*?)\s*=\s*([\w.]+)\s*(?::\s*[\w.]+\s*)?(?:\[.*\]\s*)?")
+_ENTRY = late(r"\s*([^=\s\[#;][^=]*?)\s*=\s*([\w.]+)\s*(?::\s*([\w.]+)\s*)?(?:\[.*\]\s*)?")
 _BASES = ("$base/", "$platbase/", "$prefix/", "$userbase/")
 
 
 class Script(NamedTuple):
-    """A program: its name, the files (absolute) it is known to be made from, the directory below the prefix; ``None`` if not known."""
+    """A program: its name, the files (absolute) it is known to be made from, the directory below the prefix; ``None`` if not known.
+
+    ``entry`` is the ``module:function`` that an entry point names.
+    """
 
     name: str
     sources: tuple[str, ...]
     destination: Value
+    entry: str = ""
 
 
 class SetupCfg(NamedTuple):
@@ -79,7 +83,7 @@ def entry_points(lines: Iterable[object], directory: str, destination: Value) ->
         match = _ENTRY.fullmatch(line) if isinstance(line, str) else None
         if match is None:
             raise ValueError(f"the entry point {str(line)[:100]!r} is not understood")
-        found.append(Script(match[1], tuple(_module(match[2], directory)), destination))
+        found.append(Script(match[1], tuple(_module(match[2], directory)), destination, f"{match[2]}:{match[3] or ''}"))
     return found
 
 
