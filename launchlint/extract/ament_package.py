@@ -2,22 +2,36 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Mapping
 
-from launchlint.extract.assembly import cpp_sources, has_main
+from launchlint.extract.assembly import Workspace, cpp_sources, has_main
+from launchlint.extract.origin import Origin
 from launchlint.extract.package_reader import PackageReader
+from launchlint.extract.python.ros2.modules import AmentModules
 from launchlint.extract.task import Skipped
+from launchlint.workspace import looking
+from launchlint.workspace.ament.installed import Program
+from launchlint.workspace.ament.reading import installed_by_cmake, installed_by_python
 from launchlint.workspace.cmake_targets import Component, Target
+from launchlint.workspace.package import Package
 
 _REGISTERED = re.compile(r"^[ \t]*RCLCPP_COMPONENTS_REGISTER_NODE\s*\(\s*(?:::)?([\w:]{1,300})\s*\)", re.MULTILINE)
 _OF_TESTS = ("gtest", "gmock")
+_OF_PYTHON = ("setup.py", "console_scripts", "file")
+_NO_PROGRAMS = (".launch.py", ".yaml", ".xml", ".md", ".txt")
+_LAUNCH = re.compile(r"^def generate_launch_description\b", re.MULTILINE)
 
 
 class AmentPackage(PackageReader):
     """Executables and components."""
 
     python = "rclpy"
+
+    def __init__(self, package: Package, origin: Origin, workspace: Workspace) -> None:
+        super().__init__(package, origin, workspace)
+        self._read_python: tuple[Mapping[str, Program], frozenset[str]] | None = None
 
     @property
     def complete(self) -> bool:
@@ -29,6 +43,8 @@ class AmentPackage(PackageReader):
         for target_name, target in sorted(self.cmake.targets.items()):
             if self._is_program(target):
                 self._executable(target_name, target)
+        for name, program in self._python.items():
+            self._python_program(name, program)
         for each in self._components.values():
             self._component(each)
             if each.executable:
@@ -49,6 +65,46 @@ class AmentPackage(PackageReader):
             if each.executable == name:
                 self._runner(each)
                 return
+        program = self._python.get(name)
+        if program is not None:
+            self._python_program(name, program)
+
+    @property
+    def _python(self) -> Mapping[str, Program]:
+        """The programs that no compiler makes, by name: entry points, and files that are installed to be run."""
+        if self._read_python is None:
+            self._read_python = looking.watched(self._programs_of_python)
+        found, looked = self._read_python
+        looking.note(looked)
+        return found
+
+    def _programs_of_python(self) -> Mapping[str, Program]:
+        manifest = self.package.manifest
+        of_python = manifest is not None and manifest.build_types == ("ament_python",)
+        installed = installed_by_python(self.package) if of_python else installed_by_cmake(self.package, self.cmake)
+        there = f"lib/{self.package.name}"
+        found: dict[str, Program] = {}
+        for each in installed.programs:
+            before = found.get(each.name)
+            if each.how in _OF_PYTHON and (before is None or (each.destination == there and before.destination != there)):
+                found[each.name] = each
+        return dict(sorted(found.items()))
+
+    def _python_program(self, name: str, program: Program) -> None:
+        path = next((each for each in program.sources if os.path.isfile(each)), None) or self._module(program.entry)
+        if path is None or not self.workspace.may_read(path, self.origin.root):
+            what = program.entry.partition(":")[0]
+            reason = f"the module {what} was not found" if what else "its source file is not here"
+            self.skipped.append(Skipped(self.package.name, name, self._shown(self.package.directory), reason))
+        elif program.entry:
+            self.tasks.append(self._task("executables", name, self.python, (path,))._replace(entry=program.entry))
+        elif not path.endswith(_NO_PROGRAMS) and not _LAUNCH.search(self.workspace.files.text(path)):
+            self._script(name, path)
+
+    def _module(self, entry: str) -> str | None:
+        """The module of an entry point that does not lie as its name says."""
+        module, directory = entry.partition(":")[0], self.package.directory
+        return AmentModules({directory: self.package.name}).find(module, directory, directory) if module else None
 
     @property
     def _components(self) -> Mapping[str, Component]:

@@ -41,7 +41,9 @@ class ProgramReader:
     """Reads programs, and keeps the files that they share: the modules of ``packages`` (directory → name), and headers."""
 
     def __init__(self, packages: Mapping[str, str]) -> None:
+        self._packages = packages
         self._finder = PackageModules(packages)
+        self._ament: PackageModules | None = None
         self._trees: Trees | None = None
 
     def read(self, task: Task) -> Reading:
@@ -55,6 +57,12 @@ class ProgramReader:
 
     def python(self, task: Task) -> Extracted:
         """What a program of Python says."""
+        if task.is_of_ros2:
+            from launchlint.extract.python.ros2.modules import AmentModules
+            from launchlint.extract.python.ros2.program import rclpy_program
+
+            self._ament = self._ament or AmentModules(self._packages)
+            return rclpy_program(task.sources[0], task.origin.root, task.directory, self._ament, task.entry)
         return python_program(task.sources[0], task.origin.root, task.directory, self._finder)
 
     def cpp(self, task: Task) -> tuple[Sequence[Fact], tuple[Doubt, ...], tuple[Made, ...]]:
@@ -81,7 +89,7 @@ def _read(task: Task, reader: ProgramReader) -> Reading:
             silent = not facts and not foreign and not any(_TALKS.search(_bytes(path)) for path in task.sources)
     except (SourceError, UsageError) as error:
         return Reading(task, None, str(error), 0, 0)
-    if task.client != "rospy" and not facts and not doubts and not silent:
+    if task.client not in ("rospy", "rclpy") and not facts and not doubts and not silent:
         doubts = tuple(Doubt(category, "no call that makes a name was found, though ROS is used", "", 0) for category in CATEGORIES)
     doubts = (*doubts, *(Doubt(category, reason, "", 0) for reason in task.doubts for category in CATEGORIES))
     if silent and not facts and (task.client == "roscpp" or not doubts):

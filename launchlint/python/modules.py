@@ -104,10 +104,21 @@ class ModuleFinder:
             self._real[path] = os.path.realpath(path)
         return self._real[path]
 
+    def roots(self, directory: str) -> tuple[tuple[str, str], ...]:
+        """Names of Python packages with their directories, the longest first; an empty name is a directory on Python's path."""
+        said = setup_paths(directory)
+        listed = [(name, said[name]) for name in sorted(said, key=lambda name: (-len(name), name))]
+        found = []
+        for name, each in dict.fromkeys((*listed, ("", "src"))):
+            path = os.path.normpath(os.path.join(directory, each))
+            if looking.is_directory(path):
+                found.append((name, path))
+        return tuple(found)
+
     def _roots_of(self, directory: str) -> tuple[tuple[str, str], ...]:
         """Where the Python modules of a package are, looked for once: names of Python packages, empty for any, with their directories."""
         if directory not in self._roots:
-            self._roots[directory] = looking.watched(lambda: _roots(directory))
+            self._roots[directory] = looking.watched(lambda: self.roots(directory))
         roots, looked = self._roots[directory]
         looking.note(looked)
         return roots
@@ -151,15 +162,3 @@ def _has_python(directory: str) -> bool:
     """Whether a directory without ``__init__.py`` may be meant as a package."""
     names = looking.names(directory)
     return any(name.endswith(".py") for name in names) and "package.xml" not in names
-
-
-def _roots(directory: str) -> tuple[tuple[str, str], ...]:
-    """Names of Python packages with their directories, the longest first; an empty name is a directory on Python's path."""
-    said = setup_paths(directory)
-    listed = [(name, said[name]) for name in sorted(said, key=lambda name: (-len(name), name))]
-    found = []
-    for name, each in dict.fromkeys((*listed, ("", "src"))):
-        path = os.path.normpath(os.path.join(directory, each))
-        if looking.is_directory(path):
-            found.append((name, path))
-    return tuple(found)

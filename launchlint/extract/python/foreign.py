@@ -35,7 +35,8 @@ _OTHERS = frozenset(
     torch torchvision torchaudio torch_geometric tensorflow tensorflow_hub tflite_runtime keras theano caffe caffe2 mxnet chainer onnx
     onnxruntime tensorrt pycuda cupy jax flax transformers ultralytics yolov5 detectron2 mmcv mmdet timm einops albumentations imgaug
     imutils dlib face_recognition mediapipe facenet_pytorch segmentation_models_pytorch segment_anything supervision gym gymnasium
-    stable_baselines3 openai anthropic langchain nltk spacy gensim fuzzywuzzy rapidfuzz whisper faster_whisper vosk pocketsphinx
+    stable_baselines3 diffusers huggingface_hub gdown
+    packaging openai anthropic langchain nltk spacy gensim fuzzywuzzy rapidfuzz whisper faster_whisper vosk pocketsphinx
     sphinxbase speech_recognition aiml chatterbot rasa gtts pyttsx pyttsx3 espeak snowboydecoder
 
     cv cv2 PIL Image imageio exifread piexif pyzbar zbar pytesseract easyocr qrcode apriltag dt_apriltags pupil_apriltags picamera

@@ -53,23 +53,28 @@ def installed(package: Package, packages: Packages) -> Installed:
     if types == ("ament_cmake",):
         return _by_cmake(package, packages)
     if types == ("ament_python",):
-        return _by_python(package)
+        return installed_by_python(package)
     return unknown(package, f"its build type is {', '.join(types) or 'not known'}")
 
 
 def _by_cmake(package: Package, packages: Packages) -> Installed:
-    files, complete = files_of(package.directory)
+    files, _ = files_of(package.directory)
 
     def exported(name: str) -> Exported | None:
         other = packages.get(name, package.directory)
         return None if other is None or is_installed(other.directory) else exported_commands(other.directory)
 
-    facts = read_cmake(package.directory, lambda: list(files), exported, ament=True)
-    scripts, reasons = _scripts(package, facts)
+    return installed_by_cmake(package, read_cmake(package.directory, lambda: list(files), exported, ament=True))
+
+
+def installed_by_cmake(package: Package, facts: CMakeFacts) -> Installed:
+    """What a package of build type ``ament_cmake`` installs, by what its CMake files say. Never raises."""
+    files, complete = files_of(package.directory)
+    scripts, reasons = _scripts(facts)
     return of_cmake(package, facts, files, scripts, reasons if complete else [*reasons, "the package has too many files"])
 
 
-def _scripts(package: Package, facts: CMakeFacts) -> tuple[list[Script], list[str]]:
+def _scripts(facts: CMakeFacts) -> tuple[list[Script], list[str]]:
     scripts: list[Script] = []
     reasons: list[str] = []
     for install in facts.script_installs:
@@ -83,7 +88,8 @@ def _scripts(package: Package, facts: CMakeFacts) -> tuple[list[Script], list[st
     return scripts, reasons
 
 
-def _by_python(package: Package) -> Installed:
+def installed_by_python(package: Package) -> Installed:
+    """What a package of build type ``ament_python`` installs. Never raises."""
     from launchlint.workspace.ament.setup_py import read_setup
 
     found = read_setup(package.directory)

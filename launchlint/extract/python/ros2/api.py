@@ -136,3 +136,21 @@ METHODS: Mapping[str, NodeMethod] = {
     "create_rate": _quiet,
     "destroy_node": _nothing,
 }
+
+ATTRIBUTES = frozenset(
+    (
+        *METHODS,
+        *"""__init__ __new__ publishers subscriptions clients services timers guards waitables executor context default_callback_group handle
+        undeclare_parameter has_parameter get_parameter_types get_parameter_type set_parameters set_parameters_atomically list_parameters
+        remove_pre_set_parameters_callback remove_on_set_parameters_callback remove_post_set_parameters_callback describe_parameter
+        describe_parameters set_descriptor add_waitable remove_waitable destroy_publisher destroy_subscription destroy_client
+        destroy_service destroy_timer destroy_guard_condition destroy_rate get_publisher_names_and_types_by_node
+        get_subscriber_names_and_types_by_node get_service_names_and_types_by_node get_client_names_and_types_by_node
+        get_topic_names_and_types get_service_names_and_types get_node_names get_fully_qualified_node_names
+        get_node_names_and_namespaces get_node_names_and_namespaces_with_enclaves count_publishers count_subscribers count_clients
+        count_services get_publishers_info_by_topic get_subscriptions_info_by_topic wait_for_node trigger_configure trigger_cleanup
+        trigger_shutdown trigger_activate trigger_deactivate add_managed_entity destroy_lifecycle_publisher on_configure on_cleanup
+        on_shutdown on_activate on_deactivate on_error""".split(),
+    )
+)
+"""What a node has, so that a class behind it is not asked for it."""

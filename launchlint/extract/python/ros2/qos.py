@@ -37,7 +37,7 @@ _WORDS: Mapping[str, tuple[str, ...]] = {
 """The policies that are words, by the number that each word has in rmw/types.h."""
 _POLICIES = ("history", "depth", "reliability", "durability", "lifespan", "deadline", "liveliness", "liveliness_lease_duration")
 """The arguments of ``QoSProfile`` in order."""
-_PROFILE = re.compile(r"rclpy\.qos\.(?:qos_profile_(\w+)|QoSPresetProfiles\.([A-Z_]+)(?:\.value)?)")
+_PROFILE = re.compile(r"rclpy\.qos\.(?:qos_profile_(\w+)|QoSPresetProfiles\.([A-Z_]+))")
 _LONG = re.compile(r"rmw_qos_policy_(?:reliability|durability|history|liveliness)_")
 _FOREVER = ("rclpy.duration.Infinite", "rclpy.qos.INFINITE")
 
@@ -47,14 +47,20 @@ def profile(made: Call) -> Value:
     given: dict[object, Value] = {}
     for at, policy in enumerate(_POLICIES):
         value = made.get(at, policy)
-        known = {"history": _HISTORY, "depth": 10}.get(policy, MISSING)
-        value = known if value is None or value is MISSING else value
-        if value is not MISSING:
-            given["attribute", policy] = value
+        given["attribute", policy] = _GIVEN_NONE.get(policy) if value is None or value is MISSING else value
     return Handle("qos", given)
 
 
-_HISTORY = External("rclpy.qos.HistoryPolicy.KEEP_LAST")
+_GIVEN_NONE: Mapping[str, Value] = {"reliability": "reliable", "durability": "volatile", "history": "keep_last", "depth": 10}
+
+
+def named(name: str) -> Handle | None:
+    """The profile that ``rclpy.qos`` gives out under a full name: ``qos_profile_sensor_data``, ``QoSPresetProfiles.SENSOR_DATA.value``."""
+    match = _PROFILE.fullmatch(name)
+    known = None if match is None else _PROFILES.get((match[1] or match[2]).lower())
+    if known is None:
+        return None
+    return Handle("qos", {("attribute", policy): getattr(known, policy, None) for policy in _POLICIES})
 
 
 def by_short_key(made: Call) -> Value:
@@ -85,8 +91,7 @@ def qos_of(value: Value, overrides: Value = None) -> Qos | None:
 
 def _of(value: Value) -> Qos:
     if isinstance(value, External):
-        match = _PROFILE.fullmatch(value.name)
-        return Qos() if match is None else _PROFILES.get((match[1] or match[2]).lower(), Qos())
+        value = named(value.name)
     if isinstance(value, Handle):
         return _of_profile(value) if value.kind == "qos" else Qos()
     depth = _depth(value)
@@ -97,10 +102,10 @@ def _of_profile(value: Handle) -> Qos:
     given = {policy: value.state.get(("attribute", policy), MISSING) for policy in _POLICIES}
     history = _word("history", given["history"])
     return Qos(
-        reliability="reliable" if given["reliability"] is MISSING else _word("reliability", given["reliability"]),
-        durability="volatile" if given["durability"] is MISSING else _word("durability", given["durability"]),
+        reliability=_word("reliability", given["reliability"]),
+        durability=_word("durability", given["durability"]),
         history=history,
-        depth=None if history == "keep_all" else _depth(given["depth"]),
+        depth=_depth(given["depth"]) if history == "keep_last" else None,
         deadline=_time(given["deadline"]),
         lifespan=_time(given["lifespan"]),
         liveliness=_word("liveliness", given["liveliness"]),
@@ -110,6 +115,8 @@ def _of_profile(value: Handle) -> Qos:
 
 def _word(policy: str, value: Value) -> str | None:
     words = _WORDS[policy]
+    if isinstance(value, str):
+        return value if value in words else None
     if isinstance(value, int) and not isinstance(value, bool):
         return words[value] or None if 0 <= value < len(words) else None
     if not isinstance(value, External) or not value.name.startswith("rclpy.qos."):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from launchlint.extract.python.arguments import Call
 from launchlint.extract.python.foreign import has_no_ros
 from launchlint.extract.python.recogniser import RosRecogniser
-from launchlint.extract.python.ros2 import api, libraries, nodes, params
+from launchlint.extract.python.ros2 import api, libraries, nodes, params, qos
 from launchlint.extract.python.ros2.canonical import canonical
 from launchlint.python.values import MISSING, UNKNOWN, External, Handle, Instance, Map, Scope, Seq, Value, alternatives
 
@@ -24,6 +24,10 @@ class Ros2Recogniser(RosRecogniser):
 
     _run: Ros2Run
 
+    def __init__(self, run: Ros2Run) -> None:
+        super().__init__(run)
+        self._profiles: dict[str, Handle | None] = {}
+
     def call(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
         """Something outside is called. What is given a node, and is not known, may make any names of it."""
         name = canonical(name)
@@ -41,10 +45,17 @@ class Ros2Recogniser(RosRecogniser):
     def attribute(self, name: str, member: str) -> Value:
         """``name.member`` of a module that is not followed."""
         found = super().attribute(name, member)
-        return External(canonical(found.name)) if isinstance(found, External) else found
+        if not isinstance(found, External):
+            return found
+        full = canonical(found.name)
+        if full.startswith("rclpy.qos.") and full not in self._profiles:
+            self._profiles[full] = qos.named(full)
+        return self._profiles.get(full) or External(full)
 
     def member(self, receiver: Handle, name: str) -> Value:
-        """What a param says; all else that is not set is a method."""
+        """What a param says, and the profile that an enumeration holds; all else that is not set is a method."""
+        if receiver.kind == "qos" and name == "value":
+            return receiver
         return params.member(receiver, name) if receiver.kind in ("parameter", "parameter value") else MISSING
 
     def method(

@@ -11,7 +11,7 @@ from launchlint.extract.python.program import Run
 from launchlint.extract.python.ros2 import api, nodes
 from launchlint.extract.python.ros2.recognised import RCLPY
 from launchlint.extract.python.ros2.recogniser import Ros2Recogniser
-from launchlint.python.values import Bound, External, Instance, Scope, Unknown, Value, alternatives
+from launchlint.python.values import Bound, Class, External, Instance, Scope, Unknown, Value, alternatives
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -74,6 +74,11 @@ class Ros2Run(Run):
             return self.recogniser.of_unknown(receiver, name, positional, keywords, node, scope)
         return super().call_method(receiver, name, positional, keywords, node, scope)
 
+    def _found(self, order: Sequence[Value], name: str, receiver: Instance | None, cls: Class | None) -> Value:
+        if name not in api.ATTRIBUTES and any(isinstance(each, Class) and name in each.attributes for each in order):
+            order = [each for each in order if not nodes.is_node_class(each)]  # a node does not have it: a class behind it does
+        return super()._found(order, name, receiver, cls)
+
     def escape(self, values: Sequence[Value], when: str, depth: int = 0) -> None:
         """Values are given to code that is not followed. Nobody calls the methods of a node but those that it was made for."""
         super().escape([each for value in values for _, each in alternatives(value) if not self._is_plain_node(each)], when, depth)
@@ -104,5 +109,5 @@ class Ros2Run(Run):
 
     def doubt_nothing(self, path: str) -> None:
         """A program that uses rclpy and of which no node was found is not understood."""
-        if self.uses_ros and not self.nodes.made:
+        if self.uses_ros and not self.nodes.made and not self.doubts:
             self.doubt("it uses rclpy, and no node of it was found", path, 1)

@@ -1,0 +1,143 @@
+"""Small programs of rclpy and all that is found in them.
+
+A case is a file: the program, a line of dashes, what is found. ``--update`` writes the latter.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from launchlint.extract.fact import Descriptor, Fact, Made, Qos
+from launchlint.extract.python.program import Extracted
+from launchlint.extract.python.ros2.modules import AmentModules
+from launchlint.extract.python.ros2.program import rclpy_program
+from tests.cli.running import write
+
+CASES = Path(__file__).parent / "rclpy_cases"
+LINE = "-----\n"
+MANIFEST = "<package format='3'><name>p</name><export><build_type>ament_python</build_type></export></package>"
+
+
+def shown(found: Extracted) -> str:
+    """What was found, a line each."""
+    lines = [of_node(node) for node in found.nodes]
+    lines += [told(fact) for fact in found.facts]
+    doubts: dict[str, list[str]] = {}
+    for each in found.doubts:
+        doubts.setdefault(f"{each.reason} @{each.path}:{each.line}", []).append(each.category)
+    lines += [f"? {', '.join(categories) if len(categories) < 6 else 'all'}: {reason}" for reason, categories in doubts.items()]
+    return "".join(f"{line}\n" for line in lines)
+
+
+def of_node(node: Made) -> str:
+    """A node in one line."""
+    words = [f"node {node.name or '?'}", f"as {node.key}" if node.key else "", f"in {node.namespace}" if node.namespace else ""]
+    words += [each for each in ("lifecycle", "undeclared") if getattr(node, each)]
+    return " ".join([*filter(None, words), f"@{node.line}", *([f"if {node.condition}"] if node.condition else [])])
+
+
+def told(fact: Fact) -> str:
+    """A fact in one line: what is not at its default."""
+    words = [fact.category, fact.name, fact.type]
+    for name in ("role", "node", "default", "value_type", "declared", "when", "exists"):
+        value = getattr(fact, name)
+        if name == "default":
+            words += [] if value is None else [f"default={value!r}"]
+        elif value not in ("", None, "start"):
+            words.append(f"{name}={value}")
+    words += [] if fact.descriptor is None else [_said(fact.descriptor, Descriptor())]
+    words += [] if fact.qos is None else [_said(fact.qos, Qos())]
+    place = f"@{fact.line}" if fact.path == "node.py" else f"@{fact.path}:{fact.line}"
+    return " ".join(filter(None, [*words, place, f"if {fact.condition}" if fact.condition else ""]))
+
+
+def _said(value: Descriptor | Qos, plain: Descriptor | Qos) -> str:
+    known = [f"{name}={getattr(value, name)}" for name in value._fields if getattr(value, name) != getattr(plain, name)]
+    return f"({' '.join(known)})"
+
+
+def follow(directory: Path, source: str, entry: str = "", path: str = "node.py") -> Extracted:
+    """What ``source`` does, alone in a package."""
+    write(directory, {path: source})
+    return rclpy_program(str(directory / path), str(directory), str(directory), AmentModules({str(directory): "p"}), entry)
+
+
+@pytest.mark.parametrize("case", sorted(CASES.glob("*.txt")), ids=lambda case: case.stem)
+def test_program(case: Path, tmp_path: Path, update: bool) -> None:
+    source, _, expected = case.read_text(encoding="utf-8").partition(LINE)
+    found = shown(follow(tmp_path, source))
+    if update:
+        case.write_text(source + LINE + found, encoding="utf-8")
+    else:
+        assert found == expected
+
+
+@pytest.mark.parametrize("case", sorted(CASES.glob("*.txt")), ids=lambda case: case.stem)
+def test_the_same_program_twice_is_the_same(case: Path, tmp_path: Path) -> None:
+    source = case.read_text(encoding="utf-8").partition(LINE)[0]
+    assert follow(tmp_path, source) == follow(tmp_path, source)
+
+
+ENTRY = """\
+import rclpy
+from p.other import TOPIC
+from .names import OTHER
+from std_msgs.msg import String
+
+
+def main(args=None):
+    rclpy.init(args=args)
+    node = rclpy.create_node('entered')
+    node.create_publisher(String, TOPIC, 1)
+    node.create_publisher(String, OTHER, 1)
+    rclpy.spin(node)
+
+
+class App:
+    @staticmethod
+    def run():
+        rclpy.create_node('application')
+
+
+if __name__ == '__main__':
+    rclpy.create_node('script')
+"""
+
+
+@pytest.mark.parametrize("setup", ["setup(packages=['p'])", "setup(packages=find_packages(exclude=['test']))"])
+def test_an_entry_point_is_called_and_its_package_is_found(tmp_path: Path, setup: str) -> None:
+    files = {
+        "package.xml": MANIFEST,
+        "setup.py": setup,
+        "p/__init__.py": "",
+        "p/other.py": "TOPIC = 'there'\n",
+        "p/names.py": "OTHER = 'here'\n",
+    }
+    write(tmp_path, files)
+    found = follow(tmp_path, ENTRY, "p.entry:main", "p/entry.py")
+    assert [each.name for each in found.facts] == ["there", "here"]
+    assert [each.name for each in found.nodes] == ["entered"]
+    assert not found.doubts
+    assert [each.name for each in follow(tmp_path, ENTRY, "p.entry:App.run", "p/entry.py").nodes] == ["application"]
+
+
+def test_modules_that_cmake_installs(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        {"CMakeLists.txt": "ament_python_install_package(${PROJECT_NAME} PACKAGE_DIR python/p)", "python/p/__init__.py": "T = 'far'\n"},
+    )
+    source = "import rclpy, p\nfrom std_msgs.msg import String\nrclpy.create_node('n').create_publisher(String, p.T, 1)\n"
+    assert [each.name for each in follow(tmp_path, source, path="scripts/node.py").facts] == ["far"]
+
+
+def test_an_entry_point_that_is_not_there(tmp_path: Path) -> None:
+    found = follow(tmp_path, ENTRY, "p.entry:missing", "p/entry.py")
+    assert "its entry point missing was not found" in {each.reason for each in found.doubts}
+
+
+def test_modules_beside_an_entry_point_are_not_its_own(tmp_path: Path) -> None:
+    write(tmp_path, {"p/serial.py": "import rclpy\nrclpy.create_node('wrong')\n"})
+    source = "import rclpy, serial\ndef main():\n    rclpy.create_node('right')\n    serial.Serial('port')\n"
+    assert [each.name for each in follow(tmp_path, source, "p.entry:main", "p/entry.py").nodes] == ["right"]
