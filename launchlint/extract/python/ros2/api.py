@@ -140,8 +140,9 @@ METHODS: Mapping[str, NodeMethod] = {
 ATTRIBUTES = frozenset(
     (
         *METHODS,
-        *"""__init__ __new__ publishers subscriptions clients services timers guards waitables executor context default_callback_group handle
-        undeclare_parameter has_parameter get_parameter_types get_parameter_type set_parameters set_parameters_atomically list_parameters
+        *"""__init__ __new__ publishers subscriptions clients services timers guards waitables executor context default_callback_group
+        handle undeclare_parameter has_parameter get_parameter_types get_parameter_type set_parameters set_parameters_atomically
+        list_parameters
         remove_pre_set_parameters_callback remove_on_set_parameters_callback remove_post_set_parameters_callback describe_parameter
         describe_parameters set_descriptor add_waitable remove_waitable destroy_publisher destroy_subscription destroy_client
         destroy_service destroy_timer destroy_guard_condition destroy_rate get_publisher_names_and_types_by_node
