@@ -168,7 +168,7 @@ def _sequence(name: str, value: Value, run: Expressions) -> Value:
 def _length(value: Value) -> Value:
     if isinstance(value, str):
         return len(value)
-    if isinstance(value, Seq) and value.complete:
+    if isinstance(value, Seq) and value.is_sure:
         return len(value.items)
     return len(value.entries) if isinstance(value, Map) and value.complete else UNKNOWN
 

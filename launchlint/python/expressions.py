@@ -427,10 +427,9 @@ class Expressions(Subscripts):
             return True if any(not is_maybe(each) for each in inner) else (None if inner or not value.complete else False)
         if isinstance(value, _THING):
             return True
-        if isinstance(value, Seq) and (value.items or value.complete):
-            return bool(value.items)
-        if isinstance(value, Map) and (value.entries or value.complete):
-            return bool(value.entries)
+        if isinstance(value, (Seq, Map)) and value.complete:
+            held = value.items if isinstance(value, Seq) else value.entries.values()
+            return None if held and all(map(is_maybe, held)) else bool(held)
         if isinstance(value, Choice):
             known = {self.truth(each) for _, each in value.alternatives}
             return known.pop() if len(known) == 1 else None

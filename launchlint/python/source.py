@@ -23,9 +23,12 @@ class SourceError(ValueError):
 
 
 class Routine:
-    """What a function says, those in it included: names that it calls (the last word of each) and what stands before, what it writes."""
+    """What a function says, those in it included: names that it calls (the last word of each) and what stands before, what it writes.
 
-    __slots__ = ("calls", "globals", "name", "node", "roots", "writes")
+    ``fills`` are the names of what it puts things into, or takes them out of, itself.
+    """
+
+    __slots__ = ("calls", "fills", "globals", "name", "node", "roots", "writes")
 
     def __init__(self, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
         self.node = node
@@ -34,13 +37,14 @@ class Routine:
         self.roots: set[str] = set()
         self.globals: set[str] = set()
         self.writes: set[str] = set()
+        self.fills: set[str] = set()
 
 
 class Source:
     """A syntax tree, and what one walk through it tells.
 
     ``routines`` are its functions, ``imports`` its import statements, ``set_later`` names of attributes and global variables that functions
-    other than constructors write; ``makes_code`` is whether it uses ``eval`` and the like.
+    other than constructors write, or put things into; ``makes_code`` is whether it uses ``eval`` and the like.
     """
 
     __slots__ = ("imports", "makes_code", "routines", "set_later", "size", "tree")
@@ -117,6 +121,7 @@ def _look_through(source: Source) -> None:
             for each in routines:
                 if each.name != "__init__":
                     later |= each.writes & each.globals
+                    later |= each.fills - each.writes - {argument.arg for argument in ast.walk(each.node.args) if isinstance(argument, ast.arg)}
             source.routines, source.imports, source.set_later = tuple(routines), tuple(imports), frozenset(later)
             return
         level = below
@@ -130,6 +135,10 @@ def _note(node: ast.AST, around: tuple[Routine, ...], later: set[str]) -> None:
         for each in around:
             each.calls.add(word)
             each.roots.add(root)
+        if word in _FILLING:
+            _note_filled(node.func.value, around, later)  # type: ignore[attr-defined]
+    elif kind is ast.Subscript and type(node.ctx) is not ast.Load:  # type: ignore[attr-defined]
+        _note_filled(node.value, around, later)  # type: ignore[attr-defined]
     elif kind is ast.Attribute and type(node.ctx) is ast.Store:  # type: ignore[attr-defined]
         if any(each.name != "__init__" for each in around):
             later.add(node.attr)  # type: ignore[attr-defined]
@@ -139,6 +148,15 @@ def _note(node: ast.AST, around: tuple[Routine, ...], later: set[str]) -> None:
     elif kind is ast.Global:
         for each in around:
             each.globals.update(node.names)  # type: ignore[attr-defined]
+
+
+def _note_filled(node: ast.expr, around: tuple[Routine, ...], later: set[str]) -> None:
+    """Note the list or dict that something is put into, or taken out of."""
+    if isinstance(node, ast.Attribute):
+        if any(each.name != "__init__" for each in around):
+            later.add(node.attr)
+    elif isinstance(node, ast.Name):
+        around[-1].fills.add(node.id)
 
 
 def called(node: ast.Call) -> tuple[str, str]:
@@ -151,6 +169,8 @@ def called(node: ast.Call) -> tuple[str, str]:
 
 
 _MAKING_CODE = frozenset(("eval", "exec", "execfile", "__import__"))
+_FILLING = frozenset(("append", "appendleft", "add", "extend", "update", "insert", "put", "setdefault", "pop", "remove", "clear"))
+"""Methods that change how many things a list or dict holds."""
 _LEAVES = (ast.Load, ast.Store, ast.Del)
 
 

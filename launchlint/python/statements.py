@@ -290,6 +290,8 @@ class Statements(Writing):
             return self.for_exactly(node, scope)
         items, complete = self.rounds(self.evaluate(node.iter, scope))
         mark = len(self.conditions)
+        if not items and changes_later(node.iter, scope.module):
+            items, complete = [UNKNOWN], False
         if not complete:
             return self._some_rounds(node, items, scope)
         flow = GOES_ON

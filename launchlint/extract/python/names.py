@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
-from launchlint.extract.python.outside import NAMESPACE, NODE
+from launchlint.extract.python.outside import NAMESPACE, NODE, Param
 from launchlint.python.text import ANY, ANYS, distribute, template, text
-from launchlint.python.values import LONGEST_TEXT, Handle, Value
+from launchlint.python.values import LONGEST_TEXT, MISSING, Choice, Handle, Value
 
 _PLAIN = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*|~|/", re.ASCII)
 _LITERAL = re.compile(r"[\w/~]*", re.ASCII)
@@ -31,6 +31,10 @@ def ros_name(value: Value) -> str:
     """
     if isinstance(value, Handle):
         return ANY
+    if isinstance(value, Param) and value.default is not MISSING and not isinstance(value.default, Choice):
+        inner = template(value.default)
+        if NODE in inner or NAMESPACE in inner:
+            value = Param(value.name, ros_name(value.default))  # the whole name is the default: it is one of this node's names
     spelled = template(value)
     if len(spelled) > LONGEST_TEXT:
         return ANY
