@@ -29,7 +29,7 @@ _MOST_SCANNED = 1_500
 _MOST_DESCRIPTIONS = 50
 
 _EXPORTED = re.compile(r"<\w+\s[^>]*?\bplugin\s*=\s*[\"']([^\"'\n\0]{1,300})[\"']")
-_MAIN = re.compile(r"^[ \t]*int[ \t\n]+main[ \t\n]*\(", re.MULTILINE)
+_MAIN = re.compile(r"^[ \t]*(?:int[ \t\n]+main|TEST|TEST_[FP]|TEST_CASE|SCENARIO)[ \t\n]*\(", re.MULTILINE)
 
 
 class Assembled(NamedTuple):
@@ -361,7 +361,7 @@ def cpp_sources(target: Target) -> list[str]:
 
 
 def has_main(target: Target) -> bool:
-    """Whether one of its sources defines ``main()``."""
+    """Whether one of its sources defines ``main()``, or tests, for which their library does."""
     return any(_MAIN.search(text_of(path)) is not None for path in cpp_sources(target))
 
 

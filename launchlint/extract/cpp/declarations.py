@@ -26,6 +26,7 @@ _ASSIGNED = re.compile(r"\b([A-Za-z_]\w*)\s*(?:=(?!=)|\+\+|--|[-+*/|&]=)|(?:\+\+
 _MESSAGE = re.compile(r"(\w+)/(\w+)\.h")
 _MADE = re.compile(r"(?:=\s*(?:0|default|delete)|\{\s*\})\s*;?\s*$")
 _VIRTUAL = re.compile(r"\b(?:virtual|override|final)\b")
+_TEST = re.compile(r"(?:TYPED_)?TEST(?:_[FP])?|TYPED_TEST_P|BOOST_\w*TEST_CASE\w*|TEST_CASE\w*|SCENARIO\w*")
 _OF_ROS = re.compile(r"(?:ros|nodelet|tf|tf2_ros|actionlib|image_transport|\w+_msgs|\w+_srvs)/")
 
 
@@ -124,6 +125,7 @@ class Declarations:
         self.opened: dict[str, list[str]] = {}
         """Namespaces that are declared, with those that using directives in them name."""
         self.invocations: list[tuple[Node, str]] = []
+        self.tests: list[Function] = []
         """Macros that are called outside of functions, with the files that they stand in."""
         self.of_ros: set[str] = set()
         """Files that include headers of ROS."""
@@ -331,7 +333,10 @@ class Declarations:
         found = Function(
             qualified, qualified.rpartition("::")[0], parameters, parse_type(returns.text) if returns else UNTYPED, node, path, template
         )
-        self._owned.append(found)
+        if returns is None and _TEST.fullmatch(found.last):
+            self.tests.append(found)
+        else:
+            self._owned.append(found)
 
     def finish(self) -> None:
         """Say which class each function belongs to, now that all classes are known."""

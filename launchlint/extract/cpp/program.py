@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 
-from launchlint.extract.cpp import nodelet
+from launchlint.extract.cpp import nodelet, unit_tests
 from launchlint.extract.cpp.declarations import Declarations
 from launchlint.extract.cpp.files import File, Trees, read_files
 from launchlint.extract.cpp.foreign import Foreign
@@ -112,12 +112,14 @@ def _settled(facts: Sequence[Fact], doubts: Sequence[Doubt]) -> tuple[tuple[Fact
 def _main(machine: Machine, path: str) -> None:
     found = [each for each in machine.declarations.functions.get("main", []) if each.body is not None and not each.owner]
     if not found:
-        machine.doubt_all("no main() was found in these sources", path, 1)
+        if not unit_tests.follow(machine):
+            machine.doubt_all("no main() was found in these sources", path, 1)
         return
     found.sort(key=lambda each: each.path.endswith((".h", ".hpp", ".hh", ".hxx")))
     machine.serial += 1
     command_line = Thing(Type("<argv>"), None, machine.serial)
     machine.call(found[0], None, [Argument(UNKNOWN), Argument(command_line)])
+    unit_tests.follow(machine)
 
 
 def _sorted(facts: Sequence[Fact]) -> tuple[Fact, ...]:

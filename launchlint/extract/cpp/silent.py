@@ -50,7 +50,7 @@ NAMESPACES = frozenset(
     std boost Eigen cv pcl Ui YAML KDL ros fcl ompl gtsam ceres g2o Sophus sophus rbdl google absl fmt nlohmann Json json tinyxml2 rapidjson
     rs2 rs asio zmq grpc protobuf gazebo ignition sdf QtCore QtGui Qt osg Ogre CGAL tbb torch caffe cuda thrust lcm spdlog serial octomap
     grid_map shapes bodies urdf srdf XmlRpc Poco CLI cxxopts moodycamel nanoflann Assimp tensorflow nvinfer1 ifm3d industrial
-    mavros::utils mavros::ftf mavconn
+    mavros::utils mavros::ftf mavconn testing Catch
     costmap_2d::Costmap2D costmap_2d::Observation costmap_2d::MapLocation base_local_planner::CostmapModel
     base_local_planner::Trajectory base_local_planner::WorldModel base_local_planner::FootprintHelper
     moveit::core moveit::tools moveit::cpp robot_state robot_model robot_trajectory planning_scene planning_interface collision_detection
@@ -62,7 +62,8 @@ NAMESPACES = frozenset(
 BASES = frozenset(
     """
     nodelet::Nodelet Nodelet nodelet_topic_tools::NodeletLazy hardware_interface::RobotHW hardware_interface::RobotHWSim rviz::Display
-    rviz::Panel rviz::Tool rviz::ViewController rqt_gui_cpp::Plugin diagnostic_updater::DiagnosticTask TSingleton
+    rviz::Panel rviz::Tool rviz::ViewController rqt_gui_cpp::Plugin diagnostic_updater::DiagnosticTask TSingleton testing::Test
+    testing::TestWithParam testing::Environment testing::TestEventListener testing::EmptyTestEventListener
     """.split()
 )
 """Base classes whose constructors make no name."""

@@ -45,6 +45,8 @@ _WORDS_OF_ATTRIBUTES = ("__attribute__", "ROS_FORCE_INLINE", "__forceinline", "R
 _WORDS_OF_LOOPS = ("FOREACH", "foreach")
 _ADJACENT = re.compile(r"(?<==)([ \t]*[A-Z][A-Z0-9_]{2,})((?:[ \t]+[A-Z][A-Z0-9_]{2,})+)(?=[ \t]*;)")
 _EACH = re.compile(r"\b(?:BOOST_|Q_)?FOREACH[ \t]*\(|\bforeach[ \t]*\(|\bQ_FOREACH[ \t]*\(")
+_WORDS_OF_TESTS = ("TEST_CASE", "SCENARIO")
+_TESTS = re.compile(r'^[ \t]*(TEST_CASE|SCENARIO)[ \t\n]*\([ \t\n]*(?:"(?:[^"\\\n]|\\.)*"[ \t\n,]*){1,4}\)(?=[ \t\n]*\{)', re.MULTILINE)
 
 _AMID = re.compile(r"[,(][ \t]*(?://[^\n]*)?\n(?=[ \t]*#[ \t]*if)")
 _DIRECTIVE = re.compile(r"[ \t]*#[ \t]*(if|el|endif)")
@@ -283,7 +285,14 @@ def _readable(source: bytes) -> bytes:
     text = _ADJACENT.sub(lambda match: f'{match[1]} ""{match[2]}', text)
     if any(each in text for each in _WORDS_OF_LOOPS):
         text = _loops(text)
+    if any(each in text for each in _WORDS_OF_TESTS):
+        text = _TESTS.sub(_without_strings, text)
     return text.encode()
+
+
+def _without_strings(match: re.Match[str]) -> str:
+    """The head of a test, whose name is a string, as that of a function; on as many lines as before."""
+    return f"{match[1]}()" + "\n" * match[0].count("\n")
 
 
 def _one_side(text: str) -> str:
