@@ -187,7 +187,10 @@ class Workspace:
         return self._may_read[key]
 
     def providers(self, name: str, header: str) -> tuple[str, ...]:
-        """The library sources of a package that define what a header of it declares: those that include it, and define a name in it."""
+        """The library sources of a package that define what a header of it declares: those that include it, and define a name in it.
+
+        With them come those of the same libraries whose objects register their classes as the library is loaded.
+        """
         key = (name, header)
         if key not in self._providers:
             self._providers[key] = looking.watched(lambda: self._find_providers(name, header))
@@ -199,11 +202,16 @@ class Workspace:
         last = os.path.basename(header)
         library = self._library(name, self.parts(name).library_sources)
         defining = set(library.defining(header))
-        return tuple(
-            path
+        found = {
+            path: None
             for path in self.parts(name).library_sources
             if any(os.path.basename(each) == last for _, each in self.files.scan(path).includes) and path in defining
-        )
+        }
+        for target in self.parts(name).cmake.targets.values() if found else ():
+            sources = cpp_sources(target) if target.is_library and "nodelet" not in target.output else []
+            if not found.keys().isdisjoint(sources):
+                found.update((path, None) for path in sources if self.files.scan(path).registers)
+        return tuple(found)
 
     def class_sources(self, name: str, target: Target, type_: str, root: str) -> tuple[str, ...]:
         """The sources of a target and the libraries linked to it that a class needs; all where that is not known."""

@@ -13,6 +13,12 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n\0]{1,300})[>"]',
 _QUOTED = re.compile(r'"([\w:/]{3,200})"')
 _LOADER = re.compile(r"\bnodelet::Loader\b")
 _CLASS_LOADER = re.compile(r"\bClassLoader\s*<")
+# An object of its own at the level of a namespace: Registry::Entry<Map> Map::entry("Map"); or a macro that makes one.
+_REGISTERS = re.compile(
+    r"^[ \t]*(?:static[ \t]+)?(?:const[ \t]+)?[\w:]*[Rr]egist[\w:]*(?:[ \t]*<[^;{}()<>]{1,300}>)?[ \t\n]+[\w:]{1,200}[ \t\n]*[({=]"
+    r"|^[ \t]*(?!PLUGINLIB_|NODELET_|POINT_CLOUD_|GZ_|CLASS_LOADER_)[A-Z_]*REGISTER[A-Z_]*[ \t]*\(",
+    re.MULTILINE,
+)
 _MOST_KEPT = 20_000
 _MOST_HEADERS = 200_000
 _MOST_TEXT = 32 << 20
@@ -20,13 +26,14 @@ _MOST_TEXT = 32 << 20
 
 class Scan(NamedTuple):
     """What the text of a file says: the headers that it includes (in quotes?, name), the literals in it that may name a plugin, and whether
-    it loads nodelets or other classes.
+    it loads nodelets or other classes; ``registers``: it has objects that are made as its library is loaded, and tell of its classes.
     """
 
     includes: tuple[tuple[bool, str], ...]
     quoted: frozenset[str]
     loads_nodelets: bool
     loads_classes: bool
+    registers: bool
 
 
 def scan(text: str) -> Scan:
@@ -36,6 +43,7 @@ def scan(text: str) -> Scan:
         frozenset(_QUOTED.findall(text)),
         _LOADER.search(text) is not None,
         _CLASS_LOADER.search(text) is not None,
+        _REGISTERS.search(text) is not None,
     )
 
 

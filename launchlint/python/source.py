@@ -121,7 +121,9 @@ def _look_through(source: Source) -> None:
             for each in routines:
                 if each.name != "__init__":
                     later |= each.writes & each.globals
-                    later |= each.fills - each.writes - {argument.arg for argument in ast.walk(each.node.args) if isinstance(argument, ast.arg)}
+                    later |= (
+                        each.fills - each.writes - {argument.arg for argument in ast.walk(each.node.args) if isinstance(argument, ast.arg)}
+                    )
             source.routines, source.imports, source.set_later = tuple(routines), tuple(imports), frozenset(later)
             return
         level = below

@@ -253,6 +253,8 @@ class _Reader:
             self.scope.list_command(arguments)
         elif name == "file":
             self._file(arguments)
+        elif name == "aux_source_directory":
+            self.scope.sources_command(arguments)
         elif name == "get_filename_component":
             self.scope.filename_command(arguments)
         elif name == "string":

@@ -17,6 +17,7 @@ Value = str | None
 _LONGEST_VALUE = 1 << 14
 _MOST_VARIABLES = 1_000
 _MOST_GLOBS = 50
+_SOURCES = (".c", ".C", ".cc", ".cpp", ".cxx", ".c++", ".cu")
 _DEEPEST_REFERENCE = 8
 _MOST_WAYS = 8
 
@@ -224,6 +225,14 @@ class Scope:
         """``file(GLOB variable …)`` over the package's own files."""
         if arguments and arguments[0] is not None:
             self._put(arguments[0], self._matching(list(arguments[1:]), recurse))
+
+    def sources_command(self, arguments: Sequence[Value]) -> None:
+        """``aux_source_directory(directory variable)``: the sources right in a directory, each with its name as it is given here."""
+        directory, variable = arguments if len(arguments) == 2 else (None, None)
+        if variable is not None:
+            found = None if directory is None else self._matching([f"{directory}/*{ending}" for ending in _SOURCES], recurse=False)
+            paths = [f"{directory}/{os.path.basename(each)}" for each in (found or "").split(";") if each]
+            self._put(variable, None if found is None else _joined(paths))
 
     def _matching(self, patterns: list[Value], recurse: bool) -> Value:
         self._globs += 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 HARMLESS = frozenset(
     """
     add_compile_definitions add_compile_options add_definitions add_dependencies add_library add_link_options
-    add_test aux_source_directory break build_command cmake_dependent_option cmake_host_system_information
+    add_test break build_command cmake_dependent_option cmake_host_system_information
     cmake_minimum_required cmake_parse_arguments cmake_policy continue create_test_sourcelist define_property else elseif enable_language
     enable_testing endforeach endfunction endif endmacro endwhile export find_file find_library find_package find_path find_program
     fltk_wrap_ui foreach function get_cmake_property get_directory_property get_source_file_property get_test_property

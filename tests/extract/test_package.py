@@ -367,3 +367,62 @@ def test_a_name_from_a_param_whose_name_is_not_known(tmp_path: Path) -> None:
     variant = program(root, "demo", "demo/Reader", "nodelets")["variants"]["default"]
     assert [(each["name"], each["type"]) for each in variant["publishers"]] == [("{any}", "std_msgs/Bool")]
     assert variant["open"]["publishers"].endswith("(demo/reader.cpp:2)")
+
+
+def test_classes_that_register_themselves_come_with_their_library(tmp_path: Path) -> None:
+    """Nothing includes the header of the class: an object that is made as the library is loaded tells the registry how to make it."""
+    root = grow(
+        tmp_path / "ws",
+        {
+            "node/package.xml": MANIFEST.format(name="node", more="<depend>modules</depend>"),
+            "node/CMakeLists.txt": "project(node)\nadd_executable(node src/main.cpp)\ntarget_link_libraries(node ${catkin_LIBRARIES})\n",
+            "node/src/main.cpp": '#include <modules/registry.h>\nint main() { modules::make("Map"); }\n',
+            "modules/package.xml": MANIFEST.format(name="modules", more=""),
+            "modules/CMakeLists.txt": "project(modules)\nadd_library(modules src/registry.cpp src/map.cpp src/other.cpp)\n",
+            "modules/include/modules/registry.h": (
+                "namespace modules {\nclass Module { public: virtual ~Module() {} };\nModule* make(const std::string& name);\n"
+                "std::map<std::string, std::function<Module*()>>& entries();\n"
+                "template <class T> struct Registration {\n  explicit Registration(const std::string& name) {\n"
+                "    entries().insert(std::make_pair(name, []() { return new T(); }));\n  }\n};\n}\n"
+            ),
+            "modules/src/registry.cpp": (
+                "#include <modules/registry.h>\nnamespace modules {\n"
+                "std::map<std::string, std::function<Module*()>>& entries() { static std::map<std::string, std::function<Module*()>> e; "
+                "return e; }\nModule* make(const std::string& name) { return entries().at(name)(); }\n}\n"
+            ),
+            "modules/src/map.cpp": (
+                "#include <modules/registry.h>\nnamespace modules {\nclass Map : public Module {\n  ros::NodeHandle nh_;\n"
+                '  ros::Publisher pub_;\n public:\n  Map() { pub_ = nh_.advertise<nav_msgs::OccupancyGrid>("map", 1); }\n'
+                "  static Registration<Map> registration;\n};\nRegistration<Map> Map::registration(\n"
+                '    "Map");\n}\n'
+            ),
+            "modules/src/other.cpp": "namespace modules { void unused() { ros::NodeHandle().advertise<std_msgs::String>(name, 1); } }\n",
+        },
+    )
+    default = program(root, "node", "node")["variants"]["default"]
+    assert [each["name"] for each in default["publishers"]] == ["map"]
+    assert "open" not in default
+
+
+def test_implementations_that_call_each_other_are_followed_to_an_end(tmp_path: Path) -> None:
+    """Each of them asks the next one, of which only the base class is known: these are more ways than can be followed."""
+    classes = "".join(
+        f"class C{each} : public Base {{\n  bool ask(int x) override {{ return next_->ask(x + 1) && next_->ask(x + 2); }}\n}};\n"
+        for each in range(12)
+    )
+    main = (
+        "#include <ros/ros.h>\nclass Base {\n public:\n  virtual bool ask(int x) = 0;\n  Base* next_;\n};\n"
+        f"{classes}int main() {{\n  Base* base = find();\n  base->ask(1);\n  ros::NodeHandle nh;\n"
+        '  ros::Publisher pub = nh.advertise<std_msgs::String>("last", 1);\n}\n'
+    )
+    root = grow(
+        tmp_path / "ws",
+        {
+            "node/package.xml": MANIFEST.format(name="node", more=""),
+            "node/CMakeLists.txt": "project(node)\nadd_executable(node main.cpp)\n",
+            "node/main.cpp": main,
+        },
+    )
+    default = program(root, "node", "node")["variants"]["default"]
+    assert [each["name"] for each in default["publishers"]] == ["last"]
+    assert not any("too long" in reason for reason in default.get("open", {}).values())

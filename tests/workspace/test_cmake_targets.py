@@ -68,6 +68,14 @@ def targets(root: Path) -> list[str]:
             "file(GLOB S src/part*.cpp)\nfile(GLOB T src/*_test.cpp)\nlist(REMOVE_ITEM S ${T})\nlist(PREPEND S a.cpp)\nadd_library(l ${S})",
             ["library l: a.cpp src/part.cpp"],
         ),
+        (
+            "aux_source_directory(src S)\nlist(REMOVE_ITEM S src/part_test.cpp)\nadd_library(l ${S})",
+            ["library l: src/one_node.cpp src/part.cpp src/two_node.cpp"],
+        ),
+        (
+            "aux_source_directory(src/. S)\nlist(GET S 0 F)\nadd_executable(x ${F} ${S})",
+            ["x: src/one_node.cpp src/part.cpp src/part_test.cpp src/two_node.cpp ?"],
+        ),
         ("set(S a.cpp b.cpp)\nlist(REMOVE_ITEM S ${T})\nadd_library(l ${S})", ["library l: ?"]),
         (
             (

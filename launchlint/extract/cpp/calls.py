@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Argument, Machine
 
 _LONGEST_MACRO = 4_000
+_MOST_DISPATCHED = 4
 _HARMLESS = re.compile(
     r"^(?!\w+::(?!cout))(?:ROS_|NODELET_|ASSERT|EXPECT|assert|DCHECK|CHECK|LOG|VLOG|printf|fprintf|std::cout|TIME|Q_)|(?:_DEBUG|_INFO|_WARN|_ERROR)\b"
 )
@@ -300,6 +301,13 @@ def _overridden(
     for declared, candidates in found:
         other = Thing(Type(declared.name), declared, this.serial, this.bindings)
         other.fields = this.fields
+
+        if len(found) > 1 and not any(overloads.tells(each) for each in candidates):
+            # Objects that call each other in this way are more ways than can be followed: what makes no name itself is, a few times.
+            machine.dispatched[candidates[0]] = machine.dispatched.get(candidates[0], 0) + 1
+            if machine.dispatched[candidates[0]] > _MOST_DISPATCHED:
+                results.append(("", UNKNOWN))
+                continue
 
         def run(candidates: list[Function] = candidates, other: Thing = other) -> str:
             results.append(("", _called(machine, candidates, other, given, types, node, frame)))

@@ -103,6 +103,7 @@ class Machine:
         self.steps = 0
         self.depth = 0
         self.calls: list[Function] = []
+        self.dispatched: dict[Function, int] = {}
         self.making: list[Class] = []
         self.loops = 0
         self.journals: list[dict[Cell, Value]] = []
