@@ -17,7 +17,7 @@ from launchlint.workspace.cmake_blocks import block_end, never, parsed, section,
 from launchlint.workspace.cmake_exports import Exported, within
 from launchlint.workspace.cmake_installs import install, install_programs
 from launchlint.workspace.cmake_made import MAKING, RUNNING, runs_another_build
-from launchlint.workspace.cmake_scope import Scope, Value, together
+from launchlint.workspace.cmake_scope import OF_VARIABLES, Scope, Value, together
 from launchlint.workspace.cmake_targets import CMakeFacts, Generated, Target
 from launchlint.workspace.cmake_words import ASSIGNING, CATKIN_WORDS, COMPUTING, COMPUTING_FIRST, HARMLESS, HARMLESS_PREFIXES
 from launchlint.workspace.looking import read_bytes
@@ -35,7 +35,7 @@ _MOST_GENERATED = 300
 _MOST_ARGUMENTS = 20
 
 _TARGET = late(r"(?:\w+_)?add_(?:\w+_)?executable(?:_with_gtest)?")
-_TEST_TARGET = late(r"(?:\w+_)?add_(?:\w+_)?(?:gtest|gmock)(?:_test)?")
+_TEST_TARGET = late(r"(?:\w+_)?add_(?:\w+_)?(?:gtest|gmock)(?:_test)?|catch_add_(?:rostest_node|test)")
 _LIBRARY = late(r"(?:\w+_)?add_(?:\w+_)?library")
 _MAKES_TARGETS = late(r"add_(?:\w+_)?(?:executable|library)|target_(?:link|sources)")
 _WRAPPER = late(r"(?:\w+_)?(?:binary|executable|exe|node|program)(?:_\w+)?")
@@ -249,16 +249,10 @@ class _Reader:
                 self.scope.assign_any(first, self.scope.expand(command.arguments, any_way=True)[1:])
         elif name == "unset" and first is not None:
             self.scope.assign(first, [])
-        elif name == "list":
-            self.scope.list_command(arguments)
+        elif name in OF_VARIABLES:
+            OF_VARIABLES[name](self.scope, arguments)
         elif name == "file":
             self._file(arguments)
-        elif name == "aux_source_directory":
-            self.scope.sources_command(arguments)
-        elif name == "get_filename_component":
-            self.scope.filename_command(arguments)
-        elif name == "string":
-            self.scope.string_command(arguments)
         elif name == "cmake_parse_arguments":
             for variable, values in parsed(self.scope.given_arguments(arguments)).items():
                 self.scope.assign(variable, values)

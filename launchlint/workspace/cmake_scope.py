@@ -323,3 +323,12 @@ def _joined(values: Sequence[Value]) -> Value:
     known = [each for each in values if each is not None]
     text = ";".join(known)
     return None if len(known) < len(values) or len(text) > _LONGEST_VALUE else text
+
+
+OF_VARIABLES = {
+    "list": Scope.list_command,
+    "aux_source_directory": Scope.sources_command,
+    "get_filename_component": Scope.filename_command,
+    "string": Scope.string_command,
+}
+"""What the commands do that work out the values of variables."""

@@ -89,6 +89,7 @@ def targets(root: Path) -> list[str]:
             ["x: a.cpp"],
         ),
         ("far_binary(x SRCS a.cc a.h DEPENDS ${L} l)", ["x: a.cc as well as l assumed ?"]),
+        ("catch_add_rostest_node(x src/a_test.cpp)\ntarget_link_libraries(x l)", ["x: src/a_test.cpp as well as l"]),
         ("robot_add_node(x src/a.cpp b.cpp)", ["x: src/a.cpp b.cpp assumed ?"]),
         ("add_node_test(x a.cpp)\nadd_node_plugin(y a.cpp)\nadd_things(z a.cpp)\nadd_nodes(a b)\nadd_node(${N} a.cpp)\nadd_node()", []),
         ("set(N one)\nconfigure_file(node.cpp.in x.cpp)\nadd_executable(x x.cpp)", ["x: x.cpp < node.cpp.in N=one"]),
