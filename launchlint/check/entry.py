@@ -9,7 +9,7 @@ from functools import cached_property
 from itertools import islice
 from typing import NamedTuple
 
-from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, internal_error, run_rule, tell
+from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, internal_error, is_left_over, run_rule, tell
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.stops import put_right, put_right_later, said_of, stops_everybody
 from launchlint.check.verdict import judged, plainly
@@ -240,6 +240,8 @@ class EntryChecker:
 
     def _launch_findings(self, evaluation: Evaluation, request: EntryRequest, view: LaunchView) -> Iterator[Finding | Fine]:
         launch = evaluation.launch
+        if is_left_over(launch.dialect, request.file, self.packages):
+            return
         before: Problem | None = None
         for problem in launch.problems:
             for finding in tell(problem, view, self.options.rules):

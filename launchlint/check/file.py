@@ -12,16 +12,21 @@ from launchlint.rules.registry import Entry, speaking_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import FileView, LaunchView
 from launchlint.syntax.tree import Element
+from launchlint.workspace.other_ros import built_for_ros2
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.model import DialectName
     from launchlint.suppression import Suppression
+    from launchlint.workspace.packages import Packages
 
 
 _PROGRAM = ".py"
 _OF_PROGRAMS = "launchlint.syntax.ros2.python."
 """Where the problems are defined that only launch files in Python have: the fixes of their rules are Python."""
+
+SAID_OF_LEFT_OVERS = frozenset(("LL100", "LL101", "LL115"))
+"""The rules that speak of launch files of ROS 1 that were left behind in a package for ROS 2: they cannot be read, or that they were."""
 
 
 class Guarded(NamedTuple):
@@ -50,6 +55,8 @@ class FileResult(NamedTuple):
 def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
     """Run the rules that look at the text of one launch file."""
     document = view.document
+    if is_left_over(view.dialect.name, document.source.file, view.packages):
+        rules = tuple(rule for rule in rules if rule.id in SAID_OF_LEFT_OVERS)
     selected = frozenset(rule.id for rule in rules)
     findings: list[Guarded] = []
     for problem in view.dialect.validate(document):
@@ -66,6 +73,11 @@ def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
         suppressions = tuple(read(document.source, view.dialect.remarks(document)))
     root = None if document.root is None else Location.of(document.place(document.root.name_span))
     return FileResult(document.source.path, tuple(findings), suppressions, root, dialect=view.dialect.name)
+
+
+def is_left_over(dialect: DialectName, file: str, packages: Packages) -> bool:
+    """Whether a launch file is one of ROS 1 in a package that is built for ROS 2: of such a file no more than that is said."""
+    return dialect == ROS1 and built_for_ros2(file, packages) is not None
 
 
 def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[Finding]:

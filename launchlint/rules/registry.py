@@ -99,6 +99,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL112", "wrong-dialect", "xml.wrong_dialect", ERROR, on=(syntax.WrongDialect,), dialects=BOTH, ros2=("OfRos1",)),
     Entry("LL113", "ineffective-attribute", "xml.ineffective_attribute", WARNING, on=(syntax.IneffectiveAttribute,)),
     Entry("LL114", "condition-on-launch", "xml.condition_on_launch", ERROR, on=(evaluate.ConditionOnLaunch, syntax.InvalidValue)),
+    Entry("LL115", "left-from-ros1", "xml.left_from_ros1", WARNING, view="file"),
     Entry("LL201", "undeclared-arg", "args.undeclared_arg", ERROR, on=(evaluate.UndeclaredArg,), dialects=BOTH),
     Entry("LL202", "required-arg-unset", "args.required_arg_unset", INFO, on=(evaluate.RequiredArgUnset,), dialects=BOTH),
     Entry("LL203", "arg-redeclared", "args.arg_redeclared", ERROR, on=(evaluate.ArgRedeclared,)),

@@ -11,7 +11,8 @@ for a private name (`~odom`) that no remap leads anywhere, so that others publis
 publishes such a name, or has the only other loose end of that type. A remap that would join the two stands in another node, where it does
 nothing, or stands there twice. All other nodes of the same program have that name remapped, and meet somebody. The two would meet if one
 of them had no remap. Or both nodes talk to nobody else, and nobody else speaks that type. Nothing is said of the first and the last node
-of a chain, of which one hears and the other says the same type.
+of a chain, of which one hears and the other says the same type, nor of a node that listens to several private names of which a remap leads
+one somewhere and leaves two or more: it may take any of them.
 
 Where a node of which not everything is known could be the publisher, and nothing says that it is, only what something shows besides is
 told, or two names that differ in nothing but the namespace or one letter; a note then says which node that is. It is an info where the

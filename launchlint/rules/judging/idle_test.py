@@ -23,6 +23,7 @@ _LAUNCH_ENDS = (".launch", ".xml", TEST_END)
 _TELLS = (".md", ".rst", ".txt", ".yml", ".yaml")
 _MOST_DIRECTORIES = 200
 _MOST_FILES = 600
+_MOST_NAMING = 5
 
 
 def why_idle(file: str, home: Package, packages: Packages) -> str:
@@ -61,12 +62,17 @@ def _is_registered(inside: str, directory: str) -> bool:
 
 def _is_named(name: str, itself: str, home: Package, packages: Packages) -> bool:
     """Whether a launch file, a document, or whatever calls roslaunch names the file."""
+    return any(file != itself for file in naming(name, home, packages))
+
+
+def naming(name: str, home: Package, packages: Packages) -> tuple[str, ...]:
+    """The first few files (absolute) of package ``home`` that name the launch file: launch files, documents, and what calls roslaunch."""
     known = packages.once(_known)
     if home.directory not in known:
         known[home.directory] = watched(lambda: _named(home.directory))
     named, looked = known[home.directory]
     note(looked)
-    return any(file != itself for file in named.get(name, ()))
+    return named.get(name, ())
 
 
 def _known(packages: Packages) -> dict[str, tuple[Mapping[str, tuple[str, ...]], frozenset[str]]]:
@@ -75,7 +81,7 @@ def _known(packages: Packages) -> dict[str, tuple[Mapping[str, tuple[str, ...]],
 
 
 def _named(directory: str) -> Mapping[str, tuple[str, ...]]:
-    """Name of a launch file → the first two files below ``directory`` that name it: launch files, documents, and what calls roslaunch."""
+    """Name of a launch file → the first few files below ``directory`` that name it: launch files, documents, and what calls roslaunch."""
     found: dict[str, tuple[str, ...]] = {}
     looked: set[str] = set()
     places = ((parent, [each for each in names if "." in each]) for parent, names in walk(directory, _MOST_DIRECTORIES))
@@ -83,6 +89,6 @@ def _named(directory: str) -> Mapping[str, tuple[str, ...]]:
         if not file.endswith((*_LAUNCH_ENDS, *_TELLS)) and _STARTS.search(text) is None:
             continue
         for name in sorted(set(_NAMED.findall(text))):
-            found[name] = (*found.get(name, ()), file)[:2]
+            found[name] = (*found.get(name, ()), file)[:_MOST_NAMING]
     note(looked)
     return found

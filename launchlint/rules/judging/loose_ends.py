@@ -174,7 +174,7 @@ class LooseEnds:
         elif not found and len(loose) == 1 and self._are_only_loose_ends(end):
             ends = loose[0][1]
             signs_of = [signs.odd_one_out(each) for each in (end, *ends)]
-            if not offers and signs.is_left_private(end) and all(self._are_together(end, each) for each in ends):
+            if not offers and signs.is_waiting_private(end) and all(self._are_together(end, each) for each in ends):
                 signs_of.append(_PRIVATE.format(end.declared))
             if len(everything) == 1 and not doubts:
                 signs_of += (signs.parting_remap(end, each) for each in ends)
@@ -194,7 +194,7 @@ class LooseEnds:
         channel, ends = giver
         if not all(self._are_together(end, each) for each in ends):
             return ""
-        if self._signs.is_left_private(end):
+        if self._signs.is_waiting_private(end):
             return _PRIVATE.format(end.declared)
         lost = end.applied and not doubts and not channel.uses and all(self._signs.is_left_private(each) for each in ends)
         return _PRIVATE.format(ends[0].declared) if lost else ""

@@ -1,6 +1,7 @@
 """What speaks for it that two loose ends were meant for each other, beside their names and their type.
 
-- A name below the node itself (``~odom``), on which no remap acts: nobody publishes there unless he was told to.
+- A name below the node itself (``~odom``), on which no remap acts: nobody publishes there unless he was told to. It says nothing of a node
+  that listens to several such names, of which a remap leads one somewhere and leaves two or more: they are inputs to choose from.
 - A remap on one of two ends that would meet without it.
 - A remap in another node, where it does nothing, that would join them.
 - A name that all other nodes of the same program have remapped.
@@ -44,7 +45,11 @@ class Signs:
 
     def is_left_private(self, end: Endpoint) -> bool:
         """Whether it is a private name on which no remap acts."""
-        return end.declared.startswith("~") and not end.applied
+        return _is_private(end) and not end.applied
+
+    def is_waiting_private(self, end: Endpoint) -> bool:
+        """Whether it is left private, and none of several inputs of its node of which the launch file chose another one."""
+        return self.is_left_private(end) and not (end.role == "subscriber" and end.node in self._choosing)
 
     def parting_remap(self, end: Endpoint, other: Endpoint) -> str:
         """What it says of the remap of one of the two, and of none of the other, that it parts them; empty where none does."""
@@ -82,6 +87,17 @@ class Signs:
             nodes.update(more)
             waiting += more
         return bool(nodes & wanted) or len(nodes) >= _MOST_NODES
+
+    @cached_property
+    def _choosing(self) -> frozenset[str]:
+        """The nodes with a private topic to listen to that a remap leads somewhere, and two or more that none does."""
+        found: set[str] = set()
+        for instance in self._graph.instances:
+            inputs = [each for each in instance.endpoints if each.role == "subscriber" and not each.is_plumbing and _is_private(each)]
+            left = sum(not each.applied for each in inputs)
+            if 2 <= left < len(inputs):
+                found.update(each.node for each in inputs)
+        return frozenset(found)
 
     @cached_property
     def _alike(self) -> dict[Role, list[Endpoint]]:
@@ -132,3 +148,7 @@ class Signs:
                 key = (stands_for(giver.type), giver.node)
                 found.setdefault(key, {}).update((taker.node, None) for taker in channel.uses if taker.node != giver.node)
         return {key: list(others) for key, others in found.items()}
+
+
+def _is_private(end: Endpoint) -> bool:
+    return end.declared.startswith("~")

@@ -3,7 +3,8 @@
 What it does: it looks at the resolved `name` of nodes and tests. A slash or a leading `~` is an error, because roslaunch refuses
 the file; a slash is a warning where args make the name and it takes another value than a default, and an info where a comment of the
 file names that arg, as one that has to be given then. Other characters than letters, digits
-and `_`, a digit at the start, and an empty name are warnings.
+and `_`, a digit at the start, and an empty name are warnings; infos where the name is made of an arg with an empty default, or of one
+whose default a condition around the node tells apart.
 
 ## Why it matters
 
@@ -46,6 +47,7 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.syntax.parts import Substitution
 from launchlint.syntax.ros1.substitutions import parts_of
+from launchlint.syntax.tree import Element
 
 RULE = Rule("LL302", "invalid-node-name", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
@@ -90,14 +92,16 @@ def tell(problem: InvalidNodeName, view: LaunchView) -> Iterator[Finding]:
         own = not problem.from_test
         wanted = "is not a valid ROS name" if own else "(its test-name) is not a valid ROS name"
         required = _left_empty(problem, view)
+        apart = "" if required else _told_apart(problem, view)
         yield RULE.at(
             problem.origin,
             f"the node name {name!r} {wanted}",
-            severity=Severity.INFO if required else Severity.WARNING,
+            severity=Severity.INFO if required or apart else Severity.WARNING,
             label=_fault(name),
             notes=(
                 "a C++ node ends at start with an invalid-name exception, and tools such as rosnode may not find a Python one",
                 *([f"the arg {required} has an empty default: whoever includes this file gives it"] if required else []),
+                *([f"a condition around it tells {apart} apart, which stands for no name"] if apart else []),
             ),
             help=f"write {meant}, which is replaced by what it stands for"
             if meant
@@ -134,6 +138,25 @@ def _left_empty(problem: InvalidNodeName, view: LaunchView) -> str:
         return ""
     asked = {part.only for part in parts_of(at.attribute).substitutions("arg")}
     return min(asked & view.once(_empty), default="") if asked else ""
+
+
+def _told_apart(problem: InvalidNodeName, view: LaunchView) -> str:
+    """The default of an arg in the name that a condition around the node compares it with: another value is meant where it holds."""
+    at = spot(view, problem.place) if not problem.origin.chain else None
+    if at is None or at.attribute is None:
+        return ""
+    asked = {part.only for part in parts_of(at.attribute).substitutions("arg")} - dict(view.launch.given).keys()
+    defaults = {each.get("name"): each.get("default") or "" for each in at.document.elements if each.tag == "arg"}
+    each: Element | None = at.element
+    while each is not None:
+        condition = f"{each.get('if') or ''} {each.get('unless') or ''}"
+        for arg in sorted(asked):
+            default = defaults.get(arg) or ""
+            compared = f"'{default}'" in condition or f'"{default}"' in condition
+            if default and compared and re.search(rf"\b{re.escape(arg)}\b", condition) is not None:
+                return f"the default {default!r} of the arg {arg}"
+        each = each.parent
+    return ""
 
 
 def _empty(view: LaunchView) -> frozenset[str]:

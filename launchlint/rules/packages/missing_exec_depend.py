@@ -10,16 +10,16 @@ meant. Everything that one `package.xml` lacks is told at once, with the first u
 
 It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has the
 other; where it is part of every `ros_base`, the smallest installation, and the package is none that was released; where only launch files
-need it by which people try something out (`demo.launch`, `test_arm.launch`, beside more that are called otherwise; not tests that
-machines run); and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the
-warehouse, the assistant itself), in a package with its `.setup_assistant`. It is one, without a fix, where a comment of the launch file
-or a README tells people to install the package themselves, where only launch files need it that were put aside (in a directory `old`,
-`deprecated`, `attic` …), where the launch file lies among the tests and nothing starts it (no `add_rostest`, no
-`roslaunch_add_file_check`, no other launch file, no script that calls roslaunch), and where the package is a copy of a public one, with
-its `CHANGELOG.rst`, or part of a project with a README and a licence of its own, among packages of other people. Packages below a
-`CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Of several packages of one name,
-of which LL703 tells, the first is told of. Beside a `manifest.xml` of rosbuild it is the `package.xml` that counts; where there is no
-other, it is an info: rosbuild installs nothing.
+need it by which people try something out (`demo.launch`, `test_arm.launch`, beside more that are called otherwise; not tests that machines
+run); and where only files need it that MoveIt's Setup Assistant writes beside those that drive the robot (benchmarks, the warehouse, a
+simulation and the controllers that nothing else of the package starts, the assistant itself), in a package with its `.setup_assistant`. It
+is one, without a fix, where a comment of the launch file or a README tells people to install the package themselves, where only launch
+files need it that were put aside (in a directory `old`, `deprecated`, `attic` …), where the launch file lies among the tests and nothing
+starts it (no `add_rostest`, no `roslaunch_add_file_check`, no other launch file, no script that calls roslaunch), and where the package is
+a copy of a public one, with its `CHANGELOG.rst`, or part of a project with a README and a licence of its own, among packages of other
+people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that an `EXCLUDE` of `install(DIRECTORY …)` leaves out. Of
+several packages of one name, of which LL703 tells, the first is told of. Beside a `manifest.xml` of rosbuild it is the `package.xml` that
+counts; where there is no other, it is an info: rosbuild installs nothing.
 
 ## Why it matters
 
@@ -84,7 +84,7 @@ from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.late import late
 from launchlint.plural import listed
 from launchlint.rules.judging.copies import first_of_name
-from launchlint.rules.judging.idle_test import why_idle
+from launchlint.rules.judging.idle_test import naming, why_idle
 from launchlint.rules.judging.left_out import SETUP_ASSISTANT, is_trial, why_left_out
 from launchlint.rules.judging.metapackages import members
 from launchlint.rules.judging.missing_package import is_placeholder
@@ -120,6 +120,7 @@ _MOVE = "move {} to a package that starts both, such as a bringup package"
 _GENERATED_EXTRA = late(
     r"(?:setup_assistant|joystick_control|run_benchmark_\w+|(?:default_)?warehouse(?:_db|_settings)?|(?:demo_)?gazebo)\.launch(?:\.xml)?"
 )
+_CONTROLLERS = "ros_controllers.launch"
 
 RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports", fixable="safe")
 
@@ -163,7 +164,7 @@ def check(view: FileView) -> Iterator[Finding]:
         return
     missing = [name for name in missing if own_instead(name, document.source.text, packages, file) is None]  # LL210 and LL303 tell
     place = _place(manifest, root_of(document.source))
-    extra = _GENERATED_EXTRA.fullmatch(posixpath.basename(file)) is not None and is_file(posixpath.join(home.directory, SETUP_ASSISTANT))
+    extra = is_file(posixpath.join(home.directory, SETUP_ASSISTANT)) and _is_extra(file, home, packages)
     here = any(_is_beside(name, packages, file) for name in missing)
     ways, later = packages.once(_Ways).to(home.name, packages) if here else ({}, {})
     idle = why_idle(file, home, packages)
@@ -203,6 +204,14 @@ def check(view: FileView) -> Iterator[Finding]:
             if tested or (reason and not extra) or way is not None
             else _fix(place, manifest, line, safe=not _doubts(name, later, manifest, packages)),
         )
+
+
+def _is_extra(file: str, home: Package, packages: Packages) -> bool:
+    """Whether it is a file of the assistant that does not drive the robot; the controllers do, unless only the simulation starts them."""
+    name = posixpath.basename(file)
+    if name != _CONTROLLERS:
+        return _GENERATED_EXTRA.fullmatch(name) is not None
+    return all(_GENERATED_EXTRA.fullmatch(posixpath.basename(each)) for each in naming(name, home, packages))
 
 
 def _foreign(name: str, files: Sequence[str], where: Place, home: Package) -> Finding:
