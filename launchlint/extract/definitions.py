@@ -13,7 +13,7 @@ _SKIPPED = re.compile(
     r'//[^\n]*|/\*.*?(?:\*/|\Z)|\bR"(\w{0,16})\(.*?(?:\)\1"|\Z)|"(?:\\.|[^"\\\n])*"?|\'(?:\\.|[^\'\\\n]){1,4}\'|^[ \t]*#(?:\\.|[^\\\n])*',
     re.DOTALL | re.MULTILINE,
 )
-_EXPORT = re.compile(r"\bPLUGINLIB_\w{1,40}\s*\(([^;{}()]{0,300})\)\s*(?:;|$)", re.MULTILINE)
+_EXPORT = re.compile(r"\b(?:PLUGINLIB_\w{1,40}|RCLCPP_COMPONENTS_REGISTER_NODE)\s*\(([^;{}()]{0,300})\)\s*(?:;|$)", re.MULTILINE)
 _BRACE = re.compile(r"[{};]")
 _SPACE = re.compile(r"\b(?:inline\s+)?namespace\b\s*([\w:]*)\s*\Z")
 _LINKAGE = re.compile(r"(?<!\w)extern\s*\Z")

@@ -71,8 +71,18 @@ class ProgramReader:
 
         if self._trees is None:
             self._trees = Trees()
-        entry = task.entry or None
-        return cpp_program(task.sources, task.includes, task.origin.root, entry, task.plugins, task.templates, task.packages, self._trees)
+        return cpp_program(
+            task.sources,
+            task.includes,
+            task.origin.root,
+            task.entry or None,
+            task.plugins,
+            task.templates,
+            task.packages,
+            self._trees,
+            task.client,
+            task.parameters,
+        )
 
 
 def _read(task: Task, reader: ProgramReader) -> Reading:
@@ -89,10 +99,10 @@ def _read(task: Task, reader: ProgramReader) -> Reading:
             silent = not facts and not foreign and not any(_TALKS.search(_bytes(path)) for path in task.sources)
     except (SourceError, UsageError) as error:
         return Reading(task, None, str(error), 0, 0)
-    if task.client not in ("rospy", "rclpy") and not facts and not doubts and not silent:
+    if task.client not in ("rospy", "rclpy") and not facts and not doubts and not silent and not nodes:
         doubts = tuple(Doubt(category, "no call that makes a name was found, though ROS is used", "", 0) for category in CATEGORIES)
     doubts = (*doubts, *(Doubt(category, reason, "", 0) for reason in task.doubts for category in CATEGORIES))
-    if silent and not facts and (task.client == "roscpp" or not doubts):
+    if silent and not facts and not nodes and (task.client in ("roscpp", "rclcpp") or not doubts):
         return Reading(task, {"class": "none", "variants": {"default": {}}}, "", 0, 0)
     variant, unresolved = variant_of(facts, doubts, task.origin.id, ROS2 if task.is_of_ros2 else ROS1, nodes)
     program: dict[str, Any] = {"class": task.client}

@@ -302,7 +302,7 @@ def _overridden(
         other = Thing(Type(declared.name), declared, this.serial, this.bindings)
         other.fields = this.fields
 
-        if len(found) > 1 and not any(overloads.tells(each) for each in candidates):
+        if len(found) > 1 and not any(overloads.tells(machine, each) for each in candidates):
             # Objects that call each other in this way are more ways than can be followed: what makes no name itself is, a few times.
             machine.dispatched[candidates[0]] = machine.dispatched.get(candidates[0], 0) + 1
             if machine.dispatched[candidates[0]] > _MOST_DISPATCHED:

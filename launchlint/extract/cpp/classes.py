@@ -22,6 +22,7 @@ from launchlint.extract.cpp.values import (
     Thing,
     Value,
     choices,
+    node_of,
 )
 
 TYPE_CHECKING = False
@@ -39,7 +40,12 @@ _OF_ROS = (
     "message_filters::",
     "dynamic_reconfigure::",
     "diagnostic_updater::",
+    "rclcpp::",
+    "rclcpp_action::",
+    "rclcpp_lifecycle::",
 )
+COPIED = frozenset(("rclcpp::QoS", "rcl_interfaces::msg::ParameterDescriptor"))
+"""Objects of libraries that are changed bit by bit and handed on by value."""
 _OF_NODELETS = {"nh_": "", "pnh_": "~"}
 LAZY = frozenset(("ConnectionBasedNodelet", "DiagnosticNodelet"))
 """Base classes of nodelets, of other packages, that keep these node handles and subscribe while there are listeners."""
@@ -162,8 +168,8 @@ def is_unread(machine: Machine, name: str, declared: Class | None, given: Sequen
 def _talks(declared: Class | None, given: Sequence[Argument]) -> bool:
     """Whether a class may have to do with names of ROS, by its members and what it is given."""
     if declared is None:
-        return any(isinstance(value, Handle) for each in given for _, value in choices(each.value))
-    return any(isinstance(value, Handle) for each in given for _, value in choices(each.value)) or any(
+        return any(node_of(value) is not None for each in given for _, value in choices(each.value))
+    return any(node_of(value) is not None for each in given for _, value in choices(each.value)) or any(
         inner.name.startswith(_OF_ROS) for field in declared.fields.values() for inner in (field.type, *field.type.arguments)
     )
 
@@ -255,6 +261,8 @@ def _base(machine: Machine, this: Thing, base: Type, given: Sequence[Argument], 
     value = ros.base(machine, resolved, given, node, frame)
     if isinstance(value, Handle):
         this.fields["<handle>"] = machine.cell(value)
+        if value.node is not None:
+            machine.objects.append(this)
     elif isinstance(value, Thing):
         this.fields.update(value.fields)
 
@@ -308,6 +316,10 @@ def converted(machine: Machine, value: Value, type_: Type, frame: Frame, node: N
         if is_pointer_type(machine, type_, frame):
             return NULL
         return value
+    if isinstance(value, Thing) and value.type.name in COPIED:
+        other = Thing(value.type, None, value.serial)
+        other.fields.update({key: Cell(cell.value, cell.type, cell.serial) for key, cell in value.fields.items()})
+        return other
     if isinstance(value, Text) and type_.name.endswith("NodeHandle"):
         from launchlint.extract.cpp.naming import below
 

@@ -23,11 +23,11 @@ _SCOPES = frozenset(
 )
 _DEEPEST = 60
 _ASSIGNED = re.compile(r"\b([A-Za-z_]\w*)\s*(?:=(?!=)|\+\+|--|[-+*/|&]=)|(?:\+\+|--)\s*([A-Za-z_]\w*)")
-_MESSAGE = re.compile(r"(\w+)/(\w+)\.h")
+_MESSAGE = re.compile(r"(\w+)/(\w+)\.h|(\w+)/(msg|srv|action)/(?:detail/)?(\w+?)(?:__\w+)?\.hpp")
 _MADE = re.compile(r"(?:=\s*(?:0|default|delete)|\{\s*\})\s*;?\s*$")
 _VIRTUAL = re.compile(r"\b(?:virtual|override|final)\b")
 _TEST = re.compile(r"(?:TYPED_)?TEST(?:_[FP])?|TYPED_TEST_P|BOOST_\w*TEST_CASE\w*|TEST_CASE\w*|SCENARIO\w*")
-_OF_ROS = re.compile(r"(?:ros|nodelet|tf|tf2_ros|actionlib|image_transport|\w+_msgs|\w+_srvs)/")
+_OF_ROS = re.compile(r"(?:ros|nodelet|tf|tf2_ros|actionlib|image_transport|rclcpp|rclcpp_\w+|\w+_msgs|\w+_srvs)/")
 
 
 class Parameter(NamedTuple):
@@ -206,7 +206,7 @@ class Declarations:
             if where is not None and _OF_ROS.match(where.text.strip('<>"')):
                 self.of_ros.add(path)
             if match:
-                self.messages[f"{match[1]}/{match[2]}"] = None
+                self.messages[f"{match[1]}/{match[2]}" if match[1] else f"{match[3]}/{match[4]}/{match[5]}"] = None
         elif kind == "expression_statement":
             self.invocations += [(each, path) for each in node.children if each.kind == "call_expression"]
         elif kind in _SCOPES:

@@ -8,7 +8,7 @@ from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import braced, together
 from launchlint.extract.cpp.operators import LONGEST_TEXT, combined, literal, number, unescaped
 from launchlint.extract.cpp.places import cell_of, made_up
-from launchlint.extract.cpp.spelled_type import parse_type
+from launchlint.extract.cpp.spelled_type import Type, parse_type
 from launchlint.extract.cpp.syntax import Node, parse_expression
 from launchlint.extract.cpp.values import (
     MOST_ITEMS,
@@ -131,6 +131,16 @@ def constant(machine: Machine, name: str, frame: Frame) -> Value:
         if len(text) < 500 and text != name:
             return machine.evaluate(parse_expression(text), Frame(frame.path, "", None, {}))
         return UNKNOWN
+    known = machine.tables.values
+    if known:
+        spelled = (
+            name if name in known else next((f"{used}::{name}" for used in machine.declarations.used if f"{used}::{name}" in known), "")
+        )
+        if not spelled and "::" in name:
+            space, _, last = name.rpartition("::")
+            spelled = f"{machine.names.resolve(Type(space), frame).name}::{last}"
+        if spelled in known:
+            return known[spelled]()
     if name in ("M_PI", "NAN", "INFINITY"):
         return Number(3.141592653589793) if name == "M_PI" else UNKNOWN
     for scope in machine.names.scopes(frame.scope):

@@ -34,6 +34,8 @@ class Foreign:
         package, stem = parts[0] if len(parts) > 1 else "", re.sub(r"\.\w+$", "", parts[-1])
         if _GENERATED.search(stem) or package in PACKAGES or _MESSAGES.search(package):
             return
+        if len(parts) == 3 and parts[1] in ("msg", "srv", "action"):
+            return  # a message of ROS 2
         if not package:
             if quoted:
                 self._stems.setdefault(_plain(stem), header)

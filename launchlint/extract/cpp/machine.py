@@ -71,6 +71,7 @@ class Pending(NamedTuple):
     when: str
     conditions: tuple[str, ...]
     instance: Instance | None
+    exists: str
 
 
 class Machine:
@@ -96,6 +97,10 @@ class Machine:
         self.nodes: dict[str, Made] = {}
         self.conditions: list[str] = []
         self.when = "start"
+        self.exists = ""
+        """What a lifecycle node is where its members run: ``configured``, ``active``; empty while it is made."""
+        self.objects: list[Thing] = []
+        """Objects that are nodes of ROS 2."""
         self.horizon = 0
         self.touched = False
         self.too_deep = False
@@ -154,6 +159,9 @@ class Machine:
         """Follow the functions that are called later, until there are no more; then those that only other code calls."""
         self.unseen.variables()
         self._follow_later()
+        while self.objects and self.steps < _MOST_STEPS:
+            self.tables.follow(self, self.objects.pop(0))
+            self._follow_later()
         for _ in range(_MOST_ROUNDS):
             if not self.unseen.queue():
                 break
@@ -165,8 +173,9 @@ class Machine:
             if isinstance(later.function, Callable) and not any(overloads.is_relevant(self, each) for each in later.function.functions):
                 continue
             self.when, self.conditions, self.horizon = later.when, list(later.conditions), self.serial + 1
-            self.instance = later.instance
+            self.instance, self.exists = later.instance, later.exists
             self.invoke(later.function, [])
+        self.exists = ""
 
     # -- variables ----------------------------------------------------------------------------------------------------
 
@@ -297,7 +306,9 @@ class Machine:
             key = (each.functions, each.this, bound, now) if isinstance(each, Callable) else (each.node, each.frame.this, now)
             if key not in self.queued:
                 self.queued.add(key)
-                self.pending.append(Pending(each, now, tuple(self.conditions if conditions is None else conditions), self.instance))
+                self.pending.append(
+                    Pending(each, now, tuple(self.conditions if conditions is None else conditions), self.instance, self.exists)
+                )
 
     def invoke(self, function: Value, arguments: Sequence[Argument]) -> Value:
         """Call a function value."""
@@ -396,7 +407,7 @@ class Machine:
 
     # -- what is found ------------------------------------------------------------------------------------------------
 
-    def fact(self, category: str, name: Value, node: Node, frame: Frame, **more: Any) -> None:
+    def fact(self, category: str, name: Value, node: Node, frame: Frame, /, **more: Any) -> None:
         """Note an interface."""
         for condition, each in choices(name):
             text = each.template if isinstance(each, Text) else ANY
@@ -414,7 +425,7 @@ class Machine:
         if len(text) > 3 * _LONGEST_CONDITION:
             text = text[: 3 * _LONGEST_CONDITION - 1] + "…"
         if len(self.facts) < _MOST_FACTS:
-            self.note(Fact(category, name, frame.path, node.line, condition=text, when=self.when, **more))
+            self.note(Fact(category, name, frame.path, node.line, condition=text, when=self.when, exists=self.exists, **more))
 
     def note(self, fact: Fact) -> None:
         """Keep a fact; the same one twice is one."""

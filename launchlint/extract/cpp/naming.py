@@ -13,7 +13,7 @@ from launchlint.extract.cpp.values import Either, Number, Text, Value, choices, 
 
 _MOST_STEPS = 24
 _DEEPEST = 4
-_POINTER_ENDS = ("ConstPtr", "Ptr", "ConstSharedPtr", "SharedPtr", "const_ptr", "Type", "WPtr")
+_POINTER_ENDS = ("ConstPtr", "Ptr", "ConstSharedPtr", "SharedPtr", "UniquePtr", "ConstUniquePtr", "WeakPtr", "const_ptr", "Type", "WPtr")
 _PARTS_OF_SERVICE = ("Request", "Response", "RequestType", "ResponseType")
 _NAME = re.compile(r"[A-Za-z]\w*")
 _ABSOLUTE = re.compile(r"(?:\{param:[^|{}]*\|)+/")
@@ -23,6 +23,12 @@ _EMPTY = re.compile(r"~?\{param:[^|{}]*\|\}")
 _ANY_MESSAGE = frozenset(("topic_tools::ShapeShifter", "ShapeShifter", "RosIntrospection::ShapeShifter", "rosbag::MessageInstance"))
 _CLOUDS = ("pcl::PointCloud", "pcl::PCLPointCloud2", "pcl::PointCloudXYZ")
 _OTHER_MESSAGES = {"cv_bridge::CvImage": "sensor_msgs/Image", "PointCloud2": "sensor_msgs/PointCloud2"}
+
+_POINTERS_OF_CLASSES = frozenset(("SharedPtr", "ConstSharedPtr", "UniquePtr", "ConstUniquePtr", "WeakPtr", "SharedConstPtr"))
+"""Pointers that RCLCPP_SMART_PTR_DEFINITIONS gives a class as members."""
+_KINDS = frozenset(("msg", "srv", "action"))
+_CAPITAL = re.compile(r"(?<=[^_])([A-Z][a-z]+)")
+_AFTER_SMALL = re.compile(r"(?<=[a-z0-9])([A-Z])")
 
 NODE_NAME = "\x01"
 """Stands for the full name of the node in a template that is not finished."""
@@ -168,6 +174,10 @@ class Names:
                     if type_.member:
                         named = named._replace(member=type_.member) if named.arguments else Type(joined(named.name, type_.member))
                     return named, where
+            if type_.last in _POINTERS_OF_CLASSES and not type_.arguments:
+                inner = joined(around, type_.name.rpartition("::")[0])
+                if inner in declarations.classes and full not in declarations.classes:
+                    return Type(inner), ""
             if separator:
                 head = joined(around, first)
                 if head in declarations.namespaces:
@@ -204,7 +214,22 @@ class Names:
             return _OTHER_MESSAGES["::".join(parts)]
         if parts[0].startswith(_CLOUDS):
             return "sensor_msgs/PointCloud2"
-        return self._message(parts, service, frame.scope)
+        return self._of_ros2(parts) or self._message(parts, service, frame.scope)
+
+    def _of_ros2(self, parts: list[str]) -> str:
+        """``pkg/msg/Type`` of ``pkg::msg::Type``, also where a using directive saves the beginning of it; empty where it is none."""
+        if not all(_NAME.fullmatch(part) for part in parts):
+            return ""
+        last = parts[-1].removesuffix("_")
+        if len(parts) >= 3 and parts[-2] in _KINDS:
+            return f"{parts[-3]}/{parts[-2]}/{last}"
+        if "::".join(parts) in self.declarations.classes or not last:
+            return ""
+        for used in self.declarations.used:
+            spaces = [*used.split("::"), *parts[:-1]]
+            if len(spaces) >= 2 and spaces[-1] in _KINDS and f"{spaces[-2]}/{spaces[-1]}/{snake(last)}" in self.declarations.messages:
+                return f"{spaces[-2]}/{spaces[-1]}/{last}"
+        return ""
 
     def _message(self, parts: list[str], service: bool, scope: str) -> str:
         last = parts[-1].removesuffix("_")
@@ -241,6 +266,11 @@ class Names:
             if opened is not None and (around or "::" in name or any(is_of_messages(each) for each in opened)):
                 return opened
         return None
+
+
+def snake(name: str) -> str:
+    """How the header of a message is called: ``PointCloud2`` is in ``point_cloud2.hpp`` (rosidl_pycommon)."""
+    return _AFTER_SMALL.sub(r"_\1", _CAPITAL.sub(r"_\1", name)).lower()
 
 
 _MARKS = dict.fromkeys(map(ord, NODE_NAME + NODE_NAMESPACE + UNKNOWN_SPACE + PLUGIN + LOOSE))

@@ -11,13 +11,18 @@ from launchlint.extract.cpp.files import File, Trees, read_files
 from launchlint.extract.cpp.foreign import Foreign
 from launchlint.extract.cpp.machine import Argument, Machine
 from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
+from launchlint.extract.cpp.rclcpp import component
+from launchlint.extract.cpp.rclcpp.tables import RCLCPP
 from launchlint.extract.cpp.ros.roscpp import ROSCPP
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.values import UNKNOWN, Thing
 from launchlint.extract.fact import Doubt, Fact, Made, Plugin
 from launchlint.extract.template import Template
 
-_MAKES = re.compile(r"(?:\.|->)\s*(?:advertise\w*|subscribe\w*|serviceClient|getParam|param)\s*[<(]")
+_MAKES = re.compile(
+    r"(?:\.|->)\s*(?:advertise\w*|subscribe\w*|serviceClient|getParam|param)\s*[<(]"
+    r"|\b(?:create_(?:publisher|subscription|service|client)|declare_parameter)\s*[<(]"
+)
 # A node may well publish /clock, or hear /rosout: which of their ends every node has is told where all languages meet.
 _EVERYWHERE = frozenset(
     (
@@ -41,6 +46,8 @@ def cpp_program(
     templates: Sequence[Template] = (),
     packages: Collection[str] = (),
     trees: Trees | None = None,
+    client: str = "roscpp",
+    parameters: Sequence[str] = (),
 ) -> tuple[tuple[Fact, ...], tuple[Doubt, ...], tuple[Made, ...]]:
     """What a program says, found by following its source code; nothing is run.
 
@@ -48,11 +55,13 @@ def cpp_program(
         sources: the C++ files that are linked into the executable or library.
         include_directories: where headers of the package are; others are not read.
         root: what the paths of facts are relative to.
-        entry: the class whose constructor and ``onInit`` are the start (``image_proc::RectifyNodelet``); ``main()`` if None.
+        entry: the class whose constructor, and ``onInit`` of a nodelet, are the start (``image_proc::RectifyNodelet``); ``main()`` if None.
         plugins: classes that can be loaded and whose sources are among these.
         templates: those of the sources that the build fills in.
         packages: names of ROS packages, beside those that are public.
         trees: what is kept of files that several programs read.
+        client: what the program is in a library: ``roscpp``, ``nodelet``, ``rclcpp`` or ``component``.
+        parameters: the YAML files that generate_parameter_library makes classes of.
 
     Returns:
         Facts, sorted by category, name and place; doubts, why there may be more than these; and the nodes of ROS 2 that it makes.
@@ -65,7 +74,8 @@ def cpp_program(
     for file in files:
         declarations.read(file.root, file.path)
     declarations.finish()
-    machine = Machine(declarations, ROSCPP, root, plugins, Foreign(missing, packages))
+    of_ros2 = client in ("rclcpp", "component")
+    machine = Machine(declarations, RCLCPP if of_ros2 else ROSCPP, root, plugins, Foreign(missing, packages))
     first = files[-1].path if files else "."
     for problem in problems:
         machine.doubt_all(problem, first, 1)
@@ -73,7 +83,7 @@ def cpp_program(
         if entry is None:
             _main(machine, first)
         else:
-            nodelet.start(machine, entry, first)
+            (component if of_ros2 else nodelet).start(machine, entry, first)
         machine.finish()
     except RecursionError:
         machine.doubt_all("the program is nested too deeply to be followed to its end", first, 1)

@@ -12,6 +12,16 @@ _ROS = """
 """
 """The client library: its classes that talk are known one by one."""
 
+_ROS2 = """
+    rclcpp rclcpp_action rclcpp_components rclcpp_lifecycle rcl rcl_action rcl_lifecycle rcl_yaml_param_parser rcl_logging_interface
+    rmw rmw_implementation rmw_dds_common rcutils rcpputils ament_index_cpp rosidl_runtime_cpp rosidl_runtime_c rosidl_typesupport_cpp
+    rosidl_typesupport_introspection_cpp rosidl_dynamic_typesupport rosidl_generator_cpp builtin_interfaces libstatistics_collector
+    tracetools camera_info_manager rosbag2_cpp rosbag2_storage rosbag2_compression nav2_core nav2_util nav2 nav2_common
+    nav2_behavior_tree behaviortree_cpp behaviortree_cpp_v3 backward_ros parameter_traits rsl tcb_span tl_expected keyboard_handler
+    composition_interfaces tf2_ros tinyxml2_vendor
+"""
+"""The client library of ROS 2 and what belongs to it: its classes that talk are known one by one."""
+
 _MATHEMATICS = """
     angles tf2 tf2_geometry_msgs tf2_eigen tf2_kdl tf2_sensor_msgs tf2_bullet tf_conversions eigen_conversions eigen_stl_containers
     kdl_conversions kdl_parser orocos_kdl kdl bfl random_numbers geodesy geographic_info geometric_shapes trac_ik sophus
@@ -42,7 +52,7 @@ _FRAMES_OF_PLUGINS = """
 """
 """Their classes that talk are known one by one; the rest are interfaces and data."""
 
-PACKAGES = frozenset(f"{_ROS} {_MATHEMATICS} {_DATA} {_HARDWARE} {_FRAMES_OF_PLUGINS}".split())
+PACKAGES = frozenset(f"{_ROS} {_ROS2} {_MATHEMATICS} {_DATA} {_HARDWARE} {_FRAMES_OF_PLUGINS}".split())
 """Packages of which nothing talks but what is known here."""
 
 NAMESPACES = frozenset(

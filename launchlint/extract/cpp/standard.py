@@ -56,6 +56,8 @@ def function(asked: Call) -> Value | None:
         return _bound(asked)
     if name in _MAKERS and asked.types:
         return classes.construct(machine, asked.types[0], asked.arguments, asked.node, asked.frame)
+    if name.endswith(("::make_shared", "::make_unique")) and not asked.types:
+        return _made_by_class(asked)
     if name in _CASTS and asked.arguments:
         value = asked.value(0)
         return classes.converted(machine, value, asked.types[0], asked.frame) if asked.types and isinstance(value, Number) else value
@@ -81,6 +83,19 @@ def function(asked: Call) -> Value | None:
     if name in ("std::make_pair", "make_pair", "std::pair", "std::make_tuple"):
         return Items(tuple(each.value for each in asked.arguments))
     return None
+
+
+def _made_by_class(asked: Call) -> Value | None:
+    """``Class::make_shared(…)``, which RCLCPP_SMART_PTR_DEFINITIONS gives a class."""
+    from launchlint.extract.cpp import ros
+
+    machine = asked.machine
+    if machine.declarations.functions.get(asked.name):
+        return None
+    type_ = machine.names.resolve(Type(asked.name.rpartition("::")[0]), asked.frame)
+    if machine.names.declared(type_) is None and not ros.is_made(machine, type_):
+        return None
+    return classes.construct(machine, type_, asked.arguments, asked.node, asked.frame)
 
 
 def _bound(asked: Call) -> Value:

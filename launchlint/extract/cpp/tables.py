@@ -11,6 +11,7 @@ from launchlint.extract.cpp.values import Handle, Thing, Value
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.cpp.calls import Call
+    from launchlint.extract.cpp.machine import Machine
     from launchlint.extract.cpp.ros.models import Model
 
 
@@ -34,6 +35,7 @@ class Tables(NamedTuple):
         spaces: how namespaces begin whose functions may be called without them.
         is_handle: whether a variable of a type is a node handle, or a node.
         running: conditions that hold as long as the program runs.
+        follow: follows what others call of an object that is a node, when the program has come to its end.
     """
 
     makers: Mapping[str, Callable[[Call], Value]]
@@ -53,6 +55,7 @@ class Tables(NamedTuple):
     spaces: tuple[str, ...]
     is_handle: Callable[[Type], bool]
     running: frozenset[str]
+    follow: Callable[[Machine, Thing], None]
 
     def known(self, name: str) -> bool:
         """Whether objects of a class are known to make names, or not to."""

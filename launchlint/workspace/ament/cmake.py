@@ -61,11 +61,22 @@ def ament_command(facts: CMakeFacts, scope: Scope, name: str, arguments: Sequenc
     if _AUTO_PACKAGE.fullmatch(name):
         _auto_package(facts, scope, arguments)
         return True
+    if name == "find_package":
+        _found(scope, arguments)
+        return False
     does = _COMMANDS.get(name)
     if does is not None:
         does(facts, scope, arguments)
         return True
     return name in _HARMLESS or (name.startswith("ament_") and not _MAKES.search(name))
+
+
+def _found(scope: Scope, arguments: Sequence[Value]) -> None:
+    """``find_package(package)``: what is linked to use it, under one name."""
+    package = arguments[0] if arguments else None
+    for end in ("TARGETS", "LIBRARIES") if package else ():
+        if f"{package}_{end}" not in scope.variables:
+            scope.assign(f"{package}_{end}", [f"{package}::{package}"])
 
 
 def _auto_package(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:

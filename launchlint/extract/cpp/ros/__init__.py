@@ -60,9 +60,14 @@ def make(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, f
                 machine.later(value, machine.when)
             elif isinstance(value, (Callable, Closure)):
                 return value
-            elif (held := node_of(value)) is not None and name not in machine.tables.harmless:
+            elif (held := node_of(value)) is not None and name not in machine.tables.harmless and not _is_plain(name, held):
                 machine.doubt_all(f"{name} is given a {held.word}, and is not in these sources", frame.path, node.line)
     return thing
+
+
+def _is_plain(name: str, held: Handle) -> bool:
+    """Whether a class is of the standard library, which knows no nodes; a node is often what a thread is run for."""
+    return held.node is not None and name.startswith(("std::", "boost::"))
 
 
 def base(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, frame: Frame) -> Value:

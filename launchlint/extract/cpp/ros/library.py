@@ -380,6 +380,11 @@ def _text_stream(asked: Call) -> Value:
     return _thing(asked, asked.name, **{"<text>": asked.value(0) if isinstance(asked.value(0), Text) else Text("")})
 
 
+STREAMS: dict[str, Does[[Call], Value]] = dict.fromkeys(
+    ("stringstream", "std::stringstream", "std::ostringstream", "ostringstream"), _text_stream
+)
+"""Streams of the standard library, that names are written to."""
+
 MAKERS: dict[str, Does[[Call], Value]] = {
     "ros::NodeHandle": _handle,
     "tf::TransformListener": _listener,
@@ -404,7 +409,7 @@ MAKERS: dict[str, Does[[Call], Value]] = {
     "controller_manager::ControllerManager": _controller_manager,
     "driver_base::DriverNode": driver_base.node,
     **loading.MAKERS,
-    **dict.fromkeys(("stringstream", "std::stringstream", "std::ostringstream", "ostringstream"), _text_stream),
+    **STREAMS,
     **dict.fromkeys(
         (
             "boost::format",

@@ -96,11 +96,12 @@ def read(asked: Call, name: Value, default: Value, type_: Type, keep: bool = Fal
     found: list[tuple[str, Value]] = []
     for condition, each in choices(name):
         for inner, value in choices(default):
-            found.append((condition or inner, _slot(each, value)))
+            found.append((condition or inner, slot(each, value)))
     return either(found)
 
 
-def _slot(name: Value, default: Value) -> Value:
+def slot(name: Value, default: Value) -> Value:
+    """The value of a param: a template, with its default where that is known."""
     text = finished(name.template) if isinstance(name, Text) else ANY
     if any(char in text for char in "{}|"):
         return UNKNOWN

@@ -88,4 +88,5 @@ ROSCPP = Tables(
     spaces=("ros", "image_transport", "dynamic_reconfigure"),
     is_handle=_is_handle,
     running=frozenset(("ros::ok()", "nh.ok()", "nh_.ok()", "n.ok()", "node.ok()", "ros::isInitialized()")),
+    follow=lambda machine, thing: None,
 )
