@@ -406,7 +406,8 @@ class Launch(NamedTuple):
     files in order. ``complete`` is false where an include could not be followed, so that there may be more nodes than are known. In the
     namespaces ``more_parameters`` there may be more parameters than are known. ``dialect`` is that of the entry file.
 
-    The rest is of ROS 2: the ``distro`` whose launch this is; ``programs`` that are no nodes; ``declarations``, those of :attr:`declared`
+    The rest is of ROS 2: the ``distro`` whose launch this is, and the file that names it, where it was taken from one; ``programs`` that
+    are no nodes; ``declarations``, those of :attr:`declared`
     as launch executed them; ``listed``, the args as people are shown them; ``late``, the first problem of each body that is executed
     later (a timer's) and fails then: it does not keep the file from being loaded; ``settled``: whether launch refuses the file can be told;
     ``followed`` are those of its files that are programs.
@@ -433,6 +434,7 @@ class Launch(NamedTuple):
     more_parameters: tuple[str, ...] = ()
     dialect: DialectName = ROS1
     distro: str = ""
+    named_by: str = ""
     programs: tuple[Executable, ...] = ()
     declarations: tuple[Declaration, ...] = ()
     listed: tuple[ListedArgument, ...] = ()

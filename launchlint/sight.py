@@ -31,13 +31,15 @@ class Followed(NamedTuple):
 class Sight(NamedTuple):
     """Nodes that entry files start without args, those of them that are known, and the programs of the others, sorted.
 
-    ``followed`` are the launch files in Python.
+    ``followed`` are the launch files in Python; ``distros`` the distributions that files of the repository name, and for which launch files
+    were therefore read, each with such a file.
     """
 
     nodes: int = 0
     known: int = 0
     unseen: tuple[Unseen, ...] = ()
     followed: tuple[Followed, ...] = ()
+    distros: tuple[tuple[str, str], ...] = ()
 
     @property
     def brief(self) -> str:
@@ -49,6 +51,8 @@ class Sight(NamedTuple):
         found = {"nodes": self.nodes, "known": self.known, "unknown": [each._asdict() for each in self.unseen]}
         if self.followed:
             found["python"] = [_as_object(each) for each in self.followed]
+        if self.distros:
+            found["distros"] = [{"name": name, "named_by": file} for name, file in self.distros]
         return found
 
 
@@ -63,9 +67,9 @@ def together(sights: Iterable[Sight]) -> Sight:
     listed = list(sights)
     unseen = once(each for sight in listed for each in sight.unseen)
     followed = {each.path: each for sight in listed for each in sight.followed}
-    return Sight(
-        sum(each.nodes for each in listed), sum(each.known for each in listed), unseen, tuple(followed[path] for path in sorted(followed))
-    )
+    distros = sorted({each for sight in listed for each in sight.distros})
+    known = sum(each.known for each in listed)
+    return Sight(sum(each.nodes for each in listed), known, unseen, tuple(followed[path] for path in sorted(followed)), tuple(distros))
 
 
 def once(unseen: Iterable[tuple[str, str, int]]) -> tuple[Unseen, ...]:

@@ -92,6 +92,10 @@ def _followed(value: Any) -> tuple[Followed, ...]:
     return tuple(Followed(path, state, tuple((line, reason) for line, reason in reasons)) for path, state, reasons in value)
 
 
+def _distros(value: Any) -> tuple[tuple[str, str], ...]:
+    return tuple((name, file) for name, file in value)
+
+
 def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResult]) -> EntryResult:
     """The inverse of :func:`entry_to_json`, with the files looked up in ``files``. Raises TypeError, ValueError or KeyError."""
     path, verdict, error, findings, fine, visited, names, summary, configurations, outcome, sight = value
@@ -118,7 +122,13 @@ def entry_from_json(value: Any, request: EntryRequest, files: dict[str, FileResu
         ),
         configurations,
         outcome=Verdict(word, rule, reason, tuple(missing), tuple(_refusal_from_json(each) for each in elsewhere), launcher),
-        sight=Sight(sight[0], sight[1], tuple(Unseen(*each) for each in sight[2]), _followed(sight[3])),
+        sight=Sight(
+            sight[0],
+            sight[1],
+            tuple(Unseen(*each) for each in sight[2]),
+            _followed(sight[3]),
+            _distros(sight[4]),
+        ),
     )
 
 

@@ -173,7 +173,9 @@ class EntryChecker:
         result = self._result(request, first, findings, fine, visited, files, tuple(included), count)
         result = result._replace(
             outcome=outcomes[0][1].beside(outcomes[1:]),
-            sight=(self._sights[0] if self._sights else NOTHING)._replace(followed=_followed(first.launch)),
+            sight=(self._sights[0] if self._sights else NOTHING)._replace(
+                followed=_followed(first.launch), distros=((first.launch.distro, first.launch.named_by),) if first.launch.named_by else ()
+            ),
         )
         if not self.remember:
             return result
@@ -230,7 +232,8 @@ class EntryChecker:
         if shared and key in self._files:
             return self._files[key]
         before = noted() if self.remember else ()
-        result = check_file(FileView(document, self.packages, self.options.style, named(dialect)), self.rules)
+        named_by = "" if dialect == ROS1 else session.named_by
+        result = check_file(FileView(document, self.packages, self.options.style, named(dialect), named_by), self.rules)
         if self.remember:
             result = result._replace(looks=tuple((path, state(path)) for path in sorted(noted())))
             note(before)

@@ -26,6 +26,9 @@ def put_right(finding: Finding, problem: Problem, before: Problem | None, launch
     """
     launcher = named(launch.dialect).launcher
     stops = f"{launcher} {STOPS}"
+    fix = finding.fix
+    if problem.refused and fix is not None and fix.changes == f"{launcher} loads the file" and _is_stopped_elsewhere(problem, launch):
+        finding = finding._replace(fix=fix._replace(changes=f"{launcher} gets past this; something else stops it then"))
     if not problem.refused or not any(note.startswith(stops) for note in finding.notes):
         return finding
     if before is not None and before.origin != problem.origin:
@@ -35,6 +38,12 @@ def put_right(finding: Finding, problem: Problem, before: Problem | None, launch
         given = " ".join(f"{name}:={value}" for name, value in launch.given)
         return _with(finding, stops, f"with {given} {stops}", ())
     return finding
+
+
+def _is_stopped_elsewhere(problem: Problem, launch: Launch) -> bool:
+    """Whether the launcher stops at something of another kind, or in another file, once ``problem`` is mended."""
+    others = (each for each in launch.problems if each.refused and each.place.key != problem.place.key)
+    return any(type(each) is not type(problem) or each.place.source is not problem.place.source for each in others)
 
 
 def put_right_later(finding: Finding, before: Problem | None) -> Finding:

@@ -13,7 +13,7 @@ from launchlint.syntax.parse import parse
 from launchlint.workspace.discovery import holds_python
 from launchlint.workspace.looking import exists, note, watched
 from launchlint.workspace.packages import Packages
-from launchlint.workspace.ros2_distributions import distribution
+from launchlint.workspace.ros2_distributions import Meant, distribution
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -78,6 +78,7 @@ class Session:
         self.root = os.getcwd() if root is None else root
         self.asked_distro = distro
         self.fresh: Callable[[Session, str], LiveContext] | None = None
+        self._meant: tuple[Meant, frozenset[str]] | None = None
         self._in_python: dict[str, tuple[Reading | None, frozenset[str], frozenset[str]]] = {}
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
@@ -102,6 +103,7 @@ class Session:
         absolute = os.path.abspath(file)
         session = Session(self.packages, self.environment, self.root, distro=self.asked_distro)
         session.overlay = {**self.overlay, absolute: data}
+        session._meant = self._meant
         session._reads = {name: read for name, read in self._reads.items() if name != absolute}
         session._documents = {name: known for name, known in self._documents.items() if name != absolute}
         session._readings = {name: known for name, known in self._readings.items() if name != absolute}
@@ -182,8 +184,28 @@ class Session:
 
     @property
     def distro(self) -> str:
-        """The distribution of ROS 2 that launch files of it are for."""
-        return distribution(self.asked_distro, self.environment)
+        """The distribution of ROS 2 that launch files of it are read for."""
+        return self.meant.name
+
+    @property
+    def named_by(self) -> str:
+        """The file that names the distribution, as people see it; empty where it was not taken from one."""
+        return self.shown(self.meant.file) if self.meant.file else ""
+
+    @property
+    def meant(self) -> Meant:
+        """The distribution of ROS 2 that launch files of it are for, and where it was taken from."""
+        if self._meant is None:
+            self._meant = watched(lambda: distribution(self.asked_distro, self.environment, self._named_distributions))
+        found, looked = self._meant
+        note(looked)
+        return found
+
+    def _named_distributions(self) -> Mapping[str, str]:
+        from launchlint.workspace.named_distributions import named_distributions
+
+        packages = (package.directory for place in self.packages.places for package in place.everything)
+        return named_distributions(self.packages.workspaces, packages)
 
     def document(self, file: str) -> Document | Read:
         """Parse ``file`` of ROS 1 once; the failed :class:`Read` where it cannot be read."""
@@ -240,7 +262,7 @@ class Session:
             return self.packages.package_of(path) is not None
 
         outside = Outside(
-            self.distro, lambda name: colcon.find(name, file), self.environment, variables.add, inside, lambda: self._fresh(file)
+            self.meant, lambda name: colcon.find(name, file), self.environment, variables.add, inside, lambda: self._fresh(file)
         )
         return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
 

@@ -21,6 +21,7 @@ def as_object(launch: Launch, file: str, error: tuple[str, str] | None, verdict:
     return {
         "file": file,
         "distro": launch.distro,
+        **({"distro_named_by": launch.named_by} if launch.named_by else {}),
         "verdict": "error" if error is not None else "ok" if launch.settled else "unknown",
         "error": None if error is None else {"rule": error[0], "message": error[1]},
         "outcome": verdict.as_object(),

@@ -28,6 +28,8 @@ def render(findings: Sequence[Finding], run: Run) -> str:
     """All findings in full, and a last line that sums up; infos, and why nodes are not known, only where ``run.verbose``."""
     shown = [finding for finding in ordered(findings) if run.verbose or finding.severity > Severity.INFO]
     blocks = ["\n".join(_block(finding, run)) + "\n" for finding in shown]
+    if run.verbose and run.sight.distros:
+        blocks.append("".join(f"read for ROS 2 {name.capitalize()}, after {visible(file)}\n" for name, file in run.sight.distros))
     if run.verbose and run.sight.unseen:
         blocks.append("\n".join(_unseen(run.sight)) + "\n")
     if run.verbose and any(each.state != "resolved" for each in run.sight.followed):

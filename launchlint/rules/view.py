@@ -50,13 +50,14 @@ def of_ros2(view: object) -> bool:
 class FileView(NamedTuple):
     """The syntax view: one launch file as it is written, the packages around it, and what the project's normal form is like.
 
-    ``dialect`` is the one that it was read in.
+    ``dialect`` is the one that it was read in. ``named_by``: the file that names the distribution of ROS 2 that it is read for, if any.
     """
 
     document: Document
     packages: Packages
     style: Style = Style()
     dialect: Dialect = ROS1_DIALECT
+    named_by: str = ""
 
 
 class LaunchView:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
 
 from launchlint.model import ROS1, ROS2
 
@@ -14,12 +15,42 @@ DISTRIBUTIONS = ("humble", "jazzy", "kilted", "rolling")
 """Oldest first."""
 DEFAULT = "jazzy"
 """The newest one with long-term support."""
+READ_AS = {
+    "ardent": "humble", "bouncy": "humble", "crystal": "humble", "dashing": "humble", "eloquent": "humble", "foxy": "humble",
+    "galactic": "humble", "humble": "humble", "iron": "jazzy", "jazzy": "jazzy", "kilted": "kilted", "rolling": "rolling",
+}  # fmt: skip
+"""All distributions, oldest first, each with the one that its launch files are read for: the nearest that knows no less."""
+AGE = {name: number for number, name in enumerate(READ_AS)}
 
 
-def distribution(said: str, variables: Mapping[str, str]) -> str:
-    """The one that somebody ``said`` (empty: nobody did), else the one whose environment this is, else the default."""
+class Meant(NamedTuple):
+    """The distribution of which launch files are: ``name`` is the one they are read for.
+
+    ``named`` are those it was taken from, oldest first, and the last of them stands in ``file`` (absolute), which is empty where somebody
+    said it, the environment does, or nothing does.
+    """
+
+    name: str
+    named: tuple[str, ...] = ()
+    file: str = ""
+
+    def before(self, name: str) -> tuple[str, ...]:
+        """Those that are named and older than the distribution ``name``, oldest first."""
+        return tuple(each for each in self.named if AGE[each] < AGE[name])
+
+
+def distribution(said: str, variables: Mapping[str, str], named: Callable[[], Mapping[str, str]]) -> Meant:
+    """The one that somebody ``said`` (empty: nobody did), else the one whose environment this is, else the newest of those ``named``,
+    which gives what files of the repository name, each with its file; else the default.
+    """
     here = variables.get("ROS_DISTRO", "")
-    return said or (here if here in DISTRIBUTIONS else DEFAULT)
+    if said or here in READ_AS:
+        return Meant(READ_AS.get(said or here, said), (said or here,))
+    found = named()
+    if not found:
+        return Meant(DEFAULT)
+    listed = tuple(sorted(found, key=AGE.__getitem__))
+    return Meant(READ_AS[listed[-1]], listed, found[listed[-1]])
 
 
 def environment_is_for(variables: Mapping[str, str]) -> DialectName | None:

@@ -9,6 +9,7 @@ from launchlint.workspace.reading import read_bytes
 
 LARGEST = 200_000
 """Bytes of a file that are looked through."""
+_LONGEST_LINE = 2_000
 WRITES = late(r"(?:^|[_\-/~])(?:out|output|save|saver|record|recorder|write|writer|dump|export|exporter|generate|generator)(?![a-z])")
 """What the name of a program, an option or a param has in it that writes a file."""
 # No grammar: comments and what never runs count, too, since a name too many only costs a fix its safety.
@@ -20,6 +21,13 @@ _DECLARED = late(
     r"""\bDeclareLaunchArgument\(\s*(?:name\s*=\s*)?["']([^"'$]+)"""
 )
 _LAUNCH_FILES = late(r"/([\w.-]{1,100}\.(?:launch|xml|ya?ml|py))\b")
+_NAMES = "(ardent|bouncy|crystal|dashing|eloquent|foxy|galactic|humble|iron|jazzy|kilted|rolling)"
+_DISTRIBUTION = late(rf"(?<![A-Za-z]){_NAMES}(?![A-Za-z])")
+_SEVERAL = late(rf"(?<![A-Za-z]){_NAMES}[\s`'\"*]{{0,9}}(?:[,/&+|]|and|or)[\s`'\"*]{{0,9}}{_NAMES}(?![A-Za-z])")
+# All of them are plain words, too: one counts in a line that is about ROS, or as all that stands in a line or cell.
+_OF_ROS = late(r"ros|distro|branch|version|docker|image|ubuntu|tree/|ridley|hawksbill|jalisco")
+_AROUND = " \t\r#>*|-[](){}'\",:_`"
+_DOCUMENTS = late(r"\b(?:docs|index|design|wiki|discourse|answers)\.ros\.org/\S*")
 _READ = late(r"""\$\(var\s+['"]?([^\s()'"$]+)|\bLaunchConfiguration\(\s*(?:variable_name\s*=\s*)?["']([^"'$]+)""")
 
 
@@ -43,7 +51,27 @@ def _args(text: str) -> Sequence[str]:
     return sorted({*declared.intersection(one or other for one, other in _READ.findall(text)), *files})
 
 
-PARTS: Mapping[str, Callable[[str], Sequence[str]]] = {"packages": _packages, "writing": _writing, "args": _args}
+def _distributions(text: str) -> Sequence[str]:
+    """The distributions of ROS 2 that a text says it is for; what links to documents hold is none."""
+    small = text.lower()
+    if not _DISTRIBUTION.search(small):
+        return ()
+    found: set[str] = set()
+    for line in small.split("\n"):
+        if _DISTRIBUTION.search(line):
+            line = _DOCUMENTS.sub("", line)[:_LONGEST_LINE]
+            listed = _DISTRIBUTION.findall(line)
+            if _SEVERAL.search(line) or _OF_ROS.search(line) or any(cell.strip(_AROUND) in listed for cell in line.split("|")):
+                found.update(listed)
+    return sorted(found)
+
+
+PARTS: Mapping[str, Callable[[str], Sequence[str]]] = {
+    "packages": _packages,
+    "writing": _writing,
+    "args": _args,
+    "distributions": _distributions,
+}
 """What of a text something may hang on, where it does not hang on all of it: a change of the rest changes nothing."""
 
 

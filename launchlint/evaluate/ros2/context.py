@@ -190,7 +190,7 @@ class Context:
         uses = self.uses
         self.stack.append(
             _Saved(
-                dict(self.configurations),
+                self.configurations,
                 self.remaps,
                 self.parameters,
                 dict(self.environment.changes),
@@ -201,6 +201,8 @@ class Context:
                 set(uses.added),
             )
         )
+        # What waits for later keeps the configurations it was met with: those of this scope are others from here on.
+        self.configurations = dict(self.configurations)
 
     def pop(self) -> None:
         """End a scope. The lists of remaps and params are the ones of before, with whatever was added to them inside."""

@@ -57,7 +57,7 @@ def evaluate(
         source = Source(session.shown(file), "", file)
         problem = UnreadableFile(origin=Origin(whole_file(source)), refused=True, reason=known.reason)
         evaluation = not_loadable(source, None, given, problem)
-        return evaluation._replace(launch=evaluation.launch._replace(dialect=ROS2, distro=walk.rules.distro))
+        return evaluation._replace(launch=evaluation.launch._replace(dialect=ROS2, distro=walk.rules.distro, named_by=session.named_by))
     try:
         enter(walk, file, known, dict(given))
         walk.finish()
@@ -73,7 +73,7 @@ def evaluate(
     except Exhausted as exhausted:
         walk.record(exhausted.args[0])
         walk.exhausted = True
-    return _evaluation(walk, known, given)
+    return _evaluation(walk, known, given, session.named_by)
 
 
 def fresh(session: Session, file: str) -> LiveContext:
@@ -97,7 +97,7 @@ def _followed(walk: Walk) -> Iterator[Followed]:
         yield Followed(reading.source, state, tuple(dict.fromkeys((each.place, each.reason) for each in said)))
 
 
-def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...]) -> Evaluation:
+def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...], named_by: str) -> Evaluation:
     launch = Launch(
         entry=known.source,
         arguments=dict(given),
@@ -120,6 +120,7 @@ def _evaluation(walk: Walk, known: Reading, given: tuple[tuple[str, str], ...]) 
         complete=not walk.unread and not walk.exhausted,
         dialect=ROS2,
         distro=walk.rules.distro,
+        named_by=named_by,
         programs=tuple(walk.programs),
         listed=tuple(
             ListedArgument(shown.argument.name, shown.argument.default is None, shown.conditional, shown.argument.place)

@@ -72,6 +72,8 @@ def names_of(description: Description) -> Names:
                 at = LATER if later else each.place.span.start
                 read[name] = max(read.get(name, -1), at)
             is_open = is_open or each.name in _OPEN or (each.name == "var" and name is None)
+        elif isinstance(each, described.Condition) and each.kind in ("equals", "not-equals"):
+            read.update({name: LATER for name in (each.operands[0].literal,) if name is not None})
         elif isinstance(each, described.Argument):
             declared[each.name] = max(declared.get(each.name, -1), LATER if later else each.place.span.start)
             arguments.append(each)

@@ -7,7 +7,7 @@ import re
 from launchlint.rules.judging.other_file import is_inside
 from launchlint.workspace.packages import Packages
 
-_SYSTEM = re.compile(r"/(?:etc|opt(?!/ros/)|var|usr/local|media|mnt|dev|home)/")
+_SYSTEM = re.compile(r"/(?:etc|opt(?!/ros/)|var|usr/local|media|mnt|dev|home|root)/")
 
 
 def is_robots(path: str, packages: Packages, root: str) -> bool:

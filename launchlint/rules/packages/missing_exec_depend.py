@@ -128,6 +128,7 @@ _FIND = late(r"\bfind\(\s*['\"]([^'\"]*)['\"]\s*\)")
 """As an expression asks for a package."""
 
 
+_NOT_IN_COLCON = ("AMENT_IGNORE", "COLCON_IGNORE")
 _RECENT = ("kinetic", "melodic", "noetic")
 """What a workspace that names no distribution is taken to be for."""
 _CONDITION = late(r"\scondition\s*=\s*[\"']([^\"'<>]*)")
@@ -159,6 +160,8 @@ def check(view: FileView) -> Iterator[Finding]:
     declared = _with_what_they_declare(declared | {"roslaunch"}, packages, file)
     missing = [name for name in missing if name not in declared and (packages.has(name) or name in public_names())]
     if not missing or packages.is_hidden(home.directory) or first_of_name(home, packages).directory != home.directory:
+        return
+    if _is_put_aside_in_ros2(home, packages):
         return
     if contents(packages).installs(home).leaves_out(posixpath.abspath(file)):
         return
@@ -212,6 +215,16 @@ def _is_extra(file: str, home: Package, packages: Packages) -> bool:
     if name != _CONTROLLERS:
         return _GENERATED_EXTRA.fullmatch(name) is not None
     return all(_GENERATED_EXTRA.fullmatch(posixpath.basename(each)) for each in naming(name, home, packages))
+
+
+def _is_put_aside_in_ros2(home: Package, packages: Packages) -> bool:
+    """Whether the package is one of ROS 1 that a workspace of ROS 2 keeps and does not build."""
+    directory = home.directory
+    while is_inside(directory, packages.workspaces):
+        if any(is_file(posixpath.join(directory, name)) for name in _NOT_IN_COLCON):
+            return True
+        directory = posixpath.dirname(directory)
+    return False
 
 
 def _foreign(name: str, files: Sequence[str], where: Place, home: Package) -> Finding:

@@ -100,8 +100,8 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         notes.append(f"the build may install it to this place: {perhaps}")
     if not problem.refused:
         severity = Severity.WARNING
-    if path and problem.environment:
-        severity = Severity.INFO
+    if (path and problem.environment) or not (path or problem.refused):
+        severity = Severity.INFO  # an empty name is how people say that there is no file
     elif installed is not None:
         severity = Severity.WARNING
         notes.append("it is there only where CMakeLists.txt installs it to this place, and the package is installed")

@@ -1,7 +1,8 @@
 """A launch file in Python makes an action, keeps it in a variable, and gives it to nobody.
 
 What it does: it looks for variables of a function that hold a `Node`, an include, an arg or another action of launch, and that nothing in
-the function reads. Where a comment names the variable, as when the line that adds the action has been taken out, it is an information.
+the function reads. Where a comment names the variable, as when the line that adds the action has been taken out, it is an information, and
+so it is where more actions of the function are commented out like this than are added.
 
 ## Why it matters
 
@@ -44,6 +45,7 @@ from launchlint.rules.rule import Rule
 from launchlint.syntax.ros2.python.problems import NeverAdded
 
 RULE = Rule("LL936", "action-never-added", Severity.WARNING)
+_CHOSEN = "most other actions here are commented out, so that this one may be left out on purpose, too"
 _COMES_TO = {
     "DeclareLaunchArgument": "the arg is not declared",
     "IncludeLaunchDescription": "the file is not included",
@@ -57,11 +59,12 @@ _COMES_TO = {
 
 def tell(problem: NeverAdded, view: object) -> Iterator[Finding]:
     """Say what does not come to pass."""
+    why = "a comment names it, so that it may be left out on purpose" if problem.commented else _CHOSEN if problem.chosen else ""
     yield RULE.at(
         problem.origin,
         f"{problem.name} is made and never added: {_COMES_TO.get(problem.callee, 'launch never executes it')}",
-        severity=Severity.INFO if problem.commented else Severity.WARNING,
+        severity=Severity.INFO if why else Severity.WARNING,
         label=f"this {problem.callee} is given to nobody",
-        notes=("a comment names it, so that it may be left out on purpose",) if problem.commented else (),
+        notes=(why,) if why else (),
         help=f"add {problem.name} to the LaunchDescription, or take it out",
     )

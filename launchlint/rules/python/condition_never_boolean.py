@@ -53,6 +53,9 @@ from launchlint.rules.rule import Rule
 from launchlint.syntax.ros2.python.problems import NotACondition
 
 RULE = Rule("LL923", "condition-never-boolean", Severity.ERROR, roslaunch="refuses")
+_COMPARE = (
+    "put quotes around the value and compare it, True like true: PythonExpression([\"'\", LaunchConfiguration(…), \"'.lower() == 'true'\"])"
+)
 
 
 def tell(problem: NotACondition | EvalError, view: object) -> Iterator[Finding]:
@@ -79,5 +82,5 @@ def _name(problem: EvalError) -> Finding:
         f"this expression comes to {shown(problem.expression)!r}, and Python knows no name {word}",
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         notes=stops(f"NameError: name '{word}' is not defined"),
-        help="put quotes around the value and compare it: PythonExpression([\"'\", LaunchConfiguration(…), \"' == 'true'\"])",
+        help=_COMPARE,
     )

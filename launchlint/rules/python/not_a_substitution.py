@@ -54,7 +54,8 @@ from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS2, fix
 from launchlint.rules.judging.python_text import level, reads_environment, stops, write
 from launchlint.rules.rule import Rule
-from launchlint.syntax.ros2.python.problems import NotAParameterValue, NotASubstitution
+from launchlint.rules.view import LaunchView
+from launchlint.syntax.ros2.python.problems import ConfigurationAsPythonValue, NotAParameterValue, NotASubstitution
 
 RULE = Rule("LL922", "not-a-substitution", Severity.ERROR, roslaunch="refuses", fixable="safe")
 
@@ -71,6 +72,8 @@ def tell(problem: NotASubstitution | NotAParameterValue, view: object) -> Iterat
             help="leave the param out where it has no value",
         )
         return
+    if isinstance(view, LaunchView) and any(_covers(each, problem) for each in view.launch.noticed(ConfigurationAsPythonValue)):
+        return  # LL921 says what is wrong with the expression that gives this value
     timer = problem.argument == "period"
     yield RULE.at(
         problem.origin,
@@ -83,6 +86,11 @@ def tell(problem: NotASubstitution | NotAParameterValue, view: object) -> Iterat
         fix=_fix(problem),
         topic=problem.argument,
     )
+
+
+def _covers(one: ConfigurationAsPythonValue, problem: NotASubstitution) -> bool:
+    at, other = one.place, problem.place
+    return at.source is other.source and other.span.start <= at.span.start and at.span.end <= other.span.end
 
 
 def _level(problem: NotASubstitution | NotAParameterValue, found: str) -> Severity:

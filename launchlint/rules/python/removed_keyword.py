@@ -1,7 +1,8 @@
 """A class of launch is made with a keyword that its constructor does not take, or does not take any more.
 
 `node_executable`, `node_name`, `node_namespace` and `node_plugin` are those of Foxy and before; since Galactic they are `executable`,
-`name`, `namespace` and `plugin`.
+`name`, `namespace` and `plugin`. Where the repository's own files (README, images, workflows) name no other distribution than these old
+ones, it is an information, and a warning where they name both.
 
 ## Why it matters
 
@@ -61,12 +62,19 @@ def tell(problem: UnknownKeyword, view: object) -> Iterator[Finding]:
         message = f"{callee} does not take {keyword} any more: since {problem.since.capitalize()} it is {new or 'called otherwise'}"
     else:
         message = f"{callee} does not take {keyword}"
+    notes = stops(f"a TypeError: got an unexpected keyword argument '{keyword}'")
+    severity = level(problem)
+    if problem.still:
+        still = " and ".join(each.capitalize() for each in problem.still)
+        named = f"{still}, which the files of this repository name, {'takes' if len(problem.still) == 1 else 'take'} it"
+        notes = (named, *(f"in later ones {note}" for note in notes))
+        severity = min(severity, Severity.WARNING if problem.refused else Severity.INFO)
     yield RULE.at(
         problem.origin,
         message,
-        severity=level(problem),
+        severity=severity,
         label="no such keyword",
-        notes=stops(f"a TypeError: got an unexpected keyword argument '{keyword}'"),
+        notes=notes,
         help=f"write {new}" if new else f"did you mean {near}?" if near else "take it out",
         fix=_fix(problem, near),
         topic=keyword,
@@ -77,4 +85,5 @@ def tell(problem: UnknownKeyword, view: object) -> Iterator[Finding]:
 def _fix(problem: UnknownKeyword, near: str | None) -> Fix | None:
     if not near or problem.place.text != problem.keyword:
         return None
-    return fix(f"write {near}", write(problem.place, near), safe=bool(problem.replacement), changes=LOADS2)
+    safe = bool(problem.replacement) and not problem.still
+    return fix(f"write {near}", write(problem.place, near), safe=safe, changes="" if problem.still else LOADS2)

@@ -2,7 +2,8 @@
 
 `$(if …)`, `$(equals …)`, `$(file-content …)`, `on_exit`, `emulate_tty` and others came with Jazzy; `<lifecycle_node>` and `$(path-join …)`
 are newer than that. What an update of the distribution may have brought (`on_exit` in Humble, what is new in Rolling) is a warning.
-The distribution is that of `--distro` or the configuration, else the one whose environment is set up, else Jazzy.
+The distribution is that of `--distro` or the configuration, else the one whose environment is set up, else the newest of those that the
+repository's own README, images, workflows and source lists name (a warning then), else Jazzy.
 
 ## Why it matters
 
@@ -34,9 +35,11 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.ros2_instead import instead_of
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import FileView, LaunchView
 from launchlint.rules.wording import Words, words_at
 from launchlint.syntax.ros2.problems import NotInDistribution
 from launchlint.syntax.ros2.python.problems import KeywordNotInDistribution
+from launchlint.workspace.ros2_distributions import DISTRIBUTIONS
 
 RULE = Rule("LL934", "not-in-this-distro", Severity.ERROR, roslaunch="refuses")
 _LATER = "later"
@@ -50,9 +53,19 @@ _TAGS = {
 
 def tell(problem: NotInDistribution | KeywordNotInDistribution, view: object) -> Iterator[Finding]:
     """Name the distribution that has it."""
-    if isinstance(problem, KeywordNotInDistribution):
-        yield _keyword(problem)
-        return
+    finding = _keyword(problem) if isinstance(problem, KeywordNotInDistribution) else _word(problem)
+    file = view.launch.named_by if isinstance(view, LaunchView) else view.named_by if isinstance(view, FileView) else ""
+    if file and problem.distro == DISTRIBUTIONS[-1]:
+        return  # it goes on growing
+    if file:
+        note = f"{file} names {problem.distro.capitalize()}, and nothing here a newer one"
+        severity = min(finding.severity, Severity.WARNING)
+        finding = finding._replace(severity=severity, notes=(*finding.notes, note), cause=f"{problem.place.source.path} {problem.distro}")
+    yield finding
+
+
+def _word(problem: NotInDistribution) -> Finding:
+    """A tag, attribute or substitution."""
     name, distro = problem.name, problem.distro.capitalize()
     subject = {
         "tag": f"the tag {name}",
@@ -67,7 +80,7 @@ def tell(problem: NotInDistribution | KeywordNotInDistribution, view: object) ->
     if problem.what in ("substitution", "words"):
         instead = instead_of(name, problem.place)
     advice = "remove it" if problem.what == "attribute" else "do without it"
-    yield RULE.at(
+    return RULE.at(
         problem.origin,
         f"{subject} is not there in {distro}",
         severity=Severity.ERROR if problem.sure else Severity.WARNING,

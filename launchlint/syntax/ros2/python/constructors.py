@@ -15,6 +15,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from launchlint.workspace.ros2_distributions import Meant
+
 _NODE = {"node_executable": "executable", "node_name": "name", "node_namespace": "namespace"}
 _REPLACED = {
     "Node": _NODE,
@@ -50,6 +52,7 @@ class Given:
         self.open = MORE in keywords or any(each is UNKNOWN for each in positional[known.positional :])
         self.keywords = {name: value for name, value in keywords.items() if name != MORE}
         self.values: dict[str, Value] = {**dict(zip(known.arguments[: known.positional], positional, strict=False)), **self.keywords}
+        self._written: dict[str, str] = {}
         self.call = node if isinstance(node, ast.Call) else None
         self.whole = place(node)
         self._place = place
@@ -75,8 +78,9 @@ class Given:
         """What is written for an argument, where that can be told."""
         if self.call is None:
             return None
+        written = self._written.get(name, name)
         for keyword in self.call.keywords:
-            if keyword.arg == name:
+            if keyword.arg == written:
                 return keyword.value
         plain = self.call.args
         index = self.known.arguments.index(name) if name in self.known.arguments[: self.known.positional] else len(plain)
@@ -91,6 +95,11 @@ class Given:
         """Where an expression of the same file stands."""
         return self._place(node)
 
+    def rename(self, old: str, new: str) -> None:
+        """Take the value of the keyword ``old`` for that of ``new``."""
+        self.values[new] = self.values.pop(old)
+        self._written[new] = old
+
     def keyword_at(self, name: str) -> Place:
         """Where the name of a keyword stands."""
         for keyword in [] if self.call is None else self.call.keywords:
@@ -100,8 +109,9 @@ class Given:
         return self.at
 
 
-def wrong_shape(given: Given, distro: str) -> Iterator[Problem]:
+def wrong_shape(given: Given, meant: Meant) -> Iterator[Problem]:
     """What is wrong with the names and the number of the arguments, in the order of importance."""
+    distro = meant.name
     known = given.known
     stray = [name for name in given.keywords if name not in known.arguments]
     replacements = {name: _replacement(given, name) for name in stray}
@@ -115,9 +125,20 @@ def wrong_shape(given: Given, distro: str) -> Iterator[Problem]:
             )
             continue
         replacement, removed = replacements[name]
+        still = meant.before(removed) if removed else ()
+        refused = not still or still != meant.named
         yield UnknownKeyword(
-            origin=origin, refused=True, callee=given.callee, keyword=name, replacement=replacement, since=removed, known=free
+            origin=origin,
+            refused=refused,
+            callee=given.callee,
+            keyword=name,
+            replacement=replacement,
+            since=removed,
+            known=free,
+            still=still,
         )
+        if replacement and not refused:
+            given.rename(name, replacement)
     lacking = [name for name in known.arguments if name in known.required and name not in given.values]
     if given.count > known.positional:
         extra = tuple(given.positional_at(number) for number in range(known.positional, given.count))
@@ -136,11 +157,11 @@ def wrong_shape(given: Given, distro: str) -> Iterator[Problem]:
             related=((given.positional_at(0), "the first of them"),) if listed else (),
         )
         lacking = lacking[len(extra) :]
-    meant = {replacement for replacement, _ in replacements.values()}
+    instead = {replacement for replacement, _ in replacements.values()}
     if given.open:
         return
     for name in lacking:
-        if name not in meant:
+        if name not in instead:
             yield MissingArgument(origin=Origin(given.at), refused=True, callee=given.callee, argument=name)
 
 

@@ -24,6 +24,7 @@ class UnknownKeyword(Problem):
     """A keyword that the constructor of ``callee`` does not take.
 
     ``replacement`` is what has taken its place ``since`` a distribution, where it once was one. ``known`` are those that are not given.
+    ``still`` are distributions that the file is for, too, and that take it, oldest first; ``refused`` is not set where there are no others.
     """
 
     callee: str
@@ -31,6 +32,7 @@ class UnknownKeyword(Problem):
     replacement: str
     since: str
     known: tuple[str, ...]
+    still: tuple[str, ...]
 
 
 class KeywordNotInDistribution(Problem):
@@ -173,8 +175,12 @@ class RunsAtLoad(Problem):
 
 
 class NeverAdded(Problem):
-    """An action, made by ``callee``, that the variable ``name`` holds, and that nothing looks at. ``commented``: a comment names it."""
+    """An action, made by ``callee``, that the variable ``name`` holds, and that nothing looks at. ``commented``: a comment names it.
+
+    ``chosen``: of the actions of the function more are commented out than added.
+    """
 
     callee: str
     name: str
     commented: bool
+    chosen: bool

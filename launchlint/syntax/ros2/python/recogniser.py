@@ -44,6 +44,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.syntax.ros2.live import LiveContext
     from launchlint.syntax.ros2.python.following import Following
+    from launchlint.workspace.ros2_distributions import Meant
 
 _OUTSIDE = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
 _SHARE = ("ament_index_python.packages.get_package_share_directory", "ament_index_python.get_package_share_directory")
@@ -62,21 +63,23 @@ _YAML = Reader("launch", longest=1_000_000)
 class Outside:
     """What is asked of whoever reads launch files.
 
-    ``share`` gives the directory of a package (None: there is none of that name), ``environment`` the variables; ``looked_at`` is told
+    ``meant`` is the distribution that launch files are for. ``share`` gives the directory of a package (None: there is none of that name),
+    ``environment`` the variables; ``looked_at`` is told
     which of them a launch file asks for. ``inside`` says whether a path lies in the workspace, below which files are read.
     ``fresh`` gives the context of a launch in which nothing has been executed.
     """
 
     def __init__(
         self,
-        distro: str,
+        meant: Meant,
         share: Callable[[str], str | None],
         environment: Mapping[str, str],
         looked_at: Callable[[str], None] = lambda name: None,
         inside: Callable[[str], bool] = lambda file: False,
         fresh: Callable[[], LiveContext | None] = lambda: None,
     ) -> None:
-        self.distro = distro
+        self.meant = meant
+        self.distro = meant.name
         self.share = share
         self.environment = environment
         self.looked_at = looked_at
@@ -157,7 +160,7 @@ class LaunchRecogniser:
 
     def _object(self, known: Signature, given: Given) -> Handle:
         """An object of a class of launch, as it is now; what its constructor would not take is noted, and left out."""
-        for problem in (*wrong_shape(given, self._outside.distro), *wrong_values(given)):
+        for problem in (*wrong_shape(given, self._outside.meant), *wrong_values(given)):
             self._run.record(problem)
         kind = known.name.rpartition(".")[2]
         if kind == CONTEXT:

@@ -14,6 +14,7 @@ _ACTIONS = frozenset(
     DeclareLaunchArgument SetEnvironmentVariable SetLaunchConfiguration SetParameter SetRemap PushRosNamespace PushROSNamespace LogInfo
     RegisterEventHandler OpaqueFunction""".split()
 )
+_SETS = frozenset(("DeclareLaunchArgument", "SetEnvironmentVariable", "SetLaunchConfiguration", "SetParameter", "SetRemap"))
 _LOOKING = frozenset(("locals", "vars", "eval", "exec"))
 
 
@@ -30,6 +31,8 @@ def never_added(tree: ast.Module, place: Callable[[ast.AST], Place]) -> Iterator
         if read & _LOOKING:
             continue
         written = [node.id for node in names if isinstance(node.ctx, ast.Store)]
+        found: list[tuple[Place, str, bool]] = []
+        added = 0
         for node in inside:
             if not isinstance(node, ast.Assign) or len(node.targets) != 1 or not isinstance(node.value, ast.Call):
                 continue
@@ -39,7 +42,13 @@ def never_added(tree: ast.Module, place: Callable[[ast.AST], Place]) -> Iterator
                 continue
             if target.id not in read and target.id not in shared and not target.id.startswith("_"):
                 at = place(target)
-                yield NeverAdded(origin=Origin(at), callee=callee, name=target.id, commented=_is_commented(at))
+                found.append((at, callee, _is_commented(at)))
+            elif callee not in _SETS:
+                added += 1
+        # Where more are commented out than added, people choose by comments what they start: what is missing is no slip.
+        chosen = sum(commented and callee not in _SETS for _, callee, commented in found) > added
+        for at, callee, commented in found:
+            yield NeverAdded(origin=Origin(at), callee=callee, name=at.text, commented=commented, chosen=chosen)
 
 
 def _imported(tree: ast.Module) -> dict[str, str]:

@@ -12,6 +12,7 @@ from launchlint.syntax.ros2.description import Substitution, Text
 from launchlint.syntax.ros2.python.reading import read
 from launchlint.syntax.ros2.python.recogniser import Outside
 from launchlint.syntax.ros2.reading import Reading
+from launchlint.workspace.ros2_distributions import Meant
 
 HEAD = """import os
 from launch import LaunchDescription
@@ -27,7 +28,7 @@ from ament_index_python.packages import get_package_share_directory
 
 
 def reading(text: str, directory: Path, distro: str = "jazzy") -> Reading:
-    outside = Outside(distro, lambda name: "/ws/arm" if name == "arm" else None, {"HOME": "/home/ada"})
+    outside = Outside(Meant(distro), lambda name: "/ws/arm" if name == "arm" else None, {"HOME": "/home/ada"})
     return read(text.encode(), "x.launch.py", str(directory / "x.launch.py"), outside)
 
 
