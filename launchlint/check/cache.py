@@ -83,7 +83,8 @@ class Cache:
                 return None
             if any(self._session.read(path).digest != known for path, known in dependencies) or not self._holds(looks):
                 return None
-            if any(self._own is None or self._own.digest((package, table, name)) != known for package, table, name, known in programs):
+            own = self._own
+            if any(own is None or own.of(ware).digest((package, table, name)) != known for ware, package, table, name, known in programs):
                 return None
             known_files = {name: self._file(name) for name in names}
             files = {name: file for name, file in known_files.items() if file is not None}

@@ -48,7 +48,7 @@ class EntryResult(NamedTuple):
     ``verdict`` says what roslaunch does with it here and now, ``ok`` or ``error``; ``outcome`` is what people are told of that.
     For the cache: ``dependencies`` are the files it was made from with the digest of their content or the reason why there is none,
     ``variables`` the environment variables it read, ``looks`` the paths at which rules looked around, with their state
-    (:func:`launchlint.workspace.looking.state`), ``programs`` those whose sources were asked for, with the digest of these. ``sight`` says
+    (:func:`launchlint.workspace.looking.state`), ``programs`` those whose sources were asked for: middleware, key, digest. ``sight`` says
     how many of the nodes that it starts are known.
     """
 
@@ -66,7 +66,7 @@ class EntryResult(NamedTuple):
     variables: tuple[tuple[str, str | None], ...] = ()
     looks: tuple[tuple[str, str], ...] = ()
     outcome: Verdict = LOADS
-    programs: tuple[tuple[str, str, str, str], ...] = ()
+    programs: tuple[tuple[str, str, str, str, str], ...] = ()
     sight: Sight = NOTHING
 
 
@@ -138,7 +138,7 @@ class EntryChecker:
         self._sights.clear()
         self._earlier = None
         if self.own is not None:
-            self.own.asked()
+            self._asked(self.own)
         findings: dict[Key, Finding] = {}
         fine: dict[Fine, None] = {}
         visited: dict[str, set[int]] = {}
@@ -184,8 +184,13 @@ class EntryChecker:
             dependencies=tuple((name, session.read(name).digest) for name in sorted(session.touched)),
             variables=tuple((name, session.environment.get(name)) for name in sorted(session.variables)),
             looks=tuple(sorted(looks.items())),
-            programs=() if self.own is None else tuple((*key, self.own.digest(key)) for key in sorted(self.own.asked())),
+            programs=() if self.own is None else self._asked(self.own),
         )
+
+    @staticmethod
+    def _asked(own: OwnSources) -> tuple[tuple[str, str, str, str, str], ...]:
+        """The programs whose sources were asked for since this was called last: middleware, key and digest of each."""
+        return tuple((each.middleware, *key, each.digest(key)) for each in own.all for key in sorted(each.asked()))
 
     def _crashed(self, request: EntryRequest, error: Exception) -> EntryResult:
         path = self.session.shown(request.at)

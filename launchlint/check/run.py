@@ -117,7 +117,8 @@ def _shared_sources(checker: EntryChecker) -> Iterator[Options]:
     import tempfile
 
     with tempfile.TemporaryDirectory(prefix="launchlint-") as directory:
-        checker.own.keep_in(directory)
+        for each in checker.own.all:
+            each.keep_in(directory)
         yield options._replace(sources_cache=directory)
 
 

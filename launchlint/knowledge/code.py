@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from launchlint import __version__
 
-ROOMS = ("extract", "knowledge", "workspace")
+ROOMS = ("extract", "knowledge", "python", "workspace")
 """The rooms of launchlint that what is read hangs on."""
 _READERS = "tree_sitter"
 """What the names of the installed libraries that read C++ begin with."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
+from launchlint.model import ROS1, ROS2
 from launchlint.workspace.package import Package
 from launchlint.workspace.packages import Packages
 
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
     from launchlint.knowledge.programs import Programs
 
 
+_CONDITIONS = {"ROS_VERSION": "2"}
+
+
 class Home(NamedTuple):
     """A package, the workspace that it lies in, and how many packages of that name there are in it to be built."""
 
@@ -27,23 +31,44 @@ class Home(NamedTuple):
 
 
 class OwnSources:
-    """What the packages of the workspaces say of their programs. Never raises.
+    """What the packages of the workspaces say of their programs, those of one middleware. Never raises.
 
     Args:
         packages: where they are; of these only those of the workspaces count.
         root: the directory that places are told relative to.
         directory: where what was read is kept; None: nowhere.
         moved: the beginning of a path, and what people shall see instead: sources of another state lie in another place.
+        middleware: packages that are built for another one only do not count.
     """
 
-    def __init__(self, packages: Packages, root: str, directory: str | None = None, moved: tuple[str, str] | None = None) -> None:
-        self._packages = packages
+    def __init__(
+        self,
+        packages: Packages,
+        root: str,
+        directory: str | None = None,
+        moved: tuple[str, str] | None = None,
+        middleware: str = ROS1,
+    ) -> None:
+        self._packages = packages.colcon if middleware == ROS2 else packages
         self._root = root
         self._directory = directory
         self._moved = moved
+        self.middleware = middleware
+        self._others: dict[str, OwnSources] = {middleware: self}
         self._homes: dict[str, Home | None] = {}
         self._classes: dict[str, frozenset[str]] = {}
         self._asked: set[Key] = set()
+
+    def of(self, middleware: str) -> OwnSources:
+        """What the same workspaces say of programs of another middleware."""
+        if middleware not in self._others:
+            self._others[middleware] = OwnSources(self._packages, self._root, self._directory, self._moved, middleware)
+        return self._others[middleware]
+
+    @property
+    def all(self) -> tuple[OwnSources, ...]:
+        """Those of each middleware that was asked for."""
+        return tuple(self._others[name] for name in sorted(self._others))
 
     def has(self, package: str) -> bool:
         """Whether a package is one of them."""
@@ -76,7 +101,9 @@ class OwnSources:
         return "" if home is None else self._programs.known((package, table, name), home).reason
 
     def packages_of_class(self, name: str, *, everywhere: bool) -> list[str]:
-        """The packages that export a nodelet class: the one that it is named after, or any."""
+        """The packages that export a nodelet class: the one that it is named after, or any. Of ROS 2 the one that it is named after."""
+        if self.middleware == ROS2:
+            return [each for each in [name.partition("::")[0]] if self.has(each)]
         first = name.partition("/")[0]
         if name in self._classes_of(first):
             return [first]
@@ -98,11 +125,24 @@ class OwnSources:
         return "" if home is None else self._programs.digest(key, home)
 
     def home(self, name: str) -> Home | None:
-        """The package of this name in the first workspace that has one."""
+        """The package of this name in the first workspace that has one, if it is of the middleware."""
+        found = self.first(name)
+        return found if found is not None and self._is_ours(found.package) else None
+
+    def first(self, name: str) -> Home | None:
+        """The package of this name in the first workspace that has one, whatever it is of; of several those of the middleware count."""
         if name not in self._homes:
-            found = ((root, packages[name]) for root, packages in self.places() if name in packages)
+            found = ((root, self._ours(packages[name])) for root, packages in self.places() if name in packages)
             self._homes[name] = next((Home(copies[0], root, len(copies)) for root, copies in found), None)
         return self._homes[name]
+
+    def _ours(self, copies: Sequence[Package]) -> list[Package]:
+        seen = [each.under(_CONDITIONS) for each in copies] if self.middleware == ROS2 else list(copies)
+        return [each for each in seen if self._is_ours(each)] or seen if len(seen) > 1 else seen
+
+    def _is_ours(self, package: Package) -> bool:
+        is_ament = package.manifest is not None and package.manifest.is_ament
+        return is_ament is (self.middleware == ROS2)
 
     def places(self) -> Iterator[tuple[str, Mapping[str, list[Package]]]]:
         """Each workspace with its packages by name."""

@@ -71,7 +71,7 @@ class Programs:
             if self._reader is None:
                 from launchlint.knowledge.reading import SourceReader
 
-                homes = [each for name in self._own.names() if (each := self._own.home(name)) is not None]
+                homes = [each for name in self._own.names() if (each := self._own.first(name)) is not None]
                 self._reader = SourceReader([each.package for each in homes], [root for root, _ in self._own.places()], self._states)
             known = self._reader.read(key, home.package, home.root)
             self._store.put(name, known)
@@ -86,7 +86,7 @@ class Programs:
 
     def _digest(self) -> str:
         """Of what everything hangs on: launchlint, what it reads with, and which packages there are."""
-        found = hashlib.sha1(f"{FORMAT} {code_digest()}".encode(), usedforsecurity=False)
+        found = hashlib.sha1(f"{FORMAT} {self._own.middleware} {code_digest()}".encode(), usedforsecurity=False)
         for root, packages in self._own.places():
             for name, copies in packages.items():
                 lines = [f"{name}\0{os.path.relpath(package.directory, root)}\n" for package in copies]

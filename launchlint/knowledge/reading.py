@@ -13,6 +13,7 @@ from launchlint.extract.reading import ProgramReader
 from launchlint.extract.task import Task
 from launchlint.knowledge.checked import checked
 from launchlint.knowledge.entry import Key, Known, States
+from launchlint.model import ROS1, ROS2
 from launchlint.workspace import looking
 from launchlint.workspace.package import Package
 
@@ -50,7 +51,7 @@ class SourceReader:
             return None, f"launchlint failed to read it: {type(error).__name__}: {error}"
         if found.program is None:
             return None, f"{task.sources[0][len(root) :].lstrip('/')} {found.problem}"
-        return checked(found.program, key[1])
+        return checked(found.program, key[1], ROS2 if task.is_of_ros2 else ROS1)
 
     def _reader(self, package: Package, root: str) -> PackageReader:
         if package.directory not in self._readers:

@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     class Own(Protocol):
         """What the sources of the checked packages say of their programs; read when it is asked for."""
 
+        def of(self, middleware: str) -> Own:
+            """What they say of programs of another middleware."""
+
         def has(self, package: str) -> bool:
             """Whether a package is one of them."""
 
@@ -82,7 +85,8 @@ class Library:
     @cached_property
     def ros2(self) -> Library:
         """What the same libraries say of nodes of ROS 2."""
-        return Library(self._files, bundled=self._bundled is not None, middleware=ROS2)
+        own = None if self._own is None else self._own.of(ROS2)
+        return Library(self._files, bundled=self._bundled is not None, own=own, middleware=ROS2)
 
     def of(self, middleware: str) -> Library:
         """What the same libraries say of packages that are of ``middleware`` and say so, where the format lets them."""

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
+from copy import copy
 
 from launchlint.workspace.manifest import Manifest, read_manifest
 
@@ -18,7 +20,7 @@ class Package:
     the manifest cannot be used: the package then has no dependencies and, if its name could not be read, no name.
     """
 
-    __slots__ = ("_manifest", "_read", "broken", "directory", "is_metapackage", "manifest_path", "name")
+    __slots__ = ("_context", "_manifest", "_read", "broken", "directory", "is_metapackage", "manifest_path", "name")
 
     def __init__(self, crawled: Crawled) -> None:
         self.name = crawled.name
@@ -28,6 +30,13 @@ class Package:
         self.broken = crawled.reason
         self._manifest: Manifest | None = None
         self._read = bool(crawled.reason)
+        self._context: Mapping[str, str] | None = None
+
+    def under(self, context: Mapping[str, str]) -> Package:
+        """The same package where the variables in the conditions of its manifest are those of ``context``."""
+        other = copy(self)
+        other._context, other._manifest, other._read = context, None, bool(self.broken)
+        return other
 
     def __repr__(self) -> str:
         return f"Package({self.name!r}, {self.directory!r})"
@@ -38,7 +47,8 @@ class Package:
         if not self._read:
             self._read = True
             try:
-                self._manifest = read_manifest(self.manifest_path)
+                manifest = read_manifest(self.manifest_path)
+                self._manifest = manifest if self._context is None else manifest.under(self._context)
             except (OSError, ValueError) as error:
                 self.broken = str(error)
         return self._manifest
