@@ -62,7 +62,9 @@ class OwnSources:
     def of(self, middleware: str) -> OwnSources:
         """What the same workspaces say of programs of another middleware."""
         if middleware not in self._others:
-            self._others[middleware] = OwnSources(self._packages, self._root, self._directory, self._moved, middleware)
+            other = OwnSources(self._packages, self._root, self._directory, self._moved, middleware)
+            other._others = self._others
+            self._others[middleware] = other
         return self._others[middleware]
 
     @property
