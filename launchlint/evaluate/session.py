@@ -61,7 +61,8 @@ class Session:
     """One run over one set of workspaces.
 
     ``overlay`` maps the name of a file to content that is judged in its place (standard input, ``as:`` in an entries file, the git index).
-    ``fresh``, which the evaluation of ROS 2 sets, gives the context of a launch in which nothing has been executed.
+    ``fresh``, which the evaluation of ROS 2 sets, gives the context of a launch in which nothing has been executed; ``arguments``, which
+    it sets, too, are those that launch is given: programs may ask for its command line.
     ``root`` is the directory to which shown paths are relative. ``distro`` is the distribution of ROS 2 that somebody asks for.
     """
 
@@ -79,7 +80,9 @@ class Session:
         self.asked_distro = distro
         self.fresh: Callable[[Session, str], LiveContext] | None = None
         self._meant: tuple[Meant, frozenset[str]] | None = None
-        self._in_python: dict[str, tuple[Reading | None, frozenset[str], frozenset[str]]] = {}
+        self.arguments: tuple[tuple[str, str], ...] = ()
+        self._asking: set[str] = set()
+        self._in_python: dict[tuple[str, tuple[tuple[str, str], ...]], tuple[Reading | None, frozenset[str], frozenset[str]]] = {}
         self.overlay = {os.path.abspath(name): data for name, data in (overlay or {}).items()}
         self.blocks: dict[Any, Block] = {}
         self.variants: dict[Any, Block] = {}
@@ -238,11 +241,13 @@ class Session:
         if not file.endswith(".py") and not holds_python(file, self.read(file).data or b""):
             return None
         absolute = os.path.abspath(file)
-        if absolute not in self._in_python:
+        key = (absolute, self.arguments if absolute in self._asking else ())
+        if key not in self._in_python:
             variables: set[str] = set()
             reading, looked = watched(lambda: self._understood(absolute, variables))
-            self._in_python[absolute] = reading, looked, frozenset(variables)
-        reading, looked, asked = self._in_python[absolute]
+            key = (absolute, self.arguments if absolute in self._asking else ())
+            self._in_python[key] = reading, looked, frozenset(variables)
+        reading, looked, asked = self._in_python[key]
         note(looked)
         self.variables |= asked
         return reading
@@ -261,8 +266,12 @@ class Session:
         def inside(path: str) -> bool:
             return self.packages.package_of(path) is not None
 
+        def arguments() -> tuple[tuple[str, str], ...]:
+            self._asking.add(file)
+            return self.arguments
+
         outside = Outside(
-            self.meant, lambda name: colcon.find(name, file), self.environment, variables.add, inside, lambda: self._fresh(file)
+            self.meant, lambda name: colcon.find(name, file), self.environment, variables.add, inside, lambda: self._fresh(file), arguments
         )
         return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
 

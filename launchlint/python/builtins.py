@@ -25,6 +25,7 @@ from launchlint.python.values import (
     Outside,
     Seq,
     Text,
+    Unknown,
     Value,
     alternatives,
     choice,
@@ -197,6 +198,9 @@ def _is_instance(value: Value, types: Value) -> Value:
 def method(run: Expressions, receiver: Value, name: str, positional: Sequence[Value], keywords: dict[str, Value]) -> Value:
     """The value of a call of a method of a string, list or dict. Raises Raised where the program is followed to the letter."""
     made: Value = MISSING
+    if run.exact and isinstance(receiver, Outside):
+        made = receiver.method(name, positional)
+        return run.unknown() if isinstance(made, Unknown) else made
     if isinstance(receiver, (Seq, Map)):
         if isinstance(receiver, Map) or run.exact or not (positional and isinstance(positional[0], Argv)):
             made = run.exactly(lambda: containers.method(run, receiver, name, positional, keywords))

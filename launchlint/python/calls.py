@@ -14,6 +14,7 @@ from launchlint.python.members import FIELDS, Members, has_known_attributes
 from launchlint.python.memory import ENDED, GOES_ON, RETURNED, Ended, Exhausted
 from launchlint.python.plain import SIMPLE
 from launchlint.python.recogniser import Recogniser
+from launchlint.python.text import ANY_TEXT
 from launchlint.python.values import (
     MISSING,
     MORE,
@@ -31,6 +32,7 @@ from launchlint.python.values import (
     Map,
     Outside,
     Partial,
+    Quiet,
     Scope,
     Seq,
     Text,
@@ -54,6 +56,11 @@ MOST_SPENT = 15_000
 
 _KNOWN = frozenset("all any max min next reversed sum tuple list set frozenset iter callable type".split())
 """Functions that keep nothing of what they are given but in what they give back."""
+
+
+def _python_class(type_: Class) -> Value:
+    """The first class of exceptions outside of the program that a followed class is made of."""
+    return next(each for each in type_.order if is_failure_class(each))
 
 
 def _has(type_: Class, name: str) -> bool:
@@ -170,7 +177,7 @@ class Calls(Members):
                 self.escape([*positional, *keywords.values()], "start")
             return builtins.function(self, word, positional, keywords)
         made = self.recogniser.call(name, positional, keywords, node, scope)
-        self.risks += isinstance(made, Unknown)
+        self.risks += isinstance(made, Unknown) and not isinstance(made, Quiet)
         return made
 
     def _builtin_exactly(self, word: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
@@ -217,7 +224,12 @@ class Calls(Members):
     def as_text(self, value: Value) -> Value:
         """``str(value)``."""
         if isinstance(value, Instance) and self.exact:
-            return self._by_method(value, "__str__", [])
+            if _has(value.type, "__str__") or _has(value.type, "__repr__"):
+                return self._by_method(value, "__str__", [])
+            if not any(is_failure_class(each) for each in value.type.order):
+                return ANY_TEXT  # it says where it is in memory
+            arguments = value.attributes.get("args")
+            value = Failure(_python_class(value.type), tuple(arguments.items) if isinstance(arguments, Seq) else (UNKNOWN,))
         made = functions.text_of(self, value)
         return made if made is not MISSING else builtins.as_text(value)
 

@@ -10,6 +10,7 @@ from launchlint.python.letter import LATER, ToTheLetter
 from launchlint.python.values import (
     MISSING,
     UNKNOWN,
+    UNORDERED,
     Choice,
     Map,
     Scope,
@@ -34,19 +35,29 @@ class Comprehensions(ToTheLetter):
         inner.around = scope
         if self.exact and isinstance(node, ast.GeneratorExp):
             return self._generator(node, inner, scope)
-        complete = self._generate(node.generators, inner, lambda: found.append(self.evaluate(node.elt, inner)), found)
-        return self.make_set(found, complete) if isinstance(node, ast.SetComp) else Seq(found, complete)
+        over: Value = MISSING
+        kind = "list"
+        if self.exact:
+            over = self.evaluate(node.generators[0].iter, scope)
+            if isinstance(over, Seq) and over.kind in UNORDERED and over.is_sure and len(over.items) > 1:
+                over, kind = Seq(list(over.items)), "listing"
+        complete = self._generate(node.generators, inner, lambda: found.append(self.evaluate(node.elt, inner)), found, over)
+        kind = kind if len(found) > 1 else "list"
+        return self.make_set(found, complete) if isinstance(node, ast.SetComp) else Seq(found, complete, kind=kind)
 
     def _generator(self, node: ast.GeneratorExp, inner: Scope, scope: Scope) -> Value:
         """A generator: what it goes through is worked out now, the rest when something is taken of it."""
         first = self.evaluate(node.generators[0].iter, scope)
+        kind = "iterator"
+        if isinstance(first, Seq) and first.kind in UNORDERED and first.is_sure and LATER not in first.content and len(first.items) > 1:
+            first, kind = Seq(list(first.items)), "listing"
 
         def later() -> tuple[list[Value], bool]:
             found: list[Value] = []
             complete = self._generate(node.generators, inner, lambda: found.append(self.evaluate(node.elt, inner)), found, first)
             return found, complete
 
-        made = Seq([], kind="iterator")
+        made = Seq([], kind=kind)
         made.content[LATER] = later
         return made
 

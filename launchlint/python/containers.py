@@ -8,7 +8,7 @@ from typing import Any
 from launchlint.python.failures import failure, of_python
 from launchlint.python.operations import equal
 from launchlint.python.plain import NotPlain, key_of, of_key, plain, value_of
-from launchlint.python.values import ENTRIES, ITEMS, MISSING, MOST_EXACT, Choice, Instance, Map, Seq, Value, is_maybe
+from launchlint.python.values import ENTRIES, ITEMS, KIND, MISSING, MOST_EXACT, Choice, Instance, Map, Seq, Value, is_maybe
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,9 +23,11 @@ def method(run: Expressions, receiver: Seq | Map, name: str, positional: Sequenc
     if isinstance(receiver, Map):
         dict_method = _OF_DICT.get(name)
         return MISSING if dict_method is None else dict_method(run, receiver, list(positional), keywords)
-    table = _OF_LIST if receiver.kind in ("list", "tuple") else _OF_SET if receiver.kind in _SETS else {}
+    table = _OF_LIST if receiver.kind in ("list", "tuple", "listing") else _OF_SET if receiver.kind in _SETS else {}
     seq_method = table.get(name)
     if seq_method is None or (receiver.kind == "tuple" and name not in ("index", "count")):
+        return MISSING
+    if receiver.kind == "listing" and name not in ("append", "extend", "count", "remove", "sort", "clear"):
         return MISSING
     try:
         return seq_method(run, receiver, list(positional), keywords)
@@ -136,6 +138,8 @@ def _sort(run: Expressions, receiver: Seq, given: list[Value], keywords: dict[st
     if items is None:
         return MISSING
     _write(run, receiver, items)
+    if receiver.kind == "listing":
+        run.store(receiver.content, KIND, "list")
     return None
 
 

@@ -28,7 +28,17 @@ from launchlint.python.values import (
 SETTER = "\0set "
 """Before the name of a property, in a class: the function that is called when it is set."""
 LONGEST_CODE = 10_000
-_KEEPING = ("functools.lru_cache", "functools.cache", "contextlib.", "abc.", "builtins.", "typing.", "dataclasses.", "enum.")
+_KEEPING = (
+    "functools.lru_cache",
+    "functools.cache",
+    "functools.total_ordering",
+    "contextlib.",
+    "abc.",
+    "builtins.",
+    "typing.",
+    "dataclasses.",
+    "enum.",
+)
 """Decorators that leave what they decorate as it is, seen from outside."""
 
 
@@ -109,6 +119,8 @@ class Definitions(Calls):
     def _base(self, node: ast.expr, scope: Scope) -> Value:
         """A base class. What a library that makes no names gives for one makes none either."""
         value = self.evaluate(node, scope)
+        if isinstance(value, External) and "[" in value.name:
+            return External(value.name.partition("[")[0])
         if isinstance(value, Unknown) and isinstance(node, ast.Name) and scope.module.stars:
             return External("builtins.object")  # of a library that makes no names: of another one it would not be unknown
         if isinstance(value, Unknown) and isinstance(node, (ast.Call, ast.Subscript)):

@@ -10,11 +10,13 @@ from launchlint.python.definitions import Definitions
 from launchlint.python.failures import Raised, failure, is_failure_class, taken_by
 from launchlint.python.matching import Matching
 from launchlint.python.memory import BROKEN, CONTINUED, ENDED, GOES_ON, Branch, Ended
+from launchlint.python.orders import alike, are_permuted, is_in_any_order, orders
 from launchlint.python.recogniser import Recogniser
 from launchlint.python.values import (
     COMPLETE,
     ENTRIES,
     ITEMS,
+    KIND,
     MISSING,
     UNKNOWN,
     Bound,
@@ -23,6 +25,7 @@ from launchlint.python.values import (
     Failure,
     Instance,
     Scope,
+    Seq,
     Value,
     conjunction,
     is_maybe,
@@ -30,6 +33,8 @@ from launchlint.python.values import (
 from launchlint.python.ways import Way
 
 Loop = ast.For | ast.AsyncFor | ast.While
+MOST_IN_ANY_ORDER = 300
+"""Items of a set that a loop goes through in several orders, to see what does not hang on the order."""
 MOST_LEFT = 16
 """How often some way may leave a loop early, before the rest of its rounds counts as unknown: each time there is one way more to follow."""
 
@@ -56,12 +61,33 @@ class Exact(Definitions):
     def for_exactly(self, node: ast.For | ast.AsyncFor, scope: Scope) -> int:
         """``for``."""
         value = self.evaluate(node.iter, scope)
+        if is_in_any_order(value) and len(value.items) <= MOST_IN_ANY_ORDER:
+            return self._in_any_order(node, value, scope)
         if not isinstance(value, Choice) or isinstance(node, ast.AsyncFor):
             return self._loop(node, UNKNOWN if isinstance(node, ast.AsyncFor) else value, scope)
         ways = [way for condition, each in value.alternatives for way in self.ways(condition, self._looping(node, each, scope))]
         if is_maybe(value):
             ways.append((negated(value.alternatives[0][0]), Branch()))
         return self.meet(ways, scope.variables)
+
+    def _in_any_order(self, node: ast.For | ast.AsyncFor, value: Seq, scope: Scope) -> int:
+        """A loop over what comes in an order that is nobody's: what does not hang on the order is known all the same."""
+        tried = [self.ways("", self._looping(node, Seq(each), scope)) for each in orders(value.items)]
+        if any(len(ways) > 1 or ways[0][1].flow != GOES_ON for ways in tried):
+            return self.meet([(f"it is order {at}", way) for at, ways in enumerate(tried, 1) for _, way in ways], scope.variables)
+        written = [ways[0][1].written for ways in tried]
+        for place, (mapping, key, first) in written[0].items():
+            values = [each[place][2] for each in written if place in each]
+            if len(values) < len(written) or all(alike(first, each) for each in values[1:]):
+                self.store(mapping, key, first)
+            elif key == ITEMS and all(are_permuted(first, each) for each in values[1:]):
+                self.store(mapping, ITEMS, first)
+                self.store(mapping, KIND, "listing")
+            else:
+                self.store(
+                    mapping, key, self.merged(key, [(f"the machine lists them in order {at}", each) for at, each in enumerate(values, 1)])
+                )
+        return GOES_ON
 
     def _looping(self, node: ast.For | ast.AsyncFor, value: Value, scope: Scope) -> Callable[[], int]:
         return lambda: self._loop(node, value, scope)
@@ -177,7 +203,7 @@ class Exact(Definitions):
 
     def _forget(self, mapping: dict[Value, Value], key: Value) -> None:
         """What a loop writes, before its rounds that are not known."""
-        if key in (ITEMS, COMPLETE):
+        if key in (ITEMS, COMPLETE, KIND):
             self.store(mapping, COMPLETE, False)
         elif key == ENTRIES:
             self.store(mapping, ENTRIES, dict.fromkeys(mapping[ENTRIES], UNKNOWN))

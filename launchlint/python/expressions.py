@@ -192,7 +192,7 @@ class Expressions(Subscripts):
                 return made
             if self.exact and isinstance(left, Instance):
                 return self._by_method(left, METHODS.get(operation, ""), [right])
-            self.risks += 1
+            self.risks += not (operation is ast.Add and isinstance(left, (str, Text)) and isinstance(right, (str, Text)))
         if operation is ast.Mod and isinstance(left, str):
             if isinstance(right, Map):
                 return percent(left, (), right.entries)

@@ -14,6 +14,7 @@ from launchlint.python.values import (
     MISSING,
     MOST_EXACT,
     UNKNOWN,
+    UNORDERED,
     Bound,
     Class,
     External,
@@ -144,6 +145,9 @@ def _sequence(kind: str) -> Callable[[Expressions, list[Value], dict[str, Value]
             return MISSING if items is None else Seq(items, kind=kind)
         if len(given) > 1 or keywords:
             return MISSING
+        if kind == "list" and given and isinstance(given[0], Seq) and given[0].kind in UNORDERED:
+            found = list(run.all_items(given[0]))
+            return Seq(found, kind="listing" if len(found) > 1 else kind)
         items, complete = run.rounds(given[0]) if given else ([], True)
         return Seq([each for each in items if complete or each is not UNKNOWN], complete, kind=kind)
 
@@ -321,7 +325,9 @@ def instance_of(value: Value, type_: Value) -> bool | None:
             return value is None
         return isinstance(value, _TYPES[word]) if word in _TYPES and builtin else (False if builtin or _is_of_library(word) else None)
     if isinstance(value, Seq):
-        return value.kind == word if word in _KINDS else (False if builtin or word.startswith("launch") else None)
+        return (
+            value.kind.replace("listing", "list") == word if word in _KINDS else (False if builtin or word.startswith("launch") else None)
+        )
     if isinstance(value, Map):
         return word in ("dict", "collections.OrderedDict") if word != "collections.OrderedDict" else None
     if isinstance(value, (Instance, Handle, Function)) and word in (*_KINDS, *_TYPES, "dict") and builtin:

@@ -18,6 +18,7 @@ from launchlint.python.values import (
     MISSING,
     MOST_EXACT,
     UNKNOWN,
+    UNORDERED,
     Choice,
     Class,
     External,
@@ -40,6 +41,7 @@ LATER = "\0later"
 MORE_ITEMS = External("\0more")
 """Among what a generator gives: there may be others that are not known."""
 _CONSTANT = (str, int, float, bool, type(None))
+_NEVER_FAIL = (ast.Eq, ast.NotEq, ast.Is, ast.IsNot)
 
 
 class ToTheLetter(Ways):
@@ -125,16 +127,16 @@ class ToTheLetter(Ways):
 
     def all_items(self, value: Value, *, ordered: bool = False) -> list[Value]:
         """The items of something that can be gone through, those of a set in any order. Raises NotPlain where not all are known."""
-        if isinstance(value, Seq) and value.kind in ("set", "frozenset") and value.is_sure:
+        if isinstance(value, Seq):
+            self.force(value)
+        if isinstance(value, Seq) and value.kind in UNORDERED and value.is_sure:
             if ordered and len(value.items) > 1:
                 raise NotPlain
             return value.items
         if isinstance(value, Map) and not value.is_sure:
             raise NotPlain
-        if isinstance(value, Seq):
-            self.force(value)
-            if not value.is_sure:
-                raise NotPlain
+        if isinstance(value, Seq) and not value.is_sure:
+            raise NotPlain
         items, complete = self.rounds(value)
         if not complete:
             raise NotPlain
@@ -245,8 +247,12 @@ class ToTheLetter(Ways):
         else:
             known = operations.ordered(left, operation, right)
         if known is None:
-            return self.unknown()
+            return UNKNOWN if operation in _NEVER_FAIL or self._is_container(left, right) else self.unknown()
         return known is not negative
+
+    def _is_container(self, left: Value, right: Value) -> bool:
+        """Whether ``left in right``, or that one is less than the other, raises nothing although it is not known."""
+        return isinstance(right, (Seq, Map)) or (isinstance(left, (str, Text)) and isinstance(right, (str, Text)))
 
     def key(self, value: Value) -> Value:
         """A value as the key of a followed dict; MISSING where it cannot be one."""
@@ -278,7 +284,7 @@ class ToTheLetter(Ways):
             self.spend(len(items))
             if value.kind == "iterator" and (items or not value.complete):
                 self.store(value.content, ITEMS, [])
-            if not value.complete or (value.kind in ("set", "frozenset") and len(items) > 1):
+            if not value.complete or (value.kind in UNORDERED and len(items) > 1):
                 self.risks += 1
                 return [*items, UNKNOWN], False
             return items, True

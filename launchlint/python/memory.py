@@ -10,6 +10,7 @@ from launchlint.python.values import (
     COMPLETE,
     ENTRIES,
     ITEMS,
+    KIND,
     MISSING,
     MOST_ITEMS,
     Choice,
@@ -174,6 +175,8 @@ def _merged(key: Any, outcomes: list[tuple[str, Any]]) -> Any:
 def _merged_exactly(key: Any, outcomes: list[tuple[str, Any]]) -> Any:
     if len(outcomes) == 1:
         return outcomes[0][1]
+    if key == KIND:
+        return outcomes[0][1] if len({value for _, value in outcomes}) == 1 else "listing"
     if key == COMPLETE:
         return all(value is True for _, value in outcomes)
     if key == ITEMS:

@@ -200,7 +200,7 @@ def _apart(one: Value, other: Value) -> bool | None:
 
 
 def _equal_items(one: Seq, other: Seq, depth: int) -> bool | None:
-    if not one.is_sure or not other.is_sure or "iterator" in (one.kind, other.kind) or "view" in (one.kind, other.kind):
+    if not one.is_sure or not other.is_sure or {"iterator", "view", "listing"} & {one.kind, other.kind}:
         return None
     sets = ("set", "frozenset")
     if one.kind in sets and other.kind in sets:

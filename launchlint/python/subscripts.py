@@ -13,6 +13,7 @@ from launchlint.python.values import (
     UNKNOWN,
     Argv,
     Choice,
+    External,
     Function,
     Instance,
     Key,
@@ -28,6 +29,17 @@ from launchlint.python.values import (
 )
 
 _CONSTANT = (str, int, float, bool, type(None))
+_GENERIC = (
+    "typing.",
+    "typing_extensions.",
+    "collections.",
+    "builtins.list",
+    "builtins.dict",
+    "builtins.tuple",
+    "builtins.set",
+    "builtins.type",
+)
+"""What is a class or an annotation, and stays one with others in brackets: ``List[str]``."""
 
 
 def _is_open(value: Map) -> bool:
@@ -61,6 +73,9 @@ class Subscripts(Comprehensions):
         """``value[index]``."""
         if self.exact and isinstance(index, Choice):
             return self.spread(lambda each: self.item(value, each), index)
+        if self.exact and isinstance(value, External) and value.name.startswith(_GENERIC):
+            inner = f"[{index.name}]" if isinstance(index, External) and "[" not in value.name else ""
+            return External(f"{value.name}{inner}")
         if isinstance(value, Argv) and isinstance(index, int) and not isinstance(index, bool):
             position = value.offset + index if index >= 0 else index
             return Text(f"{{arg:{position}}}") if position and abs(position) < 1000 else UNKNOWN

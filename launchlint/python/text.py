@@ -21,6 +21,8 @@ from launchlint.python.values import (
 )
 
 ANY = "{any}"
+ANY_TEXT = Text(ANY)
+"""A string of which nothing is known."""
 ANYS = re.compile(r"(?:\{any\}){2,}")
 _FORMAT = re.compile(r"%(?:\((?P<key>[^()]*)\))?[#0\- +]*(?P<width>\d+|\*)?(?:\.\d+)?[hlL]?(?P<kind>[diouxXeEfFgGcrsa%])")
 

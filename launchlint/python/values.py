@@ -20,8 +20,11 @@ Value = Any
 SIGNS = ("\ue000", "\ue001")
 """In a :class:`Text`: parts that stand for something absolute (they begin with a slash); what they are, only the recogniser knows."""
 
-ITEMS, ENTRIES, COMPLETE = "\0items", "\0entries", "\0complete"
+ITEMS, ENTRIES, COMPLETE, KIND = "\0items", "\0entries", "\0complete", "\0kind"
 """Keys of the content of lists and dicts; no attribute can be called so."""
+
+UNORDERED = ("set", "frozenset", "listing")
+"""Kinds of :class:`Seq` whose order is nobody's; a ``listing`` is a list otherwise, as of the names in a directory."""
 
 MORE = "\0more"
 """Among the arguments that have names: there may be others that are not known (``**unknown``)."""
@@ -57,6 +60,12 @@ class Unknown:
 
 
 UNKNOWN = Unknown()
+
+
+class Quiet(Unknown):
+    """Any value at all, of something that raises no exception: only what is done with the value may."""
+
+    __slots__ = ()
 
 
 class Outside:
@@ -109,15 +118,21 @@ MISSING = Missing()
 class Seq:
     """A list, tuple or set. Its content is in a mapping, so that changing it can be taken back: its items and whether they are all.
 
-    ``kind`` is ``list``, ``tuple``, ``set``, ``frozenset``, ``range``, ``view`` (of a dict) or ``iterator`` (its items are taken once).
+    ``kind`` is ``list``, ``tuple``, ``range``, one of :data:`UNORDERED`, ``view`` (of a dict) or ``iterator`` (its items are taken once).
     An item that may be there or not is a :class:`Choice` with one alternative.
     """
 
-    __slots__ = ("content", "kind")
+    __slots__ = ("_made", "content")
 
     def __init__(self, items: list[Value], complete: bool = True, is_tuple: bool = False, kind: str = "list") -> None:
-        self.kind = "tuple" if is_tuple else kind
+        self._made = "tuple" if is_tuple else kind
         self.content: dict[Any, Any] = {ITEMS: items[:MOST_EXACT], COMPLETE: complete and len(items) <= MOST_EXACT}
+
+    @property
+    def kind(self) -> str:
+        """What it is: a list may turn into a listing, and back."""
+        kind: str = self.content.get(KIND, self._made)
+        return kind
 
     @property
     def is_tuple(self) -> bool:

@@ -51,7 +51,9 @@ def evaluate(
     if sys.getrecursionlimit() < DEEPEST_STACK:
         sys.setrecursionlimit(DEEPEST_STACK)
     session.fresh = fresh
+    session.arguments = given
     walk = Walk(session, file, rules_of(session.distro), pinned, execute, repeats)
+    walk.performer.live = lambda place: Live(walk, place)
     known = walk.read(file)
     if isinstance(known, Read):
         source = Source(session.shown(file), "", file)
@@ -79,6 +81,7 @@ def evaluate(
 def fresh(session: Session, file: str) -> LiveContext:
     """The context of a launch in which nothing has been executed: what a program has that makes one itself."""
     walk = Walk(session, file, rules_of(session.distro), frozenset(), execute)
+    walk.performer.live = lambda place: Live(walk, place)
     return Live(walk, Place(Source(session.shown(file), "", file), Span(0, 0)))
 
 

@@ -29,7 +29,7 @@ OF_LAUNCH = frozenset(
     )
 )
 """Those that launch and launch_ros read themselves, whoever sets them."""
-_OPEN = ("file-content", described.NOT_KNOWN)
+_OPEN = ("file-content", described.NOT_KNOWN, described.CALLED)
 _UNREAD = (described.Opaque, described.Open)
 _READ = late(r"\$\(var ['\"]?([^\s()'\"$]+)")
 _INCLUDED = late(r"<include\b|(?<![\w-])include['\"]?\s*:")

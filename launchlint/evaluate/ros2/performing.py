@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from typing import NoReturn
 
     from launchlint.evaluate.session import Session
+    from launchlint.syntax.ros2.live import LiveContext
 
 _SEVERAL = late(r"\*{2,}")
 _TRUE = re.compile(r"yes|Yes|YES|true|True|TRUE|on|On|ON")
@@ -71,7 +72,8 @@ class Performer:
     what is worth knowing and keeps nothing from going on. ``table`` says what is put in place of each substitution.
     ``containers`` are the full names of those that were executed, each with its place.
     ``compared`` collects what launch configurations that can be given from outside are compared with, each with its name. ``way`` leads to
-    the file that is executed; ``foreign`` collects what files read that was set outside of them: file and name, with place and setting.
+    the file that is executed; ``live`` gives programs the context at the moment, where there is a launch.
+    ``foreign`` collects what files read that was set outside of them: file and name, with place and setting.
     """
 
     __slots__ = (
@@ -81,6 +83,7 @@ class Performer:
         "context",
         "entry",
         "foreign",
+        "live",
         "notice",
         "outside",
         "rules",
@@ -116,6 +119,7 @@ class Performer:
         self.containers: list[tuple[tuple[str, int], Value]] = []
         self.steer: set[str] = set()
         self.outside = False
+        self.live: Callable[[Place], LiveContext] | None = None
         self.way: tuple[int, ...] = ()
         self.foreign: list[tuple[tuple[int, ...], str, Origin, Setting]] = []
 

@@ -82,6 +82,11 @@ class Live:
         """What differs from the environment that launch was started with."""
         return dict(self._walk.context.environment.changes)
 
+    def unsettle(self) -> None:
+        """From here on it is not known whether launch gets any further; what fails later keeps no file from being loaded."""
+        if self._walk.here.deferred is None:
+            self._walk.unsettled.append(self._walk.here.file)
+
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable, or unset it."""
         self._walk.context.environment.set(name, value)
@@ -131,13 +136,13 @@ def unset(walk: Walk, action: described.Unset) -> None:
 def opened(walk: Walk, action: described.Open) -> None:
     """From here on there may be more than is known."""
     walk.unread.append(walk.here.file)
-    walk.unsettled.append(walk.here.file)
+    unsettled(walk, action)
     walk.context.include_unread()
 
 
-def unsettled(walk: Walk, action: described.Unsettled) -> None:
-    """Whether launch gets further than this is not known."""
-    walk.unsettled.append(walk.here.file)
+def unsettled(walk: Walk, action: described.Unsettled | described.Open) -> None:
+    """Whether launch gets further than this is not known; what fails later keeps no file from being loaded."""
+    Live(walk, action.place).unsettle()
 
 
 def fails(walk: Walk, action: described.Fails) -> None:

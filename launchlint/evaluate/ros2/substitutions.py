@@ -28,7 +28,8 @@ from launchlint.evaluate.ros2.problems import (
 from launchlint.evaluate.session import WRITTEN
 from launchlint.late import late
 from launchlint.model import StandIn, Unknown
-from launchlint.syntax.ros2.description import AS_BOOL, FULL_NAME, HAS_PARAMS, NOT_KNOWN, REPLACED, REWRITTEN, Substitution
+from launchlint.syntax.ros2.description import AS_BOOL, CALLED, FULL_NAME, HAS_PARAMS, NOT_KNOWN, REPLACED, REWRITTEN, Substitution
+from launchlint.syntax.ros2.live import Stopped
 
 _FOLD = str.maketrans(".-:", "___")
 _PACKAGE = late(r"[a-zA-Z0-9][a-zA-Z0-9_-]+")
@@ -336,6 +337,17 @@ def _not_known(performer: Performer, substitution: Substitution) -> Value:
     return Unknown(substitution.place.text, reason)
 
 
+def _called(performer: Performer, substitution: Substitution) -> Value:
+    """What a substitution of a program's own gives."""
+    performer.context.uses.open = True
+    if performer.live is None or substitution.call is None:
+        return Unknown(substitution.place.text, "it is asked before the launch runs")
+    try:
+        return substitution.call(performer.live(substitution.place))
+    except Stopped as stopped:
+        raise Failure(stopped.problem.but(origin=performer.where(stopped.problem.place))) from None
+
+
 def _full_name(performer: Performer, substitution: Substitution) -> Value:
     """The full name of a container: as it was when that was executed, or else as it would be now."""
     performer.context.uses.open = True
@@ -388,6 +400,7 @@ PERFORM: dict[str, Perform] = {
         "path-join": _path,
         NOT_KNOWN: _not_known,
         FULL_NAME: _full_name,
+        CALLED: _called,
         AS_BOOL: _of_library("as_bool"),
         REWRITTEN: _of_library("rewritten"),
         REPLACED: _of_library("replaced"),

@@ -122,6 +122,10 @@ class _Watcher:
         """As the context."""
         return self._context.launch
 
+    def unsettle(self) -> None:
+        """As the context."""
+        self._context.unsettle()
+
     def spend(self, steps: int) -> None:
         """As the context."""
         self._context.spend(steps)

@@ -16,6 +16,7 @@ from launchlint.export.ros2.xml import attribute_text, check
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import (
+    CALLED,
     FULL_NAME,
     NOT_KNOWN,
     Condition,
@@ -352,6 +353,8 @@ class _Carrier:
                 found += self._container(piece)
             elif piece.name == NOT_KNOWN:
                 raise Left(piece.place, f"{_shown(piece.place)} is not known ({piece.arguments[0].literal})")
+            elif piece.name == CALLED:
+                raise Left(piece.place, f"{_shown(piece.place)} is a substitution that the program has made itself")
             elif piece.name not in self._distribution.substitutions:
                 raise Left(piece.place, f"XML and YAML have no {piece.name or 'such substitution'}")
             else:

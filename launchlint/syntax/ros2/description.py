@@ -18,16 +18,21 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Literal, TypeAlias
 
+    from launchlint.model import Unknown
     from launchlint.syntax.ros2.live import LiveContext
 
     Call: TypeAlias = Callable[[LiveContext], tuple["Action", ...]]
     """What is called when its action is executed, and gives further actions. Raises whatever the live context raises."""
+    Gives: TypeAlias = Callable[[LiveContext], str | Unknown]
+    """The same for a text."""
 
 NOT_KNOWN = "?"
 """The name of a substitution whose value is not known; its argument says why. No front end can write it. A second argument is a text that
 stands for the value where values are compared."""
 FULL_NAME = "?name"
 """The name of a substitution that gives the full name of a container, by its namespace and name, as the container was given it."""
+CALLED = "?called"
+"""The name of a substitution of a class that a program has made itself: what it gives, a call says (Python only)."""
 AS_BOOL, REWRITTEN, REPLACED, HAS_PARAMS = "?as-bool", "?rewritten", "?replaced", "?has-params"
 """The names of substitutions that nav2_common brings (Python only)."""
 
@@ -36,12 +41,14 @@ class Substitution(NamedTuple):
     """``$(name argument …)``: computed when its action is executed. ``name`` is the front end's (``var``, ``find-pkg-share``).
 
     Where the front end refused it, it stands here all the same, with any name and arguments (with an empty name, where the value could not
-    be read at all): what it gives is unknown, and told of already. An argument ``''`` is a text without pieces.
+    be read at all): what it gives is unknown, and told of already. An argument ``''`` is a text without pieces. ``call`` says what one of
+    the name :data:`CALLED` gives.
     """
 
     name: str
     arguments: tuple[Text, ...]
     place: Place
+    call: Gives | None = None
 
     @property
     def written(self) -> str:

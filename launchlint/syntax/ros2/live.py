@@ -48,6 +48,9 @@ class LiveContext(Protocol):
     def environment(self) -> dict[str, str | Unknown | None]:
         """What the launch has changed in the environment; None is for what is not set any more."""
 
+    def unsettle(self) -> None:
+        """From here on it is not known whether launch gets any further."""
+
     def set_variable(self, name: str, value: str | Unknown | None) -> None:
         """Set an environment variable, or unset it."""
 

@@ -82,7 +82,7 @@ def parse(written: Written, distribution: Distribution, problems: list[Problem])
 
 def check(substitution: Substitution, distribution: Distribution, problems: list[Problem]) -> None:
     """Put to ``problems`` what launch refuses in one substitution, its words left out."""
-    name, words, place = substitution
+    name, words, place = substitution.name, substitution.arguments, substitution.place
     origin = Origin(place)
     arity = SUBSTITUTIONS.get(name)
     if arity is None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import shlex
+import textwrap
 from collections.abc import Callable, Mapping
 from itertools import chain, islice, product
 from typing import Any
@@ -31,6 +32,7 @@ _PURE: Mapping[str, Callable[..., Any]] = {
     **{f"math.{name}": getattr(math, name) for name in _MATH},
     "shlex.split": shlex.split,
     "shlex.quote": shlex.quote,
+    "textwrap.dedent": textwrap.dedent,
 }
 
 

@@ -23,6 +23,7 @@ from launchlint.python.values import (
 )
 from launchlint.source import Place, Span
 from launchlint.source import Source as Written
+from launchlint.syntax.ros2.python.command_line import SIGN, Word
 from launchlint.syntax.ros2.python.files import FILE
 from launchlint.syntax.ros2.python.noticing import Noticing
 from launchlint.syntax.ros2.python.paths import is_path, spelled
@@ -140,6 +141,12 @@ class Following(Noticing):
             return self.known.files.call(name, positional, keywords, self.place(node, scope))
         return super().call_external(name, positional, keywords, node, scope)
 
+    def keys_for(self, items: Sequence[Value], key: Value = None) -> list[Value]:
+        """What items are compared by: paths by their parts."""
+        if key is None and items and all(map(is_path, items)):
+            return [str(spelled(each)).split("/") for each in items]
+        return super().keys_for(items, key)
+
     def compared(self, left: Value, operation: type[ast.cmpop], right: Value) -> Value:
         """``left operation right``."""
         if operation in (ast.Eq, ast.NotEq) and is_path(left) and is_path(right):
@@ -147,6 +154,8 @@ class Following(Noticing):
         if operation in (ast.In, ast.NotIn) and isinstance(right, Handle) and right.kind == PACKAGES:
             there = self.known.has_package(left)
             return there if isinstance(there, Unknown) else there is (operation is ast.In)
+        if isinstance(right, Word) and operation in (ast.In, ast.NotIn) and isinstance(left, str) and SIGN in left:
+            return operation is ast.NotIn
         if operation in (ast.In, ast.NotIn) and isinstance(right, Handle):
             found = self.known.running.item(right, left)
             return found if isinstance(found, Unknown) else (found is not MISSING) is (operation is ast.In)

@@ -7,7 +7,7 @@ from typing import Any
 from launchlint.python.values import Choice, External, Handle, Map, Seq, Unknown, Value
 from launchlint.source import Place
 from launchlint.syntax.ros2.description import Parameter, ParameterFile, Parameters, ParameterSource, Text, TypedValue, unknown
-from launchlint.syntax.ros2.python.texts import Texts, is_substitution, pairs, why
+from launchlint.syntax.ros2.python.texts import Texts, is_own_substitution, is_substitution, pairs, why
 
 _TYPES = {"builtins.str": "str", "builtins.bool": "bool", "builtins.int": "int", "builtins.float": "float"}
 _SCALARS = (bool, int, float, str)
@@ -85,7 +85,7 @@ def typed(value: Value, place: Place, texts: Texts) -> TypedValue:
         if isinstance(value, (int, float)) and not abs(value) < _LARGEST:
             return TypedValue(unknown("the number is too large", place))
         return TypedValue(Text((str(value),), place), None, value)
-    if is_substitution(value):
+    if is_substitution(value) or is_own_substitution(value):
         return TypedValue(texts.text(value, place))
     if isinstance(value, Seq):
         return _list(value, place, texts)
@@ -120,7 +120,9 @@ def _described(value: Handle, texts: Texts) -> TypedValue:
     if type_ is None:
         return typed(content, place, texts)
     name = _TYPES.get(type_.name) if isinstance(type_, External) else None
-    if name is None or not (isinstance(content, str) or is_substitution(content) or isinstance(content, Seq)):
+    if name is None or not (
+        isinstance(content, str) or is_substitution(content) or is_own_substitution(content) or isinstance(content, Seq)
+    ):
         return TypedValue(unknown(why(content if name else type_, "a value of a type that is not known"), place))
     return TypedValue(texts.text(content, place), name)
 
@@ -136,7 +138,7 @@ def set_value(value: Value, place: Place, texts: Texts) -> TypedValue:
     if isinstance(value, Handle) and value.kind == "ParameterValue":
         described = _described(value, texts)
         return described if described.type is None or described.type == "str" else TypedValue(described.value)
-    if is_substitution(value):
+    if is_substitution(value) or is_own_substitution(value):
         return TypedValue(texts.text(value, place))
     if isinstance(value, Seq) and value.complete and value.items and len({type(each) for each in value.items}) == 1:
         first = value.items[0]

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from launchlint.python.failures import failure
 from launchlint.python.plain import NotPlain, plain, value_of
 from launchlint.python.values import MISSING, UNKNOWN, Choice, Handle, Map, Seq, Value
+from launchlint.syntax.ros2.python.directories import fitting, split
 from launchlint.workspace import looking
 
 TYPE_CHECKING = False
@@ -88,14 +89,35 @@ class Paths:
         return look(where)
 
     def listed(self, directory: Value) -> Value:
-        """``os.listdir``: the order is nobody's, so that it counts as a set of names."""
+        """``os.listdir``: the order is nobody's."""
         where = self.within(spelled(directory))
         if where is None:
             return self._run.unknown()
         if not looking.is_directory(where):
             raise failure("FileNotFoundError", 2, "No such file or directory")
-        names = sorted(looking.names(where))
-        return Seq(list(names), kind="list" if len(names) < 2 else "set")
+        return _in_any_order(sorted(looking.names(where)))
+
+    def globbed(self, pattern: Value, keywords: Mapping[str, Value]) -> Value:
+        """``glob.glob``; MISSING where it is not known."""
+        pattern = spelled(pattern)
+        recursive = keywords.get("recursive", False)
+        if not isinstance(pattern, str) or not isinstance(recursive, bool) or keywords.keys() - {"recursive"}:
+            return MISSING
+        directory, rest = split(pattern)
+        if not directory:
+            there = self.there(pattern, "exists")
+            return Seq([pattern] if there else []) if isinstance(there, bool) else MISSING
+        where = self.within(directory)
+        found = None if where is None or ".." in rest else fitting(where, rest, hidden=False, recursive=recursive)
+        return MISSING if found is None else _in_any_order(list(found))
+
+    def _below(self, text: str, pattern: Value, *, recursive: bool) -> Value:
+        """``path.glob`` and ``path.iterdir``; MISSING where it is not known."""
+        where = self.within(text)
+        if where is None or not isinstance(pattern, str) or not pattern or pattern.startswith("/") or ".." in pattern:
+            return MISSING
+        found = fitting(where, f"**/{pattern}" if recursive else pattern, hidden=True, recursive=True)
+        return MISSING if found is None else _in_any_order([path(each) for each in found if each != where], "iterator")
 
     # -- pathlib ------------------------------------------------------------------------------------------------------
 
@@ -142,6 +164,15 @@ class Paths:
             return path(made) if isinstance(made, str) else MISSING
         if name == "is_absolute":
             return text.startswith("/")
+        if name in ("glob", "rglob") and len(words) == 1:
+            return self._below(text, words[0], recursive=name == "rglob")
+        if name == "iterdir" and not words:
+            where = self.within(text)
+            if where is not None and not looking.is_directory(where):
+                raise failure("FileNotFoundError", f"No such file or directory: {text!r}")
+            return self._below(text, "*", recursive=False)
+        if name == "is_relative_to" and len(words) == 1 and isinstance(words[0], str):
+            return text == words[0] or text.startswith(words[0].rstrip("/") + "/")
         if name in ("exists", "is_file", "is_dir"):
             return self.there(text, {"is_file": "isfile", "is_dir": "isdir"}.get(name, name))
         if name == "with_suffix" and len(words) == 1 and isinstance(words[0], str):
@@ -149,6 +180,11 @@ class Paths:
         if name == "with_name" and len(words) == 1 and isinstance(words[0], str):
             return path(posixpath.join(posixpath.dirname(text), words[0]))
         return MISSING
+
+
+def _in_any_order(items: list[Value], kind: str = "list") -> Seq:
+    """What the machine lists: in an order that is nobody's."""
+    return Seq(items, kind=kind if len(items) < 2 else "listing")
 
 
 def _clean(text: str) -> str:

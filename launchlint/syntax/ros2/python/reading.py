@@ -90,6 +90,7 @@ def _actions(run: Following, source: Source, outside: Outside, parsed: Parsed) -
     run.look_at(parsed.tree)
     caller = Caller(run, run.known.running, main.scope)
     maker = caller.maker = Maker(run.known.texts, caller.calls)
+    run.known.texts.gives = caller.gives
     main.scope.variables.update({"__name__": "launch_file", "__file__": source.file})
     if run.execute(parsed.tree.body, main.scope):
         return (described.Open("it ends before its last statement", everything),)

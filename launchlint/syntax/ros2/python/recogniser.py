@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import posixpath
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from launchlint.python import builtins, standard
@@ -15,6 +15,7 @@ from launchlint.python.values import (
     ITEMS,
     MISSING,
     UNKNOWN,
+    UNORDERED,
     External,
     Failure,
     Handle,
@@ -28,15 +29,16 @@ from launchlint.python.values import (
 )
 from launchlint.python.values import Text as Open
 from launchlint.source import Place, Span
-from launchlint.syntax.ros2.python import calculated, libraries
+from launchlint.syntax.ros2.python import calculated, libraries, machine, patterns
 from launchlint.syntax.ros2.python.arguments import wrong_action, wrong_values
+from launchlint.syntax.ros2.python.command_line import words
 from launchlint.syntax.ros2.python.conditions import is_condition
 from launchlint.syntax.ros2.python.constructors import Given, wrong_shape
 from launchlint.syntax.ros2.python.files import FILE, XACRO, Files
-from launchlint.syntax.ros2.python.paths import PATH, Paths, spelled
+from launchlint.syntax.ros2.python.paths import PATH, Paths, is_path, path, spelled
 from launchlint.syntax.ros2.python.running import CONFIGURATIONS, CONTEXT, VARIABLES, Running
 from launchlint.syntax.ros2.python.tables import Signature, is_of_launch, signature
-from launchlint.syntax.ros2.python.texts import SUBSTITUTIONS, Texts
+from launchlint.syntax.ros2.python.texts import SUBSTITUTIONS, Texts, is_own_substitution, is_substitution
 from launchlint.yaml.tree import Reader
 from launchlint.yaml.values import load
 
@@ -48,15 +50,19 @@ if TYPE_CHECKING:
 
 _OUTSIDE = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
 _SHARE = ("ament_index_python.packages.get_package_share_directory", "ament_index_python.get_package_share_directory")
+_SHARE_PATH = ("ament_index_python.packages.get_package_share_path", "ament_index_python.get_package_share_path")
 _PREFIX = ("ament_index_python.packages.get_package_prefix", "ament_index_python.get_package_prefix")
+_EVENTS = ("launch.events.", "launch_ros.events.")
 _HARMLESS = ("logging.", "os.path.", "os.getcwd", "math.", "time.", "datetime.", "platform.", "sys.")
 """What changes nothing, and needs nothing that may not be there."""
 _COPIES = ("copy.copy", "copy.deepcopy", "collections.OrderedDict")
 _MADE_LATER = ("GroupAction",)
 """Classes that keep the list they are given, so that it can be changed afterwards; the others make a copy."""
 _DEEPEST = 20
-PACKAGES = "packages"
-"""All packages that are installed."""
+_IN_ANY_ORDER = ("actions", "initial_entities", "entities", "composable_node_descriptions")
+"""Arguments that are lists of what stands side by side."""
+PACKAGES, EVENT = "packages", "event"
+"""All packages that are installed; an event, or what says which one is meant: they come to nothing that would be known beforehand."""
 _YAML = Reader("launch", longest=1_000_000)
 
 
@@ -66,7 +72,7 @@ class Outside:
     ``meant`` is the distribution that launch files are for. ``share`` gives the directory of a package (None: there is none of that name),
     ``environment`` the variables; ``looked_at`` is told
     which of them a launch file asks for. ``inside`` says whether a path lies in the workspace, below which files are read.
-    ``fresh`` gives the context of a launch in which nothing has been executed.
+    ``fresh`` gives the context of a launch in which nothing has been executed, ``arguments`` those that launch is given.
     """
 
     def __init__(
@@ -77,6 +83,7 @@ class Outside:
         looked_at: Callable[[str], None] = lambda name: None,
         inside: Callable[[str], bool] = lambda file: False,
         fresh: Callable[[], LiveContext | None] = lambda: None,
+        arguments: Callable[[], Iterable[tuple[str, str]]] = tuple,
     ) -> None:
         self.meant = meant
         self.distro = meant.name
@@ -85,6 +92,7 @@ class Outside:
         self.looked_at = looked_at
         self.inside = inside
         self.fresh = fresh
+        self.arguments = arguments
 
 
 class LaunchRecogniser:
@@ -114,13 +122,27 @@ class LaunchRecogniser:
             return libraries.made(name, [snapshot(each) for each in positional], keywords, place)
         if name in _SHARE or name in _PREFIX:
             return self._directory(name in _SHARE, positional, keywords, place)
+        if name in _SHARE_PATH:
+            directory = self._directory(True, positional, keywords, place)
+            return path(directory) if isinstance(directory, str) else directory
+        if name.startswith("launch.utilities.") and not keywords:
+            made = self._utility(name.rpartition(".")[2], positional, place)
+            if made is not MISSING:
+                return made
+        if name.startswith(_EVENTS):
+            return Handle(EVENT, {})
         made = self._of_python(name, positional, keywords, place)
         if made is not MISSING:
+            return made
+        made, fails = machine.call(name, positional, place)
+        if made is not MISSING:
+            self._run.risks += fails
             return made
         if name.startswith("os.path."):
             return _path(name[len("os.path.") :], positional)
         if name == "os.getenv":
-            return builtins.method(self._run, self.attribute("os", "environ"), "get", positional, keywords)
+            given = [*positional, *(keywords[each] for each in ("key", "default") if each in keywords)]
+            return builtins.method(self._run, self.attribute("os", "environ"), "get", given, {})
         if name in _COPIES and len(positional) == 1 and not keywords:
             return snapshot(positional[0])
         if name in _COPIES and not positional:
@@ -132,6 +154,21 @@ class LaunchRecogniser:
             return UNKNOWN
         self._run.escape([*positional, *keywords.values()], "start")
         return Unknown(f"{name} is not looked into", place)
+
+    def _utility(self, name: str, positional: list[Value], place: Place) -> Value:
+        """What functions of launch.utilities give; MISSING for all others."""
+        if name == "perform_substitutions" and len(positional) == 2:
+            return self.running.performed(positional[1], positional[0], place)
+        if name != "normalize_to_list_of_substitutions" or len(positional) != 1:
+            return MISSING
+        given = positional[0]
+        items = given.items if isinstance(given, Seq) and given.is_sure else [given]
+        if not all(isinstance(each, (str, Open)) or is_path(each) or is_substitution(each) or is_own_substitution(each) for each in items):
+            return MISSING
+        plain = [spelled(each) for each in items]
+        return Seq(
+            [Handle("TextSubstitution", {"text": each, "place": place}) if isinstance(each, (str, Open)) else each for each in plain]
+        )
 
     def _of_python(self, name: str, positional: list[Value], keywords: dict[str, Value], place: Place) -> Value:
         """What functions of Python's library give that look at values, paths or files; MISSING for all others."""
@@ -147,6 +184,10 @@ class LaunchRecogniser:
                 if positional
                 else MISSING
             )
+        if name in ("glob.glob", "glob.iglob") and positional:
+            return self.paths.globbed(positional[0], keywords)
+        if name.startswith("re."):
+            return patterns.call(name, positional, keywords, self._run.spend)
         if name in ("sys.path.append", "sys.path.insert") and positional:
             self._run.finder.look_in(spelled(positional[-1]))
             return None
@@ -169,7 +210,7 @@ class LaunchRecogniser:
         names = known.arguments if given.open else [name for name in known.arguments if name in given.values or name in known.required]
         values = {name: given.values.get(name, more) for name in names}
         if kind not in _MADE_LATER:
-            values = {key: snapshot(value) for key, value in values.items()}
+            values = {key: snapshot(value, ordered=key not in _IN_ANY_ORDER) for key, value in values.items()}
         if kind == "LaunchDescription" and values.get("initial_entities") is None:
             values["initial_entities"] = Seq([])
         places = {name: inside(given.where(name)) for name in given.values}
@@ -201,7 +242,11 @@ class LaunchRecogniser:
         """``os.environ`` and whatever else."""
         if (name, member) == ("os", "environ"):
             return self.environment
+        if (name, member) == ("sys", "argv"):
+            return words(self._outside.arguments())
         constant = calculated.CONSTANTS.get(f"{name}.{member}", MISSING)
+        if constant is MISSING and name == "re":
+            constant = patterns.flag(f"re.{member}")
         return standard.attribute(name, member) if constant is MISSING else constant
 
     def member(self, receiver: Handle, name: str) -> Value:
@@ -228,6 +273,11 @@ class LaunchRecogniser:
                 self._run.store(actions.content, ITEMS, [*actions.items, given[0]])
             return None
         place = self._place(node, scope)
+        if receiver.kind == machine.THING:
+            return machine.method(name, place)
+        if receiver.kind in (patterns.PATTERN, patterns.MATCH):
+            made = MISSING if keywords else patterns.method(receiver, name, positional, self._run.spend)
+            return Unknown(f"what {name}() gives is not known", place) if made is MISSING else made
         if receiver.kind in (PATH, FILE, XACRO):
             if receiver.kind == PATH and name in ("open", "read_text"):
                 opened = self.files.opened(receiver, given[0] if given and name == "open" else "r")
@@ -236,6 +286,10 @@ class LaunchRecogniser:
             return Unknown(f"what {name}() gives is not known", place) if made is MISSING else made
         if receiver.kind in (CONTEXT, CONFIGURATIONS, VARIABLES):
             return self.running.method(receiver, name, given, place)
+        if receiver.kind in ("FindPackageShare", "FindPackagePrefix") and name == "find" and len(given) == 1:
+            return self._directory(receiver.kind == "FindPackageShare", given, {}, place)
+        if name == "_predicate_func" and is_condition(receiver):
+            name = "evaluate"
         if len(given) == 1 and ((name == "perform" and receiver.kind in SUBSTITUTIONS) or (name == "evaluate" and is_condition(receiver))):
             return self.running.performed(receiver, given[0], place)
         self._run.escape([receiver, *given], "start")
@@ -307,12 +361,13 @@ class Variables(dict[Any, Any]):
         return super().__contains__(name)
 
 
-def snapshot(value: Value, depth: int = 0) -> Value:
-    """A value as it is now: lists and dicts that are changed later do not change it."""
+def snapshot(value: Value, depth: int = 0, *, ordered: bool = True) -> Value:
+    """A value as it is now: lists and dicts that are changed later do not change it; ``ordered``: the order of a list matters."""
     if depth > _DEEPEST:
         return Unknown("lists stand in lists without end")
     if isinstance(value, Seq):
-        return Seq([snapshot(each, depth + 1) for each in value.items], value.complete, value.is_tuple)
+        sure = value.complete and not (ordered and value.kind in UNORDERED and len(value.items) > 1)
+        return Seq([snapshot(each, depth + 1) for each in value.items] if sure or not value.complete else [], sure, value.is_tuple)
     if isinstance(value, Map):
         return Map({key: snapshot(each, depth + 1) for key, each in value.entries.items()}, value.complete)
     return value

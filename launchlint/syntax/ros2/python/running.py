@@ -7,13 +7,13 @@ import ast
 from launchlint.model import StandIn
 from launchlint.model import Unknown as NotKnown
 from launchlint.python.memory import Ended, Exhausted, Log, taken_back
-from launchlint.python.values import MISSING, Handle, Map, Scope, Seq, Unknown, Value
+from launchlint.python.values import MISSING, Handle, Instance, Map, Scope, Seq, Unknown, Value
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action
 from launchlint.syntax.ros2.live import Stopped
 from launchlint.syntax.ros2.python.conditions import condition_of
-from launchlint.syntax.ros2.python.texts import Texts, is_substitution
+from launchlint.syntax.ros2.python.texts import Texts, is_own_substitution, is_substitution
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -55,13 +55,13 @@ class Running:
         live: LiveContext | None = context.state["live"] if context.state["own"] else self.live
         return live
 
-    def performed(self, receiver: Handle, context: Value, place: Place) -> Value:
-        """``substitution.perform(context)`` or ``condition.evaluate(context)``. Raises Ending."""
+    def performed(self, receiver: Value, context: Value, place: Place) -> Value:
+        """``substitution.perform(context)``, the same of a list of them, or ``condition.evaluate(context)``. Raises Ending."""
         live = self._live(context)
         if live is None:
             return Unknown(_BEFORE, place)
         try:
-            if is_substitution(receiver):
+            if not isinstance(receiver, Handle) or is_substitution(receiver):
                 return self.value(live.perform(self._texts.text(receiver, place)), place)
             wanted = condition_of(receiver, self._texts, place)
             holds = None if wanted is None else live.holds(wanted)
@@ -87,7 +87,7 @@ class Running:
         """What is asked of the context, or of its configurations or variables. Raises Ending, Ended."""
         live = self._live(receiver)
         if receiver.kind == CONTEXT:
-            if name == "perform_substitution" and len(given) == 1 and is_substitution(given[0]):
+            if name == "perform_substitution" and len(given) == 1 and (is_substitution(given[0]) or is_own_substitution(given[0])):
                 return self.performed(given[0], receiver, place)
             self._run.escape(given, "start")
             return Unknown(f"what {name}() of the context gives is not known", place)
@@ -188,6 +188,35 @@ class Caller:
         finally:
             self._running.live = outer
             live.spend(run.steps)
+
+    def gives(self, value: Instance, place: Place) -> described.Gives:
+        """What performs a substitution of the program's own: its method ``perform`` is called with the context."""
+
+        def give(live: LiveContext) -> str | NotKnown:
+            return self._given(live, value, place)
+
+        return give
+
+    def _given(self, live: LiveContext, value: Instance, place: Place) -> str | NotKnown:
+        run, outer = self._run, self._running.live
+        self._begin(live)
+        self._running.live = live
+        node = ast.Pass(lineno=1, col_offset=0)
+        before, steps = run.risks, run.steps
+        assert self.maker is not None
+        try:
+            made = run.call(run.attribute(value, "perform", node, self._scope), [self._running.context()], {}, node, self._scope)
+            if run.risks > before:
+                live.unsettle()
+            return live.perform(self.maker.texts.text(made, place))
+        except Ending as ending:
+            raise Stopped(ending.problem) from None
+        except (Ended, Exhausted, RecursionError) as ended:
+            live.unsettle()
+            return NotKnown(place.text, f"it ends with an error{f': {ended}' if str(ended) else ''}")
+        finally:
+            self._running.live = outer
+            live.spend(max(run.steps - steps, 0))
 
     def _begin(self, live: LiveContext) -> None:
         if self._launch is live.launch:

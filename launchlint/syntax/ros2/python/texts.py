@@ -6,11 +6,11 @@ What is not known of a value is a piece of its text that says why. Source: ``lau
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from launchlint.model import StandIn
-from launchlint.python.values import SIGNS, Choice, Handle, Map, Seq, Unknown, Value
+from launchlint.python.values import SIGNS, Choice, Class, External, Handle, Instance, Map, Seq, Unknown, Value
 from launchlint.python.values import Text as Open
 from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
@@ -39,6 +39,7 @@ _PLAIN = {
     "Parameter": ("param", "name", "default"),
 }
 """Class → the name of its substitution, and which of its arguments are the words."""
+_BASES = ("launch.Substitution", "launch.substitution.Substitution")
 LIBRARY = frozenset(("LaunchConfigAsBool", "RewrittenYaml", "ReplaceString", "HasNodeParams"))
 """Those of nav2_common."""
 SUBSTITUTIONS = frozenset((*_PLAIN, *LIBRARY, "TextSubstitution", "PathJoinSubstitution", "PythonExpression"))
@@ -50,6 +51,13 @@ SHARE = "find-pkg-share"
 def is_substitution(value: Value) -> bool:
     """Whether a value is an object of a substitution's class."""
     return isinstance(value, Handle) and value.kind in SUBSTITUTIONS
+
+
+def is_own_substitution(value: Value) -> bool:
+    """Whether a value is an object of a class of the program that is made of launch's Substitution, and can be performed."""
+    if not isinstance(value, Instance) or not any(isinstance(each, External) and each.name in _BASES for each in value.type.order):
+        return False
+    return any(isinstance(each, Class) and "perform" in each.attributes for each in value.type.order)
 
 
 def why(value: Value, what: str) -> str:
@@ -66,11 +74,12 @@ class Texts:
     """Makes texts in one launch file.
 
     ``shares`` are the directories of packages that the program was given, each with its package: strings that begin with one are said to
-    be in that package. ``stand_ins`` are the texts that stand for what commands put out.
+    be in that package. ``gives`` says what performs a substitution of the program's own.
     """
 
     def __init__(self, shares: Mapping[str, str]) -> None:
         self._shares = shares
+        self.gives: Callable[[Instance, Place], described.Gives] | None = None
         self._stand_ins: list[StandIn] = []
 
     def stand_in(self, found: StandIn) -> Open:
@@ -112,6 +121,8 @@ class Texts:
             self._add(pieces, value.state["text"], place)
         elif isinstance(value, Handle) and value.kind in SUBSTITUTIONS:
             new = [self.substitution(value)]
+        elif self.gives is not None and isinstance(value, Instance) and is_own_substitution(value):
+            new = [Substitution(described.CALLED, (), place, self.gives(value, place))]
         else:
             at = value.place if isinstance(value, Unknown) and value.place is not None else place
             new = list(unknown(why(value, "it is no text"), at).pieces)
@@ -143,7 +154,8 @@ class Texts:
             elif match[0] in ("{{", "}}"):
                 found.append(match[0][0])
             else:
-                found += unknown("a part of the string is not known", place).pieces
+                of = match[0][1:-1] if match[0].endswith("()}") else ""
+                found += unknown(f"what {of} gives is not known" if of else "a part of the string is not known", place).pieces
         return [*found, template[at:]]
 
     def literal(self, value: Value, place: Place) -> str | None:
@@ -201,7 +213,7 @@ class Texts:
 
     def _rewrites(self, value: Value, kind: str, place: Place) -> list[Text]:
         """The entries of a dict as words, each behind its kind."""
-        if value is None:
+        if value is None or value == "" or (isinstance(value, Seq) and value.is_sure and not value.items):
             return []
         if not isinstance(value, Map) or not value.is_sure or not all(isinstance(key, str) for key in value.entries):
             return [unknown(why(value, "which values are rewritten is not known"), place)]

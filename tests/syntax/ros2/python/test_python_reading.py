@@ -187,7 +187,7 @@ def test_what_is_done_under_a_condition_that_is_not_known_may_be_done(tmp_path: 
     ("arguments", "text"),
     [
         ("executable=os.getcwd()", "$(? what os.getcwd() gives is not known)"),
-        ("executable=f'a{os.getcwd()}'", "a$(? a part of the string is not known)"),
+        ("executable=f'a{os.getcwd()}'", "a$(? what os.getcwd() gives is not known)"),
         ("executable=['a', os.getcwd()]", "a$(? what os.getcwd() gives is not known)"),
         ("executable=PathJoinSubstitution(['a', os.getcwd()])", "$(path-join a $(? what os.getcwd() gives is not known))"),
     ],
