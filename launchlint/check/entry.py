@@ -289,7 +289,8 @@ class EntryChecker:
         graph = self.connected(evaluation)
         if not self._sights:  # only the configuration without args, which comes first, counts
             self._sights.append(_sight(graph))
-        view = GraphView(graph, self.library, self.packages, request.declared, evaluation.documents, self._connected_before)
+        library = self.library.of_launch(evaluation.launch.dialect)
+        view = GraphView(graph, library, self.packages, request.declared, evaluation.documents, self._connected_before)
         switched = tried(evaluation.launch) if evaluation.launch.given != request.arguments else ""
         for rule in self.graph_rules:
             if evaluation.launch.dialect not in rule.dialects:

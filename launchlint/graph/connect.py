@@ -48,7 +48,7 @@ def connect(launch: Launch, library: Library, earlier: Earlier | None = None) ->
     if launch.dialect != ROS1:
         from launchlint.graph.connect_ros2 import instances_of
 
-        nodes, own = instances_of(launch, library.ros2)
+        nodes, own = instances_of(launch, library.of_launch(launch.dialect))
         return _graph(launch, nodes, own)
     parameters = Parameters(launch.parameters, launch.more_parameters)
     earlier = earlier or Earlier()

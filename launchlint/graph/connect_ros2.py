@@ -1,13 +1,10 @@
-"""The nodes of a ROS 2 launch with what libraries say of them.
-
-What launchlint ships, and what it reads from sources, is of ROS 1: a node of the same package and name says other things there. So only
-what a user's library says of a node counts.
-"""
+"""The nodes of a ROS 2 launch with what libraries say of them."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 from launchlint.graph.command_line import CommandLine
 from launchlint.graph.connections import Instance
@@ -16,54 +13,104 @@ from launchlint.graph.names_rcl import RclNamer
 from launchlint.graph.parameters import NodeParameters
 from launchlint.graph.situation import Start
 from launchlint.library.lookup import Library
+from launchlint.library.program import Program, Variant
+from launchlint.library.template import fill, parse
 from launchlint.model import Launch, Node, Role
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from launchlint.library.program import Program
+from launchlint.rcl.names import is_node_name
 
 _KINDS = {"container": "container", "composable": "component"}
 
 
+class _Known(NamedTuple):
+    """What is known of what a node runs; ``reason``: why nothing is, for people. ``name`` and ``namespace`` are those that it ends up with.
+
+    A name that nobody knows is empty.
+    """
+
+    program: Program | None
+    reason: str
+    name: str
+    namespace: str
+
+
 def instances_of(launch: Launch, library: Library) -> tuple[tuple[Instance, ...], NodeParameters]:
     """The nodes in the order in which they are started, and the params of each."""
-    names = _names(launch.nodes)
+    known = [_called(node, *_program(node, library)) for node in launch.nodes]
+    names = _names(launch.nodes, known)
     parameters = NodeParameters(zip(names, launch.nodes, strict=True))
     containers = {name: name for name, node in zip(names, launch.nodes, strict=True) if node.kind == "container"}
-    made = (_instance(node, name, containers, parameters, library) for node, name in zip(launch.nodes, names, strict=True))
+    made = (_instance(node, name, containers, parameters, each) for node, name, each in zip(launch.nodes, names, known, strict=True))
     return tuple(made), parameters
 
 
-def _names(nodes: tuple[Node, ...]) -> list[str]:
-    """The full names. A node that launch gives none has one that only its program knows, and is called by the program: ``/(talker)``."""
+def program_of(node: Node) -> str:
+    """What a node runs, for people: ``package/executable``, or the class of a component."""
+    return node.plugin if node.plugin is not None else f"{node.package}/{node.executable}"
+
+
+def _program(node: Node, library: Library) -> tuple[Program | None, str]:
+    """What a node runs, if that is known; else why it is not, for people."""
+    roles: tuple[Role, ...] = ("package", "executable")
+    for role in roles:
+        if not node.knows(role):
+            return None, f"its {role} depends on something that is not here"
+    if node.plugin is not None:
+        found, table, name = library.component(node.package, node.plugin), "components", node.plugin
+    else:
+        found, table, name = library.executable(node.package, node.executable), "executables", node.executable
+    if found is not None:
+        return found, ""
+    return None, library.why_unknown(table, name, node.package) or f"no library knows {program_of(node)}"
+
+
+def _called(node: Node, program: Program | None, reason: str) -> _Known:
+    """With the name and namespace that launch gives it, or else those that it gives itself."""
+    name, namespace = node.name, node.namespace
+    if program is not None and not (name and node.has_namespace):
+        provisional = f"{namespace}{name or '?'}"
+        start = _start(node, RclNamer(namespace, provisional), NodeParameters([(provisional, node)]), program)
+        variants = program.variant(start)
+        if not name:
+            name = _said(variants, "node", start)
+        if not node.has_namespace and (own := _said(variants, "namespace", start)).startswith("/"):
+            namespace = f"{own.rstrip('/')}/"
+    return _Known(program, reason, name if name == node.name or is_node_name(name) else "", namespace)
+
+
+def _said(variants: Sequence[Variant], key: str, start: Start) -> str:
+    """What all variants that it may be in say; empty where they do not agree, or it cannot be known."""
+    texts = {getattr(each, key) for each in variants}
+    text = texts.pop() if len(texts) == 1 else ""
+    found = fill(parse(text), start) if text else ""
+    return found if isinstance(found, str) else ""
+
+
+def _names(nodes: Sequence[Node], known: Sequence[_Known]) -> list[str]:
+    """The full names. A node whose name nobody knows is called by its program: ``/(talker)``."""
     seen: Counter[str] = Counter()
     names: list[str] = []
-    for node in nodes:
-        name = node.full_name
-        if not node.name:
+    for node, its in zip(nodes, known, strict=True):
+        name = f"{its.namespace}{its.name}"
+        if not its.name:
             program = node.plugin or node.executable or "?"
-            name = f"{node.namespace}({program})"
+            name = f"{its.namespace}({program})"
             seen[name] += 1
             if seen[name] > 1:
-                name = f"{node.namespace}({program} {seen[name]})"
+                name = f"{its.namespace}({program} {seen[name]})"
         names.append(name)
     return names
 
 
-def _instance(node: Node, name: str, containers: Mapping[str, str], parameters: NodeParameters, library: Library) -> Instance:
+def _instance(node: Node, name: str, containers: Mapping[str, str], parameters: NodeParameters, known: _Known) -> Instance:
     certain = node.knows("namespace") and not any(condition.assumed for condition in node.conditions)
-    what = node.plugin if node.plugin is not None else node.executable
-    program = node.plugin if node.plugin is not None else f"{node.package}/{node.executable}"
-    namer = RclNamer(node.namespace, name, node.remaps, [each.patterns for each in node.open_remaps if each.patterns is not None])
-    reason = _unknown_start(node)
-    known = None if reason else library.component(node.package, what) if node.plugin is not None else library.executable(node.package, what)
+    unknown_remaps = [each.patterns for each in node.open_remaps if each.patterns is not None]
+    namer = RclNamer(known.namespace, name, node.remaps, unknown_remaps, node.own, is_named=bool(node.name))
     part = Interface([], [], {}, [], has_template=False)
-    client = ""
-    if known is not None:
-        client = known.client
-        part = instantiate(known, _start(node, namer, parameters, known), namer, name, certain=certain)
-    elif not reason:
-        reason = f"no library knows {program}"
+    program, variants = known.program, tuple[Variant, ...]()
+    if program is not None:
+        start = _start(node, namer, parameters, program)
+        variants = program.variant(start)
+        part = instantiate(program, start, namer, name, certain=certain)
     host = name
     if node.kind == "composable":
         target = node.container or ""
@@ -71,10 +118,10 @@ def _instance(node: Node, name: str, containers: Mapping[str, str], parameters: 
     return Instance(
         node=node,
         name=name,
-        program=program,
+        program=program_of(node),
         kind=_KINDS.get(node.kind, "node"),
-        knowledge="unknown" if reason else "template" if part.has_template else "known",
-        reason=reason,
+        knowledge="unknown" if known.reason else "template" if part.has_template else "known",
+        reason=known.reason,
         host=host,
         open=part.open,
         doubts=tuple(dict.fromkeys(part.doubts)),
@@ -83,15 +130,11 @@ def _instance(node: Node, name: str, containers: Mapping[str, str], parameters: 
         looked_up={},
         namer=namer,
         certain=certain,
-        client=client,
+        client="" if program is None else program.client,
         literals=part.literals,
+        lifecycle=node.kind == "lifecycle" or (bool(variants) and all(each.lifecycle for each in variants)),
+        undeclared=not variants or any(each.undeclared for each in variants),
     )
-
-
-def _unknown_start(node: Node) -> str:
-    """Why it cannot be known what is started, for people."""
-    roles: tuple[Role, ...] = ("package", "executable")
-    return next((f"its {role} depends on something that is not here" for role in roles if not node.knows(role)), "")
 
 
 def _start(node: Node, namer: RclNamer, parameters: NodeParameters, program: Program) -> Start:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from launchlint.graph.frames import Frame
 from launchlint.graph.names import Applied, Namer, matches
 from launchlint.graph.parameters import Parameters
+from launchlint.graph.qos import NO_QOS
 from launchlint.library.program import Declaration
 from launchlint.model import Launch, Node
 
@@ -60,6 +61,7 @@ class Endpoint(NamedTuple):
         process: full name under which the ROS master sees it: that of the manager for a nodelet.
         declaration: what the library says.
         action: the action that a topic belongs to, as a full name; else empty.
+        qos: in ROS 2 what is known of its quality of service, policy by policy.
     """
 
     node: str
@@ -73,6 +75,7 @@ class Endpoint(NamedTuple):
     process: str
     declaration: Declaration
     action: str = ""
+    qos: Mapping[str, str | float] = NO_QOS
 
     @property
     def kind(self) -> str:
@@ -139,6 +142,8 @@ class Instance(NamedTuple):
         frames: the coordinate frames it publishes, asks for and writes into messages.
         client: its client library: roscpp, rospy, nodelet, none, other; empty where it is unknown.
         literals: texts in its sources that may be names, where some of its names are not known.
+        lifecycle: whether it is a node of ROS 2 that somebody has to configure and activate.
+        undeclared: whether it takes params that it does not declare, or may; in ROS 1 always.
     """
 
     node: Node
@@ -158,6 +163,8 @@ class Instance(NamedTuple):
     client: str = ""
     frames: tuple[Frame, ...] = ()
     literals: tuple[str, ...] = ()
+    lifecycle: bool = False
+    undeclared: bool = True
 
     @property
     def is_unknown(self) -> bool:

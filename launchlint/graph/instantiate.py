@@ -26,12 +26,6 @@ _ACTION_TOPICS = (
     ("result", True, "Result"),
 )
 """The topics of an action (actionlib): name, whether the server publishes it, and its type or what is appended to that of the action."""
-_IMAGE_TOPICS = (
-    ("compressed", "sensor_msgs/CompressedImage"),
-    ("compressedDepth", "sensor_msgs/CompressedImage"),
-    ("theora", "theora_image_transport/Packet"),
-)
-"""What the usual plugins of image_transport publish beside an image, where they are installed."""
 
 
 class Interface(NamedTuple):
@@ -61,13 +55,18 @@ def instantiate(program: Program, start: Start, namer: Namer, process: str, *, c
             if known is False:
                 continue
             sure = certain and known is True and len(variants) == 1
+            its_namer = namer if not declaration.node else namer.of_node(fill(parse(declaration.node), start))
             for name, type_ in _names(declaration, start):
-                if isinstance(name, Undetermined):
-                    interface.doubts.extend(_doubts(declaration, name.pattern, type_, namer))
-                elif not _is_usable(name):
+                if its_namer is None:  # which of its nodes has the name is not known: its private names may lie anywhere
+                    pattern = name.pattern if isinstance(name, Undetermined) else name
+                    known_end = pattern if pattern.startswith("/") else f"*/{pattern.lstrip('~/')}"
+                    interface.doubts.append(Doubt(declaration.category, known_end, declaration.name, type_))
+                elif isinstance(name, Undetermined):
+                    interface.doubts.extend(_doubts(declaration, name.pattern, type_, its_namer))
+                elif not (_is_usable(name) or (declaration.category == "params" and namer.is_param(name))):
                     interface.doubts.append(Doubt(declaration.category, "*", declaration.name, type_))
                 else:
-                    _add(interface, declaration, name, type_, namer, start, process, sure)
+                    _add(interface, declaration, name, type_, its_namer, start, process, sure)
     if not variants:
         for category in (*CATEGORY.values(), "params"):
             interface.open[category] = "it is started in a way that the library does not know"
@@ -80,15 +79,15 @@ def _doubts(declaration: Declaration, pattern: str, type_: str, namer: Namer) ->
     known = "*" if pattern.startswith("*") and not pattern.startswith("*/") else absolute(pattern, namer.namespace, namer.private)
     targets = (applied.target for applied in namer.remappings.values() if matches(known, applied.source))
     for each in (known, *targets):
-        yield from _around(declaration, each, type_)
+        yield from _around(declaration, each, type_, namer)
 
 
-def _around(declaration: Declaration, pattern: str, type_: str) -> Iterator[Doubt]:
+def _around(declaration: Declaration, pattern: str, type_: str, namer: Namer) -> Iterator[Doubt]:
     """A name of which only ``pattern`` is known, and those that follow from it, whose types are not known here."""
     yield Doubt(declaration.category, pattern, declaration.name, type_)
     if declaration.category == "actions":
         yield Doubt(declaration.category, f"{pattern}/*", declaration.name)
-    for suffix, its_type in _IMAGE_TOPICS if declaration.transport == "image" else ():
+    for suffix, its_type in namer.image_topics if declaration.transport == "image" else ():
         yield Doubt(declaration.category, f"{pattern}/{suffix}", declaration.name, its_type)
 
 
@@ -128,10 +127,10 @@ def _add(
     if category in ("publishers", "subscribers"):
         resolved = namer.topic(name)
     else:
-        resolved = namer.action(name) if category == "actions" else namer.resolve(name)
+        resolved = namer.action(name) if category == "actions" else namer.param(name) if category == "params" else namer.resolve(name)
     patterns, moved = namer.elsewhere(resolved.unremapped, handles=category != "params")  # nobody remaps the namespace of a param
     for pattern in patterns:
-        interface.doubts.extend(_around(declaration, pattern, type_))
+        interface.doubts.extend(_around(declaration, pattern, type_, namer))
     if moved:
         return
     certain = certain and not patterns
@@ -140,8 +139,10 @@ def _add(
         return
 
     def endpoint(role: str, at: Resolved, its_type: str, *, sure: bool = True, action: str = "") -> None:
+        qos = namer.qos(declaration, at.name, start)
+        node = namer.node
         interface.endpoints.append(
-            Endpoint(namer.node, role, at.name, name, at.unremapped, at.applied, its_type, certain and sure, process, declaration, action)
+            Endpoint(node, role, at.name, name, at.unremapped, at.applied, its_type, certain and sure, process, declaration, action, qos)
         )
 
     if category == "actions":
@@ -163,16 +164,16 @@ def _image(declaration: Declaration, base: Resolved, type_: str, namer: Namer, s
     """The topics of image_transport: the code resolves the base topic and makes the others from that."""
     if declaration.category == "publishers":
         endpoint("publisher", namer.again(base), type_)
-        for suffix, its_type in _IMAGE_TOPICS:
+        for suffix, its_type in namer.image_topics:
             endpoint("publisher", namer.beneath(base, suffix), its_type, sure=False)
         return
     transport = start.param("~image_transport")
     if transport is None or transport == "raw":
         endpoint("subscriber", namer.again(base), type_)
     elif isinstance(transport, str) and transport:
-        its_type = dict(_IMAGE_TOPICS).get(transport, "")
+        its_type = dict(namer.image_topics).get(transport, "")
         endpoint("subscriber", namer.beneath(base, clean(transport)), its_type)
     else:
         endpoint("subscriber", namer.again(base), type_, sure=False)
-        for suffix, its_type in _IMAGE_TOPICS:
+        for suffix, its_type in namer.image_topics:
             endpoint("subscriber", namer.beneath(base, suffix), its_type, sure=False)

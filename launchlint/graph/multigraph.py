@@ -58,4 +58,5 @@ def _why(connection: Connection) -> dict[str, str | bool]:
         "when": connection.when,
         "action": connection.action,
         "only": " | ".join(connection.only),
+        **({"qos": connection.qos} if connection.qos else {}),
     }

@@ -21,7 +21,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
+from launchlint.graph.qos import NO_QOS
 from launchlint.model import Remap
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.library.program import Declaration
+    from launchlint.library.template import Situation, Undetermined
 
 
 class Rule(NamedTuple):
@@ -122,6 +128,12 @@ class Namer:
 
     has_action_topics = True
     """Whether actions are five topics that can be remapped (actionlib)."""
+    image_topics: tuple[tuple[str, str], ...] = (
+        ("compressed", "sensor_msgs/CompressedImage"),
+        ("compressedDepth", "sensor_msgs/CompressedImage"),
+        ("theora", "theora_image_transport/Packet"),
+    )
+    """What the usual plugins of image_transport publish beside an image, where they are installed."""
 
     __slots__ = ("_is_rospy", "_spelled", "_table", "_unknown", "graph_name", "home", "namespace", "node", "private")
 
@@ -191,6 +203,22 @@ class Namer:
         unremapped = absolute(name, self.namespace, self.private)
         applied = self._applied(unremapped)
         return Resolved(unremapped, unremapped) if applied is None else Resolved(applied.target, unremapped, (applied,))
+
+    def param(self, name: str) -> Resolved:
+        """The param that ``name`` of the node's code is."""
+        return self.resolve(name)
+
+    def is_param(self, name: str) -> bool:
+        """Whether a param may be called so that no topic may."""
+        return False
+
+    def of_node(self, name: str | Undetermined | None) -> Namer | None:
+        """Resolves the names of another node of the same process, as it calls itself; None where that is not known."""
+        return self
+
+    def qos(self, declaration: Declaration, topic: str, start: Situation) -> Mapping[str, str | float]:
+        """What is known of the quality of service of an endpoint."""
+        return NO_QOS
 
     def topic(self, name: str) -> Resolved:
         """The topic that ``name`` of the node's code has on the graph."""

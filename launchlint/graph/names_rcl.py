@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from launchlint.graph.names import Applied, Namer, Resolved, Rule, clean, placed
+from launchlint.graph.qos import qos_of
 from launchlint.model import Remap
 from launchlint.rcl.names import Names, expand, is_node_name
 from launchlint.rcl.remap import Rule as RclRule
@@ -17,6 +18,15 @@ from launchlint.rcl.remap import parse
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Literal
+
+    from launchlint.graph.qos import Own
+    from launchlint.library.program import Declaration
+    from launchlint.library.template import Situation, Undetermined
+
+
+def param_name(name: str) -> str:
+    """What code calls ``~group/name`` or ``~group.name``, without what says that it is the node's own."""
+    return name.removeprefix("~").lstrip("/").replace("/", ".")
 
 
 _UNNAMED = "launchlint_unnamed"
@@ -31,13 +41,34 @@ class RclNamer(Namer):
         node: its full name, also where that is no more than a way to call it.
         remaps: its remappings in the order of its command line; what rcl would refuse does nothing here.
         unknown: remappings of which only patterns are known.
+        params: its params, type and value by name; None where they are not known.
+        is_named: whether launch gives the node its name: then all nodes of the process get it.
     """
 
-    __slots__ = ("_by_rule", "_names", "_rules")
+    __slots__ = ("_by_rule", "_is_named", "_names", "_own", "_patterns", "_remaps", "_rules")
 
     has_action_topics = False
+    image_topics = (
+        ("compressed", "sensor_msgs/msg/CompressedImage"),
+        ("compressedDepth", "sensor_msgs/msg/CompressedImage"),
+        ("theora", "theora_image_transport/msg/Packet"),
+        ("zstd", "sensor_msgs/msg/CompressedImage"),
+    )
 
-    def __init__(self, namespace: str, node: str, remaps: Iterable[Remap] = (), unknown: Iterable[tuple[str, str]] = ()) -> None:
+    def __init__(
+        self,
+        namespace: str,
+        node: str,
+        remaps: Iterable[Remap] = (),
+        unknown: Iterable[tuple[str, str]] = (),
+        params: Own = None,
+        *,
+        is_named: bool = True,
+    ) -> None:
+        self._remaps = remaps = tuple(remaps)
+        self._patterns = unknown = tuple(unknown)
+        self._own = params
+        self._is_named = is_named
         parsed = [(remap, parse(f"{remap.source}:={remap.target}")) for remap in remaps]
         rules = [(remap, rule) for remap, rule in parsed if isinstance(rule, RclRule)]
         self._by_rule = {id(rule): remap for remap, rule in rules}
@@ -65,6 +96,29 @@ class RclNamer(Namer):
     def resolve(self, name: str) -> Resolved:
         """The name that a service of the node's code has on the graph."""
         return self._named(name, "service")
+
+    def param(self, name: str) -> Resolved:
+        """The param that ``name`` of the node's code is: ``/node:group.name``."""
+        full = f"{self.graph_name}:{param_name(name)}"
+        return Resolved(full, full)
+
+    def is_param(self, name: str) -> bool:
+        """Whether a param may be called so that no topic may: ``~FollowPath.max_vel_x``."""
+        return name.startswith("~") and len(name) > 1
+
+    def of_node(self, name: str | Undetermined | None) -> RclNamer | None:
+        """Resolves the names of another node of the process; ``__node`` renames all of them (rcl_parse_arguments, rcl_node_init)."""
+        if self._is_named:
+            return self
+        if not isinstance(name, str) or not is_node_name(name):
+            return None
+        made = RclNamer(self.namespace, f"{self.namespace.rstrip('/')}/{name}", self._remaps, self._patterns, self._own, is_named=False)
+        made.node = self.node
+        return made
+
+    def qos(self, declaration: Declaration, topic: str, start: Situation) -> Mapping[str, str | float]:
+        """What is known of the quality of service of an endpoint."""
+        return qos_of(declaration, topic, start, self._own)
 
     def topic(self, name: str) -> Resolved:
         """The topic that ``name`` of the node's code has on the graph."""

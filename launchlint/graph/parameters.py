@@ -129,6 +129,11 @@ class NodeParameters(Parameters):
         """The value of what the code of a node calls ``name``: it is always its own."""
         return self.value(f"{namer.graph_name}:{name.removeprefix('~').lstrip('/').replace('/', '.')}")
 
+    def below(self, name: str) -> Sequence[str]:
+        """The full names of the params of a node."""
+        node = self._own.get(name)
+        return [] if node is None else [f"{name}:{inner}" for inner in node.own or ()]
+
     def is_set(self, name: str) -> bool:
         """Whether the param is certainly set."""
         return self._value(name) not in (None, UNKNOWN)

@@ -12,6 +12,7 @@ from launchlint.graph.connections import HUB_SIZE, HUBS, OFFERS, Channel, Connec
 from launchlint.graph.doubts import NO_DOUBTS, NOTHING_PARTLY, End, MayBe, Partly
 from launchlint.graph.names import kind as spelling_of
 from launchlint.graph.parameters import NodeParameters
+from launchlint.graph.qos import qos_text
 from launchlint.library.terms import evidence_text
 from launchlint.model import Binary, Command, Condition, Node, Scope, Unknown
 from launchlint.source import Origin, Place
@@ -76,7 +77,7 @@ class RemapStep(NamedTuple):
 class Connection(NamedTuple):
     """One node on one channel, and why: the fields are those of Endpoint.
 
-    ``spelling`` is relative, private or global; ``only`` as in TopologyNode.
+    ``spelling`` is relative, private or global; ``only`` as in TopologyNode; ``qos`` is what is known of its quality of service, in words.
     """
 
     node: str
@@ -94,6 +95,7 @@ class Connection(NamedTuple):
     action: str
     evidence: tuple[str, ...]
     only: tuple[str, ...]
+    qos: str = ""
 
     @property
     def offers(self) -> bool:
@@ -264,6 +266,7 @@ def _connection(endpoint: Endpoint) -> Connection:
         endpoint.action,
         tuple(map(evidence_text, endpoint.declaration.evidence)),
         (),
+        qos_text(endpoint.qos) if endpoint.qos else "",
     )
 
 

@@ -88,6 +88,10 @@ class Library:
         own = None if self._own is None else self._own.of(ROS2)
         return Library(self._files, bundled=self._bundled is not None, own=own, middleware=ROS2)
 
+    def of_launch(self, dialect: str) -> Library:
+        """What they say of what a launch file of a dialect starts."""
+        return self.ros2 if dialect == ROS2 else self
+
     def of(self, middleware: str) -> Library:
         """What the same libraries say of packages that are of ``middleware`` and say so, where the format lets them."""
         bundled = self._bundled is not None

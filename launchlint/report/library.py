@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
+from launchlint.graph.qos import qos_text
 from launchlint.library.catalogue import Entry, Row
 from launchlint.library.format import CATEGORIES, FRAMES, KINDS, LISTS, TABLES
 from launchlint.model import ROS1, ROS2
@@ -168,14 +169,6 @@ def _of_node(variant: Mapping[str, Any]) -> Iterator[str]:
         yield "takes params that it does not declare"
 
 
-def qos_words(qos: Mapping[str, Any]) -> str:
-    """A QoS profile in words, as far as it is known: *reliable, transient_local, keep_last 1*."""
-    said = [str(qos[each]) for each in ("reliability", "durability") if each in qos]
-    history = " ".join(str(qos[each]) for each in ("history", "depth") if each in qos)
-    times = [f"{each} {qos[each]}" for each in ("deadline", "lifespan", "liveliness", "lease") if each in qos]
-    return ", ".join([*said, *([history if "history" in qos else f"depth {history}"] if history else []), *times])
-
-
 def notes(category: str, entry: Mapping[str, Any]) -> Iterator[str]:
     """What is said of one name of a program beside its type, in words, not yet :func:`visible`."""
     if category == "actions":
@@ -183,7 +176,7 @@ def notes(category: str, entry: Mapping[str, Any]) -> Iterator[str]:
     if entry.get("latched"):
         yield "latched"
     if "qos" in entry:
-        yield qos_words(entry["qos"])
+        yield qos_text(entry["qos"])
     if entry.get("overrides"):
         yield "QoS as params say"
     if "node" in entry:

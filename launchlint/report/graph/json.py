@@ -48,7 +48,11 @@ def _verdict(topology: Topology) -> dict[str, Any] | None:
 
 
 def _connection(connection: Connection) -> dict[str, Any]:
-    return {**connection._asdict(), "remaps": [step._asdict() for step in connection.remaps]}
+    """All of a connection; of its QoS only where something is known of it."""
+    found = {**connection._asdict(), "remaps": [step._asdict() for step in connection.remaps]}
+    if not connection.qos:
+        del found["qos"]
+    return found
 
 
 def _port(port: Port) -> dict[str, Any]:

@@ -138,7 +138,7 @@ def _rows(
     second = min(max((len(visible(each.name)) for each in met), default=0), WIDEST_NAME)
     for each, verb in zip(met, verbs, strict=True):
         arrow = "→" if each.offers else "←"
-        known = [each.type, *(text for text in each.evidence[:1] if text.startswith(READ_FROM))]
+        known = [each.type, each.qos, *(text for text in each.evidence[:1] if text.startswith(READ_FROM))]
         type_ = f"  ({visible(', '.join(filter(None, known)))})" if any(known) else ""
         only = "" if each.only == node.only else f"  [{when(each.only, topology.configurations)}]" if each.only else ""
         yield f"    {verb:{first}}  {visible(each.name):{second}}  {arrow} {_partners(each, partners, topology)}{type_}{only}"

@@ -200,7 +200,7 @@ class _EntryData:
             "certain": item.certain,
             "when": WHEN.get(item.when, ""),
             "action": name(item.action),
-            "evidence": [self._plain.text(each) for each in item.evidence],
+            "evidence": [self._plain.text(each) for each in ([f"QoS: {item.qos}"] if item.qos else []) + list(item.evidence)],
         }
 
     def params(self) -> list[dict[str, Any]]:
