@@ -213,7 +213,8 @@ class Node(NamedTuple):
     The rest is of ROS 2. ``kind``: what starts it; a ``composable`` node is a ``plugin`` that is loaded into the ``container`` of that
     name. ``deferred`` names what it waits for (``timer``). ``has_namespace``: launch gives it one; else it has its own, as it has its own
     name where ``name`` is empty. ``sources`` are what its params come from, ``own`` what it ends up with: type and value by name, None if
-    that cannot be known. ``fatal`` is why rcl would refuse its command line, so that it dies when it starts, else empty.
+    that cannot be known; ``own_origins`` says where these are written, as far as that is in a file, ``own_shared`` which of them a file
+    gives to any node that matches a pattern. ``fatal`` is why rcl would refuse its command line, so that it dies at once, else empty.
     ``extra_arguments``: of a composable node, as ``own``. ``condition_ignored``: it is loaded although its condition does not hold.
     """
 
@@ -250,6 +251,8 @@ class Node(NamedTuple):
     process: Process | None = None
     sources: tuple[ParameterSource, ...] = ()
     own: Mapping[str, tuple[str, Any]] | None = None
+    own_origins: Mapping[str, Origin] = MappingProxyType({})
+    own_shared: frozenset[str] = frozenset()
     fatal: str = ""
     extra_arguments: Mapping[str, tuple[str, Any]] = MappingProxyType({})
     condition_ignored: bool = False

@@ -129,7 +129,7 @@ def _namespace(namespace: str) -> Any:
 
 def _own(node: Node) -> Any:
     """What it ends up with: nothing can be said of a node whose name launch does not give."""
-    if node.own is None:
+    if node.own is None or not (node.name or node.kind == "composable"):
         return {"unknown": "not all of its params are known"} if (node.name or node.kind == "composable") and not node.fatal else None
     unknown = next((name for name in node.own if isinstance(name, UnknownText)), None)
     return {name: _typed(pair) for name, pair in node.own.items()} if unknown is None else {"unknown": unknown.reason}

@@ -22,7 +22,7 @@ from launchlint.evaluate.ros2.started import Started, started
 from launchlint.evaluate.ros2.substitutions import is_package_name, prefix
 from launchlint.evaluate.ros2.walk import STARTING, Told, Walk, tag_of
 from launchlint.model import EnvironmentSetting, Node, ParameterSource, Remap, Unknown
-from launchlint.source import Place
+from launchlint.source import Origin, Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Text
 
@@ -120,6 +120,8 @@ def node(walk: Walk, action: described.Node) -> None:
             process=process,
             sources=tuple(ParameterSource(each.origin, each.file, each.content, each.rule, each.of) for each in sources),
             own=_own(fate),
+            own_origins=_own_origins(fate),
+            own_shared=_own_shared(fate),
             fatal="" if fate is None or fate.refused is None else fate.refused.reason,
         )
     )  # fmt: skip
@@ -194,6 +196,18 @@ def _own(fate: Started | None) -> dict[str, tuple[str, Any]] | None:
     if fate is None or fate.parameters is None:
         return None
     return {name: (value.type, value.data) for name, value in fate.parameters.items()}
+
+
+def _own_origins(fate: Started | None) -> dict[str, Origin]:
+    """Where these are written, as far as they stand in a file."""
+    if fate is None or fate.parameters is None:
+        return {}
+    return {name: value.origin for name, value in fate.parameters.items() if value.origin is not None}
+
+
+def _own_shared(fate: Started | None) -> frozenset[str]:
+    """Those that are given to whatever node matches a pattern."""
+    return frozenset() if fate is None else frozenset(name for name, value in (fate.parameters or {}).items() if value.shared)
 
 
 def _unknown(values: dict[Role, Value | None]) -> tuple[set[Role], dict[Role, str]]:

@@ -15,8 +15,8 @@ from launchlint.model import Unknown, UnknownText
 from launchlint.rcl import arguments, parameter_files
 from launchlint.rcl.names import Names
 from launchlint.rcl.refused import Refused
-from launchlint.rcl.table import Table, winning
-from launchlint.source import Source
+from launchlint.rcl.table import ANY, Table, winning
+from launchlint.source import Origin, Place, Source
 from launchlint.yaml.tree import YamlBeyond
 
 TYPE_CHECKING = False
@@ -26,13 +26,20 @@ if TYPE_CHECKING:
     from launchlint.rcl.parameter_value import Type
 
 _CONTENT = "/launch_params_"
+_NAMELESS = "/launchlint_nameless"
+"""Stands for the name of a node that only its program knows."""
 
 
 class Value(NamedTuple):
-    """A param's value by rcl's types; ``data`` may be Unknown."""
+    """A param's value by rcl's types; ``data`` may be Unknown. ``origin``: where it is written, None on the command line.
+
+    ``shared``: it is given to whatever node matches a pattern, not to this one.
+    """
 
     type: Type
     data: Any
+    origin: Origin | None = None
+    shared: bool = False
 
 
 class Started(NamedTuple):
@@ -113,12 +120,23 @@ def started(
     if isinstance(line, Refused):
         return Started(None, line, None if name is None else Names(name, namespace or "/").full_name)
     full_name = None if name is None else Names(name, namespace or "/", line.rules).full_name
-    found = None if full_name is None or beyond or not known else _found(line.parameters, full_name, contents.values())
+    found = None
+    if known and not beyond and (full_name is not None or _is_for_all(line.parameters)):
+        found = _found(line.parameters, full_name or _NAMELESS, contents.values(), passed)
     return Started(found, None, full_name, line, tuple(contents.values()))
 
 
-def _found(table: Table, full_name: str, contents: Iterable[tuple[Source, Passed]]) -> dict[str, Value]:
+def _is_for_all(table: Table) -> bool:
+    """Whether all params are for any node, so that the name of this one does not matter."""
+    return all(key.name == ANY for key in table.keys.values() if key.parameters)
+
+
+def _found(table: Table, full_name: str, contents: Iterable[tuple[Source, Passed]], passed: Iterable[Passed]) -> dict[str, Value]:
     """The params of a node; what launch wrote without knowing it is Unknown."""
+    contents = list(contents)
+    made = {id(source): each.origin for source, each in contents}
+    shared = {id(each) for key in table.keys.values() if "*" in key.name for each in key.parameters}
+    files = {each.file: each.origin.step for each in passed if each.file is not None}
     unknown = {
         (id(source), name): value
         for source, passed in contents
@@ -130,7 +148,13 @@ def _found(table: Table, full_name: str, contents: Iterable[tuple[Source, Passed
     found: dict[str, Value] = {}
     for name, parameter in winning(table, full_name).items():
         value = parameter.value
-        found[name] = Value(value.type, unknown.get((id(parameter.written.source), name), value.data))
+        source, _, span, _ = parameter.written
+        origin = made.get(id(source))
+        if origin is None and source is not None:
+            origin = Origin(Place(source, span), files.get(source.file))
+        found[name] = Value(
+            value.type, unknown.get((id(source), name), value.data), origin, id(source) not in made and id(parameter) in shared
+        )
     return found
 
 

@@ -3,12 +3,12 @@
 The same holds for server and client of a service, and of an action. It is a warning where the two types may be one
 definition under two names (a copy of a message in a package of one's own), and silent where they are: both are in the workspace, and are
 alike field by field. The same two programs with the same two types are told of once,
-also where several launch files start them.
+also where several launch files start them. In ROS 2 types of different names never meet, whatever is in them.
 
 ## Why it matters
 
 ROS compares the MD5 sums of the two definitions and refuses the connection: no message ever arrives, while the
-topic looks all right in `rostopic list`.
+topic looks all right in `rostopic list`. In ROS 2 the two do not even find each other, and nobody is told.
 
 ## Example
 
@@ -41,10 +41,11 @@ topic looks all right in `rostopic list`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint
+from launchlint.model import ROS2
 from launchlint.rules.judging.name_places import TALKS, Owners, acting_origin, how, node_origin, owners, remap_origin, with_sources
 from launchlint.rules.judging.same_definition import is_known, may_be_alike, may_be_copies
 from launchlint.rules.judging.written_definition import are_written_alike
@@ -52,6 +53,11 @@ from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
 RULE = Rule("LL611", "type-mismatch", Severity.ERROR)
+_WHAT_HAPPENS_2 = {
+    "topic": "in ROS 2 ends of different types do not find each other: no message ever arrives",
+    "service": "in ROS 2 ends of different types do not find each other: the client waits for the service for ever",
+    "action": "in ROS 2 ends of different types do not find each other: the client waits for the server for ever",
+}
 _WHAT_HAPPENS = {
     "topic": "the MD5 sums of the two differ, so the publisher refuses the connection: no message ever arrives",
     "service": "the MD5 sums of the two differ, so the server refuses every call",
@@ -61,22 +67,32 @@ _WHAT_HAPPENS = {
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Look at every name that nodes of both sides certainly have."""
+    if view.dialect.name == ROS2:
+        for channel in view.graph.channels.values():
+            for offer, use in _mismatches(channel, _have_one_name):
+                yield _finding(channel, offer, use, view.once(owners), alike=False, effect=_WHAT_HAPPENS_2[channel.kind])
+        return
     for channel in view.graph.channels.values():
-        for offer, use in _mismatches(channel):
+        for offer, use in _mismatches(channel, may_be_alike):
             known = bool(offer.declaration.md5 and use.declaration.md5)
             alike = not known and are_written_alike(offer.type, use.type, channel.kind, view.packages, view.launch.entry.file)
             if not alike:
-                yield _finding(channel, offer, use, view.once(owners), alike)
+                yield _finding(channel, offer, use, view.once(owners), alike, _WHAT_HAPPENS[channel.kind])
 
 
-def _mismatches(channel: Channel) -> Iterator[tuple[Endpoint, Endpoint]]:
+def _have_one_name(left: str, right: str, *_: str) -> bool:
+    """DDS matches topics whose types are called alike, and rmw makes their names of those of the types."""
+    return left == right
+
+
+def _mismatches(channel: Channel, are_alike: Callable[[str, str, str, str], bool]) -> Iterator[tuple[Endpoint, Endpoint]]:
     """One pair of ends for each pair of types that cannot talk to each other."""
     offers, uses = _by_type(channel.offers), _by_type(channel.uses)
     if not offers or not uses or (len(offers) == 1 and offers.keys() == uses.keys()):
         return
     for (offered, offered_md5), givers in offers.items():
         for (used, used_md5), takers in uses.items():
-            if may_be_alike(offered, used, offered_md5, used_md5):
+            if are_alike(offered, used, offered_md5, used_md5):
                 continue
             pair = next(((giver, taker) for giver in givers[:2] for taker in takers[:2] if giver.node != taker.node), None)
             if pair is not None:
@@ -91,15 +107,15 @@ def _by_type(endpoints: list[Endpoint]) -> dict[tuple[str, str], list[Endpoint]]
     return found
 
 
-def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners, alike: bool | None) -> Finding:
+def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners, alike: bool | None, effect: str) -> Finding:
     giver, taker = owner[id(offer)], owner[id(use)]
     acting = offer if remap_origin(offer) is not None and remap_origin(use) is None else use
     other = use if acting is offer else offer
     mine, theirs = owner[id(acting)], owner[id(other)]
     copies = alike is None and may_be_copies(offer.type, use.type, channel.kind)
-    notes = [_WHAT_HAPPENS[channel.kind]]
+    notes = [effect]
     if copies:
-        notes = [f"unless the two are defined alike, field by field: {_WHAT_HAPPENS[channel.kind]}"]
+        notes = [f"unless the two are defined alike, field by field: {effect}"]
     notes.extend(text for text in (how(acting, mine), how(other, theirs)) if text)
     found = RULE.at(
         acting_origin(acting, mine),

@@ -12,6 +12,9 @@ The infos about one YAML file and one program are told as one, and so are those 
 are also all params of a node in one file that its code reads outside of its private namespace, and the same slip in several files, or in
 several names that differ in a number only.
 
+In ROS 2 a param is the node's own, and one that the node does not declare is ignored. It is told where every param that the node
+declares is known, and the node takes no others; not of what a parameter file gives to all nodes that match a pattern (`/**`).
+
 ## Why it matters
 
 A param of a name that nobody reads is no error for ROS. The node runs with its default, and the value in the launch file does nothing.
@@ -51,10 +54,11 @@ from launchlint.finding import Edit, Finding, Fix, Severity
 from launchlint.graph.connections import Instance
 from launchlint.late import late
 from launchlint.library.lookup import Library
-from launchlint.model import ParameterSetting
+from launchlint.model import ROS2, ParameterSetting
 from launchlint.rules.edits import Edits, fix, set_value, spot
 from launchlint.rules.judging.param_values import is_certain
 from launchlint.rules.judging.params_read import UNIVERSAL, declared_by
+from launchlint.rules.judging.ros2_params import never_declared
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.spelling import closest, one_slip
@@ -75,6 +79,9 @@ _MOST_NAMES = 8
 
 def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look at every param that is private to a node."""
+    if view.dialect.name == ROS2:
+        yield from never_declared(RULE, view)
+        return
     graph = view.graph
     instances = {instance.name: instance for instance in graph.instances}
     owners: dict[str, Instance | None] = {}

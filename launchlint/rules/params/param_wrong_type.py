@@ -7,9 +7,13 @@ one, also where the file was copied, and so is the same value of the same param 
 say that the param is not set. So is a value that says the same as the default that the node falls back to: `1e-3`, a text for YAML, where
 the default is 0.001, `pi / 2` where it is 1.5708, or `none` where it is false.
 
+In ROS 2 a node takes no other type than the one it declares a param with: that is an error, and so is a value beyond the range that it
+declares, or none of those that it allows. An integer for a double is told by LL906.
+
 ## Why it matters
 
-A roscpp node that asks for a bool and finds an int behaves as if the param were not set, without a word: it runs with its default.
+A roscpp node that asks for a bool and finds an int behaves as if the param were not set, without a word: it runs with its default. A node
+of ROS 2 dies when it declares the param.
 
 ## Example
 
@@ -41,8 +45,9 @@ from math import ceil, floor, isclose, pi, prod
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Instance, Reading
 from launchlint.late import late
-from launchlint.model import Launch, ParameterSetting
+from launchlint.model import ROS2, Launch, ParameterSetting
 from launchlint.rules.judging.param_values import is_certain, is_known, shown
+from launchlint.rules.judging.ros2_params import WORDS, beyond, fate, given, is_integer_for_double, is_refused
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.syntax.ros1.substitutions import opens
@@ -70,6 +75,9 @@ _FACTOR = late(r"([*/])\s*([\d.]+|pi)", re.IGNORECASE)
 
 def check(view: GraphView) -> Iterator[Finding]:
     """Compare the value of each param with the types it is read with (ros::param::get)."""
+    if view.dialect.name == ROS2:
+        yield from _refused(view)
+        return
     graph = view.graph
     instances = {instance.name: instance for instance in graph.instances}
     found: list[tuple[ParameterSetting, Finding]] = []
@@ -85,6 +93,31 @@ def check(view: GraphView) -> Iterator[Finding]:
             if finding is not None:
                 found.append((setting, finding))
     yield from _with_causes(found)
+
+
+def _refused(view: GraphView) -> Iterator[Finding]:
+    """In ROS 2: values that a node refuses when it declares the param (rclcpp::Node::declare_parameter)."""
+    for each in given(view):
+        name, program = each.instance.name, each.instance.program
+        allowed = beyond(each)
+        if allowed:
+            said, label, advice = f"{name} takes {allowed} for {each.name}, and is given {shown(each.value)}", "refused", ""
+        elif is_refused(each) and not is_integer_for_double(each):
+            wanted = WORDS[each.wanted[0].type]
+            said, label = f"{name} declares {each.name} as {wanted}, and is given {WORDS[each.type]}", WORDS[each.type]
+            advice = f"give it {wanted}"
+        else:
+            continue
+        yield RULE.at(
+            each.origin,
+            said,
+            severity=Severity.ERROR,
+            label=label,
+            notes=(fate(each.instance),),
+            help=advice,
+            topic=f"{program} {each.name}",
+            cause=f"{program} {each.name} {shown(each.value)}",
+        )
 
 
 def _with_causes(found: list[tuple[ParameterSetting, Finding]]) -> Iterator[Finding]:

@@ -59,7 +59,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
     without: list[Node] = []
     known = view.launch.complete
     for node in view.launch.nodes:
-        if node.own is None or any(condition.assumed for condition in node.conditions):
+        if node.own is None or not node.name or any(condition.assumed for condition in node.conditions):
             known = False
             continue
         kind, value = node.own.get(_NAME, ("", None))

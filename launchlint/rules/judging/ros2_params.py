@@ -1,0 +1,162 @@
+"""The params that a launch file of ROS 2 gives to a node, beside those that the node declares."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from launchlint.finding import Finding, Severity
+from launchlint.graph.connections import Instance, Reading
+from launchlint.library.program import Declared
+from launchlint.model import Unknown
+from launchlint.rules.judging.name_places import node_origin
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import GraphView
+from launchlint.source import Origin
+from launchlint.spelling import closest
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+TYPES = {
+    "bool": "bool",
+    "int": "integer",
+    "double": "double",
+    "str": "string",
+    "bool[]": "bool_array",
+    "int[]": "integer_array",
+    "double[]": "double_array",
+    "str[]": "string_array",
+}
+"""What rcl calls the types of values, and what rclcpp and rclpy do."""
+WORDS = {
+    "bool": "a bool",
+    "integer": "an integer",
+    "double": "a double",
+    "string": "a string",
+    "byte_array": "a list of bytes",
+    "bool_array": "a list of bools",
+    "integer_array": "a list of integers",
+    "double_array": "a list of doubles",
+    "string_array": "a list of strings",
+}
+ROUNDED = {"integer": "double", "integer_array": "double_array"}
+"""Types of values that look like those of another type."""
+_EVERYWHERE = ("use_sim_time", "start_type_description_service", "diagnostic_updater.period", "diagnostic_updater.use_fqn")
+"""Params that rclcpp, rclpy and diagnostic_updater declare in any node."""
+_OVERRIDES = "qos_overrides."
+_CLIENTS = ("rclcpp", "rclpy", "component", "container")
+_MOST_NAMES = 8
+
+
+class Given(NamedTuple):
+    """A value that a node is given for a param that it declares. ``type`` is that of the value, in the words of rclcpp."""
+
+    instance: Instance
+    name: str
+    type: str
+    value: Any
+    wanted: tuple[Declared, ...]
+    origin: Origin
+
+
+def given(view: GraphView) -> Iterator[Given]:
+    """All values of params that the nodes of a launch declare for certain."""
+    for instance in view.graph.instances:
+        own = instance.node.own
+        if not own or not instance.certain or instance.undeclared or instance.is_unknown:
+            continue
+        for name, readings in _declared(instance).items():
+            type_, value = own.get(name, ("", None))
+            wanted = tuple(each.declaration.declared for each in readings if each.declaration.declared is not None)
+            sure = all(each.certain for each in readings) and all(each.declared and each.type and not each.dynamic for each in wanted)
+            if type_ in TYPES and sure and not isinstance(value, Unknown):
+                yield Given(instance, name, TYPES[type_], value, wanted, place_of(instance, name))
+
+
+def place_of(instance: Instance, name: str) -> Origin:
+    """Where a param of a node is set, as far as that is in a file; else where the node is."""
+    return instance.node.own_origins.get(name) or node_origin(instance)
+
+
+def _declared(instance: Instance) -> Mapping[str, list[Reading]]:
+    """What a node reads, by the names of the params; what other nodes of the same process read is not among them."""
+    found: dict[str, list[Reading]] = {}
+    start = f"{instance.name}:"
+    for each in instance.readings:
+        if each.name.startswith(start):
+            found.setdefault(each.name[len(start) :], []).append(each)
+    return found
+
+
+def is_integer_for_double(each: Given) -> bool:
+    """Whether only the point is missing."""
+    return each.type in ROUNDED and all(wanted.type == ROUNDED[each.type] for wanted in each.wanted)
+
+
+def is_refused(each: Given) -> bool:
+    """Whether the type is one that the node refuses: none of those that it may declare the param with."""
+    return all(wanted.type != each.type for wanted in each.wanted)
+
+
+def beyond(each: Given) -> str:
+    """Why a value of the right type is refused, in words; empty where it is not."""
+    for wanted in each.wanted:
+        if wanted.type != each.type:
+            return ""
+        if wanted.one_of:
+            if each.value in wanted.one_of:
+                return ""
+        elif not _is_number(each.value) or not (_is_below(each.value, wanted.min) or _is_below(wanted.max, each.value)):
+            return ""
+    wanted = each.wanted[0]
+    if wanted.one_of:
+        return f"one of {', '.join(map(str, wanted.one_of[:_MOST_NAMES]))}"
+    return (
+        f"at least {wanted.min}"
+        if wanted.max is None
+        else f"at most {wanted.max}"
+        if wanted.min is None
+        else f"{wanted.min} to {wanted.max}"
+    )
+
+
+def fate(instance: Instance) -> str:
+    """What becomes of a node that refuses a value."""
+    return f"{instance.program} {'cannot be loaded' if instance.kind == 'component' else 'dies when it starts'}: it refuses the value"
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _is_below(one: Any, other: Any) -> bool:
+    return _is_number(one) and _is_number(other) and one < other and abs(one - other) > 1e-9 * max(abs(one), abs(other))
+
+
+def never_declared(rule: Rule, view: GraphView) -> Iterator[Finding]:
+    """Params that are given to a node that is known to declare no such param, and that it ignores without a word."""
+    for instance in view.graph.instances:
+        node = instance.node
+        sure = instance.certain and not instance.undeclared and instance.client in _CLIENTS and not instance.may_have_more("params")
+        if not node.own or not sure or any(each.declaration.transport for each in instance.endpoints):
+            continue
+        declared = _declared(instance)
+        for name in node.own:
+            origin = node.own_origins.get(name)
+            if origin is None or name in node.own_shared or name in declared or name in _EVERYWHERE or name.startswith(_OVERRIDES):
+                continue
+            near = closest(name, [each for each in declared if each not in node.own])
+            some = sorted(declared)
+            shown = ", ".join(some[:_MOST_NAMES]) + (" …" if len(some) > _MOST_NAMES else "")
+            yield rule.at(
+                origin,
+                f"{instance.name} declares no param {name}",
+                severity=None if near is not None else Severity.INFO,
+                label="given to it, and ignored",
+                notes=(f"{instance.program} declares {shown}" if some else f"{instance.program} declares no params",),
+                help=f"did you mean {near}?" if near is not None else "leave it out",
+                topic=f"{instance.program} {name}",
+                cause=f"{instance.program} {name}",
+            )
