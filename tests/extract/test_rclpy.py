@@ -141,3 +141,11 @@ def test_modules_beside_an_entry_point_are_not_its_own(tmp_path: Path) -> None:
     write(tmp_path, {"p/serial.py": "import rclpy\nrclpy.create_node('wrong')\n"})
     source = "import rclpy, serial\ndef main():\n    rclpy.create_node('right')\n    serial.Serial('port')\n"
     assert [each.name for each in follow(tmp_path, source, "p.entry:main", "p/entry.py").nodes] == ["right"]
+
+
+def test_an_entry_point_that_ends_the_program(tmp_path: Path) -> None:
+    source = (
+        "import sys, rclpy\nfrom std_msgs.msg import String\ndef main():\n    rclpy.init()\n    node = rclpy.create_node('n')\n"
+        "    node.create_timer(1, lambda: node.create_publisher(String, 'later', 1))\n    sys.exit(rclpy.spin(node))\n"
+    )
+    assert [each.name for each in follow(tmp_path, source, "p.entry:main", "p/entry.py").facts] == ["later"]

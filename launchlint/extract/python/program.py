@@ -6,6 +6,7 @@ import ast
 import gc
 import os
 import re
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 from launchlint.extract.fact import Doubt, Fact, Made
@@ -178,7 +179,8 @@ class Run(Following):
         if isinstance(value, Unknown) or value is MISSING:
             self.doubt(f"its entry point {function} was not found", main.path, 1)
         else:
-            self.call(value, [], {}, node, main.scope)
+            with suppress(Ended):  # what was arranged before it ended is called all the same
+                self.call(value, [], {}, node, main.scope)
 
     def doubt_nothing(self, path: str) -> None:
         """Note it where nothing at all was understood of the program at ``path``."""
