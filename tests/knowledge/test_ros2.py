@@ -176,9 +176,9 @@ def test_what_was_read_is_kept_until_something_it_hangs_on_changes(workspace: Pa
 def test_check_and_graph_know_the_nodes(workspace: Path) -> None:
     ran = run(workspace, "check", "-v", "demo/launch/talk.launch.py")
     assert "2 of 3 nodes known" in ran.output + ran.errors
-    assert "mixed/setup.sh (1 node)" in ran.output + ran.errors
+    assert "mixed/setup.sh (1 node): it is a script, but not Python" in ran.output + ran.errors
     graph = run(workspace, "graph", "demo/launch/talk.launch.py").output
-    assert "(std_msgs/msg/String, read from demo/demo/talker.py:9)" in graph
+    assert "(std_msgs/msg/String, reliable, volatile, keep_last 10, read from demo/demo/talker.py:9)" in graph
 
 
 def test_a_later_run_says_the_same_until_the_source_is_another(workspace: Path) -> None:
@@ -204,3 +204,18 @@ def test_a_later_run_says_the_same_until_the_source_is_another(workspace: Path) 
 )
 def test_what_a_file_starts_is_seen_ahead(text: str, found: list[tuple[str, str, str]]) -> None:
     assert list(_started_in_ros2(text.encode())) == [(ROS2, key) for key in found]
+
+
+def test_what_does_not_connect_is_told(workspace: Path) -> None:
+    write(
+        workspace,
+        {
+            "demo/demo/talker.py": TALKER.replace("10)", "rclpy.qos.qos_profile_sensor_data)"),
+            "mixed/scripts/setup.sh": NODE.format(type="Int32", name="counter", call="create_subscription(Int32, 'chatter', print, 10)"),
+        },
+    )
+    write(workspace, {"mixed/scripts/setup.sh": f"#!/usr/bin/env python3\n{(workspace / 'mixed/scripts/setup.sh').read_text()}"})
+    output = run(workspace, "check", "--format", "concise", "demo").output
+    assert "LL942" in output
+    assert "LL611" in output
+    assert "LL942" not in run(workspace, "check", "--no-extract", "--format", "concise", "demo").output
