@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import re
-
-from launchlint.late import late
+from launchlint.evaluate.ros1.expression import arguments_read
 from launchlint.rules.edits import spot
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
+from launchlint.syntax.parts import Expression, Substitution
+from launchlint.syntax.ros1.substitutions import opens, parse
 from launchlint.syntax.tree import Document
 
-_ARG = late(r"\$\(\s*arg\s+([^\s()]+)\s*\)|\barg\(\s*['\"]([^'\"]+)['\"]\s*\)")
-_ENVIRONMENT = re.compile(r"\$\(\s*(?:opt)?env\s|\b(?:opt)?env\(")
+_ENVIRONMENT = ("env", "optenv")
 
 
 def hangs_on_environment(text: str, origin: Origin, view: LaunchView) -> bool:
@@ -31,13 +30,27 @@ def hangs_on_environment(text: str, origin: Origin, view: LaunchView) -> bool:
         names = _read(texts)
         if document is not None:
             texts += _behind(names, document)
-        if any(_ENVIRONMENT.search(each) for each in texts):
+        if any(map(_asks_environment, texts)):
+            return True
+    return False
+
+
+def _asks_environment(text: str) -> bool:
+    for part in parse(text).parts if opens(text) else ():
+        if isinstance(part, Substitution) and part.command in _ENVIRONMENT:
+            return True
+        if isinstance(part, Expression) and any(f"{each}(" in part.code for each in _ENVIRONMENT):
             return True
     return False
 
 
 def _read(texts: list[str]) -> set[str]:
-    return {plain or quoted for text in texts if "arg" in text for plain, quoted in _ARG.findall(text)}
+    found: set[str] = set()
+    for text in texts:
+        if opens(text):
+            parts = parse(text)
+            found.update(parts.names("arg") if parts.expression is None else arguments_read(parts.expression.code))
+    return found
 
 
 def _behind(names: set[str], document: Document) -> list[str]:
