@@ -2,7 +2,7 @@
 
 ``<!-- launchlint: ignore[LL301] why -->`` before an element covers that whole element; several rules are separated by commas, by ID or by
 name; ``ignore`` alone covers every rule. ``<!-- launchlint: ignore-file[LL206] why -->`` at the top, before the first element inside
-``<launch>``, covers the whole file. In YAML the same stands behind a ``#``, above an item or in its first line.
+``<launch>``, covers the whole file. In YAML the same stands behind a ``#``, above an item or in its first line, also in a parameter file.
 ``<!-- launchlint: format off -->`` is no suppression (see :mod:`launchlint.fix.format.directives`).
 """
 

@@ -34,12 +34,12 @@ def file_to_json(result: FileResult) -> list[Any]:
         for item in result.suppressions
     ]  # fmt: skip
     findings = [[_finding_to_json(finding), guard] for finding, guard in result.findings]
-    return [result.path, findings, suppressions, result.root, result.looks, result.dialect]
+    return [result.path, findings, suppressions, result.root, result.looks, result.dialect, result.launches]
 
 
 def file_from_json(value: Any) -> FileResult:
     """The inverse of :func:`file_to_json`. Raises TypeError, ValueError or KeyError for anything else."""
-    path, findings, suppressions, root, looks, dialect = value
+    path, findings, suppressions, root, looks, dialect, launches = value
     return FileResult(
         path,
         tuple(Guarded(_finding_from_json(finding), guard) for finding, guard in findings),
@@ -58,6 +58,7 @@ def file_from_json(value: Any) -> FileResult:
         None if root is None else Location(*root),
         tuple((name, state) for name, state in looks),
         dialect,
+        launches,
     )
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
 from functools import cached_property
 from itertools import islice
 from typing import NamedTuple
 
-from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, internal_error, is_left_over, run_rule, tell
+from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, check_parameters, internal_error, is_left_over, run_rule, tell
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.stops import put_right, put_right_later, said_of, stops_everybody
 from launchlint.check.verdict import judged, plainly
@@ -24,6 +24,7 @@ from launchlint.rules.registry import RULES, Entry, rule_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import BrokenCall, EntrySummary, FileView, LaunchView
 from launchlint.sight import NOTHING, Followed, Sight, once, reason_beside, shortened
+from launchlint.source import Source
 from launchlint.syntax.tree import Document
 from launchlint.verdict import LOADS, Verdict
 from launchlint.workspace.looking import note, noted, state
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from launchlint.library.lookup import Library
     from launchlint.model import DialectName
 
+_PARAMETER_ENDS = (".yaml", ".yml")
 CRASHED = Verdict("cannot be told", INTERNAL_ERROR, "launchlint itself crashed on it")
 ALONE_KINDS = frozenset({RequiredArgUnset, UndeclaredArg, UsedBeforeDeclaration})
 """Problems that say a file is made to be included: it lacks args that only its callers can give."""
@@ -170,6 +172,8 @@ class EntryChecker:
             if self.options.default_only:
                 break
         assert first is not None
+        for file in self._parameter_files(session, findings.values(), files, first.launch.dialect):
+            files[file.path] = file
         result = self._result(request, first, findings, fine, visited, files, tuple(included), count)
         result = result._replace(
             outcome=outcomes[0][1].beside(outcomes[1:]),
@@ -245,6 +249,15 @@ class EntryChecker:
         if shared:
             self._files[key] = result
         return result
+
+    def _parameter_files(
+        self, session: Session, findings: Iterable[Finding], files: Mapping[str, FileResult], dialect: DialectName
+    ) -> Iterator[FileResult]:
+        """The parameter files in which something was found, and whose comments may say something of it."""
+        for path in dict.fromkeys(finding.location.path for finding in findings):
+            data = session.read(session.named(path)).data if path.endswith(_PARAMETER_ENDS) and path not in files else None
+            if data is not None and b"launchlint" in data:
+                yield check_parameters(Source(path, data.decode("utf-8", "replace").removeprefix("\ufeff"), session.named(path)), dialect)
 
     def _launch_findings(self, evaluation: Evaluation, request: EntryRequest, view: LaunchView) -> Iterator[Finding | Fine]:
         launch = evaluation.launch

@@ -17,6 +17,7 @@ from launchlint.workspace.other_ros import built_for_ros2
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.model import DialectName
+    from launchlint.source import Source
     from launchlint.suppression import Suppression
     from launchlint.workspace.packages import Packages
 
@@ -37,7 +38,10 @@ class Guarded(NamedTuple):
 
 
 class FileResult(NamedTuple):
-    """What one launch file by itself gives, read in one dialect; ``looks`` as in :class:`~launchlint.check.entry.EntryResult`."""
+    """What one launch file by itself gives, read in one dialect; ``looks`` as in :class:`~launchlint.check.entry.EntryResult`.
+
+    Not ``launches``: a parameter file, of which only the suppressions count.
+    """
 
     path: str
     findings: tuple[Guarded, ...]
@@ -45,6 +49,7 @@ class FileResult(NamedTuple):
     root: Location | None
     looks: tuple[tuple[str, str], ...] = ()
     dialect: DialectName = ROS1
+    launches: bool = True
 
     @property
     def key(self) -> str:
@@ -78,6 +83,14 @@ def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
 def is_left_over(dialect: DialectName, file: str, packages: Packages) -> bool:
     """Whether a launch file is one of ROS 1 in a package that is built for ROS 2: of such a file no more than that is said."""
     return dialect == ROS1 and built_for_ros2(file, packages) is not None
+
+
+def check_parameters(source: Source, dialect: DialectName) -> FileResult:
+    """What a parameter file in YAML by itself gives: what its comments say of the findings in it."""
+    from launchlint.suppression import read
+    from launchlint.syntax.ros2.yaml_remarks import remarks
+
+    return FileResult(source.path, (), tuple(read(source, remarks(source))), None, dialect=dialect, launches=False)
 
 
 def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[Finding]:

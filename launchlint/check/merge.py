@@ -108,7 +108,7 @@ def merge(
     kept, more = _suppress(others, files.values(), options, per_file)
     crashes += more
     verdicts = tuple(sorted({result.path: result.outcome for result in entries}.items()))
-    looked_at = files.keys() | {result.path for result in results}
+    looked_at = {path for path, file in files.items() if file.launches} | {result.path for result in results}
     sight = together(each.sight for each in entries)
     return Outcome(tuple(ordered([*kept, *crashes])), len(looked_at), len(entries), bool(crashes), verdicts, sight)
 

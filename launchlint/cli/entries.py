@@ -57,6 +57,16 @@ class EntryOptions:
         self._config = config
         self.configuration = read_configuration(config, (self.standard_input,) if self.standard_input else self.paths)
 
+    def called(self, data: bytes) -> str:
+        """What standard input that holds ``data`` is called: as people say, else by what it is written in."""
+        name = self.standard_input or STANDARD_INPUT
+        if name != STANDARD_INPUT or data.lstrip()[:1] in (b"", b"<"):
+            return name
+        from launchlint.workspace.discovery import holds_python
+        from launchlint.workspace.launch_root import has_launch_key
+
+        return f"{name}.yaml" if has_launch_key(data) else f"{name}.py" if holds_python(name, data) else name
+
     def take_all_of_repository(self) -> tuple[str, ...]:
         """Take the whole repository around the current directory instead of the paths that were given. Returns those."""
         from launchlint.workspace.repository import repository_root
@@ -77,7 +87,9 @@ class EntryOptions:
         Raises UsageError for a path that does not exist.
         """
         if self.standard_input is not None:
-            return [EntryRequest(self.standard_input, self.standard_input, self.arguments)], {self.standard_input: sys.stdin.buffer.read()}
+            data = sys.stdin.buffer.read()
+            name = self.standard_input = self.called(data)
+            return [EntryRequest(name, name, self.arguments)], {name: data}
         if self.entries is not None:
             return self._listed(), {}
         configuration = self.configuration

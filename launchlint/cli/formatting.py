@@ -75,6 +75,10 @@ class _Run:
         name = self._entry.standard_input
         if name is not None:
             data = sys.stdin.buffer.read()
+            name = self._entry.called(data)
+            if name.endswith(".py"):
+                self._fail("standard input is a launch file in Python: format writes XML and YAML; there are formatters for Python")
+                return 2
             result = self._format(name, data)
             if result is not None and not (self._given.check or self._given.diff):
                 sys.stdout.buffer.write(result)

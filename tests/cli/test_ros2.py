@@ -82,6 +82,16 @@ def test_standard_input(ferry: Ferry) -> None:
     ]
 
 
+def test_standard_input_without_a_name_is_called_by_what_it_holds(ferry: Ferry) -> None:
+    yaml, python = "launch:\n    - log:\n        message: 1\n", "def generate_launch_description():\n    return 1\n"
+    assert ferry.told("-", stdin=yaml)[0].startswith("stdin.launch.yaml:3:")
+    assert ferry.told("-", stdin=python)[0].startswith("stdin.launch.py:1:")
+    assert tuple(ferry.run("format", "-", stdin=yaml)) == (0, "launch:\n- log:\n    message: 1\n", "")
+    ran = ferry.run("format", "-", stdin=python)
+    assert (ran.status, ran.output) == (2, "")
+    assert "standard input is a launch file in Python: format writes XML and YAML" in ran.errors
+
+
 def test_what_is_staged_counts(ferry: Ferry) -> None:
     before = ferry.text(HELM)
     ferry.change(HELM, "turtle1/cmd_vel", "turtle1/cmd_vel/")
@@ -134,6 +144,21 @@ def test_suppressions(ferry: Ferry) -> None:
     ferry.change(HELM, "nmae: x", "respawn: true")
     assert f"{HELM}:9:" in ferry.told()[-1]
     assert "LL802 unused-suppression" in ferry.told()[-1]
+
+
+def test_suppressions_in_a_parameter_file(ferry: Ferry) -> None:
+    """A finding in a parameter file is silenced there; what a comment does not need is told, from the cache as well."""
+    place = next(each for each in TOLD if " LL901 " in each).partition(":")[0]
+    text, others = ferry.text(place), [each for each in TOLD if " LL901 " not in each]
+    for _ in range(2):
+        ferry.write(**{place: f"# launchlint: ignore-file[LL901] for another robot\n{text}"})
+        assert ferry.told() == others
+        assert ferry.told() == others
+        assert "in 3 launch files" in ferry.run("check").output
+        ferry.write(**{place: f"# launchlint: ignore-file[LL901, LL904] for another robot\n{text}"})
+        assert any(each.startswith(f"{place}:1:1: warning LL802 ") for each in ferry.told())
+        ferry.write(**{place: text})
+        assert ferry.told() == TOLD
 
 
 def test_a_file_that_is_left_in_peace(ferry: Ferry) -> None:

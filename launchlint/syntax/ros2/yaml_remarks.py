@@ -31,7 +31,7 @@ def remarks(source: Source) -> list[Remark]:
     starts = source.line_starts
     lines = [text[start:end] for start, end in zip(starts, [*starts[1:], len(text)], strict=True)]
     blocks = _blocks(lines)
-    top = next((number for number, line in enumerate(lines) if _ITEM.match(line)), len(lines))
+    top = _top(lines)
     found: list[Remark] = []
     for match in _COMMENT.finditer(text):
         number = source.position(match.start()).line - 1
@@ -42,6 +42,15 @@ def remarks(source: Source) -> list[Remark]:
             covers = Span(starts[block.first] + _indent(lines[block.first]), end)
         found.append(Remark(match[1], Span(*match.span()), Span(*match.span(1)), covers, number < top))
     return found
+
+
+def _top(lines: list[str]) -> int:
+    """Where what stands on top ends: with the first action of a launch file, with the first key of any other."""
+    written = (number for number, line in enumerate(lines) if line.strip() and line.lstrip()[0] not in "#%" and line.strip() != "---")
+    first = next(written, len(lines))
+    if first == len(lines) or not lines[first].startswith(("launch:", '"launch"', "'launch'")):
+        return first
+    return next((number for number, line in enumerate(lines) if _ITEM.match(line)), len(lines))
 
 
 def _indent(line: str) -> int:
