@@ -31,7 +31,7 @@ def _document(reading: Reading) -> Document:
     from launchlint.syntax.tree import Document
 
     document = Document(reading.source) if reading.document is None else reading.document
-    return document.telling(reading.problems)
+    return document.telling(reading.problems, reading.description)
 
 
 def _validate(document: Document) -> Iterator[Problem]:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from launchlint.syntax.parts import Parts
+    from launchlint.syntax.ros2.description import Description
 
 _UNIT = re.compile(r"\r\n|&[^;&<]*;")
 _LINE_END = re.compile(r"\r\n")
@@ -277,11 +278,12 @@ class Document:
 
     ``root`` is the document element. ``launch`` is what roslaunch works on: the only ``<launch>`` element, wherever it stands;
     ``None`` where there is none or more than one, or the file is not well-formed (then ``elements`` and ``comments`` hold what
-    was read until there). ``max_depth`` is the depth of the deepest element (0 for the document element). ``encoding`` is a
-    Python codec name; ``bom`` the byte order mark the file begins with.
+    was read until there). ``description`` is what the front ends of ROS 2 make of the file, where one of them has read it.
+    ``max_depth`` is the depth of the deepest element (0 for the document element). ``encoding`` is a Python codec name; ``bom`` the
+    byte order mark the file begins with.
     """
 
-    __slots__ = ("bom", "comments", "elements", "encoding", "launch", "max_depth", "problems", "root", "source")
+    __slots__ = ("bom", "comments", "description", "elements", "encoding", "launch", "max_depth", "problems", "root", "source")
 
     def __init__(self, source: Source, encoding: str = "utf-8", bom: bytes = b"") -> None:
         self.source = source
@@ -293,6 +295,7 @@ class Document:
         self.comments: list[Comment] = []
         self.max_depth = 0
         self.problems: list[Problem] = []
+        self.description: Description | None = None
 
     def __repr__(self) -> str:
         return f"Document({self.source.path!r})"
@@ -301,10 +304,11 @@ class Document:
         """``span`` as a place in this file."""
         return Place(self.source, span)
 
-    def telling(self, problems: Iterable[Problem]) -> Document:
-        """The same file with other problems: what is wrong with it to another launcher."""
+    def telling(self, problems: Iterable[Problem], description: Description) -> Document:
+        """The same file as ROS 2 has it: with other problems, and with what it describes."""
         other = copy(self)
         other.problems = list(problems)
+        other.description = description
         return other
 
     def element_from(self, offset: int) -> Element | None:

@@ -3,7 +3,7 @@
 `$(arg x` without its closing parenthesis, `$arg x)`, `$arg(x)`, `${arg x}`, `$ (arg x)` and `(arg x)` are plain text for
 roslaunch, and so is every `$(…)` in a `<rosparam>` without `subst_value="true"`. A parenthesis too many behind a substitution
 stays in the value as well. What comes of it is told with it: files that are not found for that reason. The same text in several places is
-told once.
+told once. It looks at launch files of ROS 1: launch of ROS 2 refuses most of these, which LL207 tells.
 
 ## Why it matters
 

@@ -1,7 +1,8 @@
 """An `if` or `unless` can never be taken.
 
 Its value is fixed in the file itself, literally or through args that have a fixed `value`, so that no arg given to the file
-and no environment variable can change it.
+and no environment variable can change it. It looks at launch files of ROS 1: in ROS 2 a `<let>` and whatever a file before has left set
+the value, too, and what a branch hangs on is not followed through these.
 
 ## Why it matters
 

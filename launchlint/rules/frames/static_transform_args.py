@@ -6,7 +6,8 @@ where the program exits with its usage text, where a frame is read as a number o
 frame, and where the listeners drop the transform because its quaternion has not the length 1. It is a warning where a word is no number
 and is read as 0, or as the digits it begins with, and where tf's program brings the quaternion to the length 1 itself.
 
-A `/` before a frame is no mistake here: who receives the transform takes it off.
+A `/` before a frame is no mistake here: who receives the transform takes it off. It looks at launch files of ROS 1: the program of ROS 2
+takes its arguments by name (`--x 1 --frame-id map`) and says itself what it cannot read.
 
 ## Why it matters
 

@@ -10,6 +10,8 @@ not checked out; where the package has no file of that kind at all; where the ar
 args make the name and it takes another value than a default. Silent it is where the name is made from an environment variable, also by way
 of args. What LL401 or LL502 tells is not told again.
 
+In ROS 2 it looks at the `args` of nodes, and is silent about what the build installs, or may install, to that place.
+
 ## Why it matters
 
 roslaunch hands the name on. The node fails after the others are up, or goes on with something else: rviz shows an empty view, a map
@@ -71,13 +73,14 @@ from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
-from launchlint.model import Command
+from launchlint.model import Command, UnknownText
 from launchlint.rules.judging.elsewhere import elsewhere
 from launchlint.rules.judging.made_file import cause_of, made
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
+from launchlint.rules.judging.python_text import reads_environment
 from launchlint.rules.of_environment import hangs_on_environment
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import LaunchView
+from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Origin
 from launchlint.spelling import one_slip
 from launchlint.syntax.ros1.substitutions import opens
@@ -125,12 +128,25 @@ def check(view: LaunchView) -> Iterator[Finding]:
 
 
 def _uses(view: LaunchView) -> Iterator[_Use]:
+    if of_ros2(view):
+        yield from _uses_of_ros2(view)
+        return
     for node in (*view.launch.nodes, *view.launch.tests):
         if node.knows("arguments") and "/" in node.arguments:
             yield _Use(Origin(node.places.get("arguments", node.origin.place), node.origin.step), node.executable, node.arguments, False)
     for setting in view.launch.parameter_settings:
         if isinstance(setting.value, Command) and "/" in setting.value.line:
             yield _Use(setting.origin, setting.value.line.split()[0], setting.value.line, True)
+
+
+def _uses_of_ros2(view: LaunchView) -> Iterator[_Use]:
+    """The same in ROS 2, where a command that launch runs makes a value that is not known."""
+    from shlex import join
+
+    for node in view.launch.nodes:
+        words = node.process.arguments if node.process is not None and node.knows("arguments") else ()
+        if any("/" in word for word in words) and not any(isinstance(word, UnknownText) for word in words):
+            yield _Use(Origin(node.places.get("arguments", node.origin.place), node.origin.step), node.executable, join(words), False)
 
 
 def _files(use: _Use) -> Iterator[_Named]:
@@ -162,8 +178,10 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
     path, near = named.path, nearby_file(named.path)
     directory, name = posixpath.split(path)
     package = view.packages.package_of(path)
+    if of_ros2(view) and _is_installed(path, view):
+        return
     written = use.origin.place.text
-    if package is None or (named.doubtful and one_slip(name, names(directory)) is None) or hangs_on_environment(written, use.origin, view):
+    if package is None or (named.doubtful and one_slip(name, names(directory)) is None) or _hangs_on_environment(use.origin, view):
         return
     ending = posixpath.splitext(path)[1]
     maker = made(path, view, root)
@@ -172,7 +190,7 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
     severity, notes = (Severity.ERROR, ["roslaunch runs the command, and stops where it fails"]) if fails else (None, [])
     if maker is not None:
         severity, notes = Severity.INFO, [*notes, maker.why]
-    elif view.launch.given and opens(written):
+    elif view.launch.given and (opens(written) or of_ros2(view)):
         severity, notes = Severity.INFO, [*notes, "the name is made from args, and these values are only one choice"]
     elif name.startswith(".") and f"){name}" in written:
         severity, notes = (
@@ -193,6 +211,19 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         topic=path,
         shared_cause=cause_of(path, maker),
     )
+
+
+def _hangs_on_environment(origin: Origin, view: LaunchView) -> bool:
+    if of_ros2(view):
+        return "env" in origin.place.text or reads_environment(origin.place)
+    return hangs_on_environment(origin.place.text, origin, view)
+
+
+def _is_installed(path: str, view: LaunchView) -> bool:
+    """Whether the build puts, or may put, a file to where ``path`` would be."""
+    from launchlint.workspace.ament.shares import installed_source, may_be_installed
+
+    return installed_source(view.packages, path) is not None or bool(may_be_installed(view.packages, path))
 
 
 def _has_any(directory: str, ending: str) -> bool:

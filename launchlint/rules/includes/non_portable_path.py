@@ -13,6 +13,8 @@ In the values of args and params, and in what nodes get as `args` or `env`, it s
 and about `..` that leads out of a package; that is an info where no package holds what is named, and so is `~`, which nodes expand or
 do not. What stands in many places is told once.
 
+In ROS 2 it speaks about absolute paths of includes, paths below a home directory and `~`: relative names are told by LL401 and LL502.
+
 ## Why it matters
 
 The launch breaks on the next robot, for the next user, or as soon as the package is installed.
@@ -65,7 +67,8 @@ from launchlint.rules.edits import Spot, fix, set_value
 from launchlint.rules.judging.made_file import cause_of
 from launchlint.rules.judging.template import is_path_to_fill_in
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import FileView
+from launchlint.rules.view import FileView, of_ros2
+from launchlint.rules.wording import Words, words_at
 from launchlint.source import Place
 from launchlint.syntax.parts import Literal, Parts, Substitution
 from launchlint.syntax.ros1.substitutions import parse, parts_of
@@ -96,6 +99,9 @@ class _Fault(NamedTuple):
 
 def check(view: FileView) -> Iterator[Finding]:
     """Yield one finding for each file name that depends on the machine or the current directory."""
+    if of_ros2(view):
+        yield from _ros2(view)
+        return
     document = view.document
     for element in document.elements:
         for name in _ATTRIBUTES.get(element.tag, ()):
@@ -109,9 +115,30 @@ def check(view: FileView) -> Iterator[Finding]:
             attribute = element.attributes.get(name)
             if attribute is not None and ("/" in attribute.value or "\\" in attribute.value):
                 parts = parts_of(attribute)
-                fault = _home(parts, view) or _out_of_package(parts, view)
+                fault = _home(parts.beside("$"), view, None) or _out_of_package(parts, view)
                 if fault is not None:
                     yield _finding(fault, Spot(document, element, attribute), None)
+
+
+def _ros2(view: FileView) -> Iterator[Finding]:
+    """Paths of one machine; how launch resolves relative ones LL401 and LL502 say, and they are there or not."""
+    from launchlint.rules.judging.ros2_written import beside, command_lines, file_names, values
+
+    for kind, _, text in (*file_names(view), *values(view), *command_lines(view)):
+        plain, words = beside(text), words_at(text.place)
+        share = f"{words.under('find-pkg-share', 'pkg', '…')} or {words.under('dirname', '', '…')}"
+        fault = _home(plain, view, words)
+        if fault is None and kind == "include" and plain.startswith("/") and not _is_in_container(plain, view):
+            fault = _absolute(plain, kind)
+            fault = None if fault is None else fault._replace(help=f"write {share}", instead="")
+        if fault is not None:
+            missing = (
+                cause_of(plain, None) if kind == "include" and plain.startswith("/") and "$" not in plain and not exists(plain) else ""
+            )
+            yield RULE.at(
+                text.place, fault.message, severity=fault.severity, label="not portable", notes=(fault.note,), help=fault.help,
+                cause=fault.cause, shared_cause=missing,
+            )  # fmt: skip
 
 
 def _finding(fault: _Fault, at: Spot, fix: Fix | None) -> Finding:
@@ -128,9 +155,11 @@ def _missing(at: Spot) -> str:
     return cause_of(name, None) if name.startswith("/") and "$" not in name and not exists(name) else ""
 
 
-def _home(parts: Parts, view: FileView) -> _Fault | None:
-    """A path below somebody's home directory in any text."""
-    plain = parts.beside("$")
+def _home(plain: str, view: FileView, words: Words | None) -> _Fault | None:
+    """A path below somebody's home directory in any text; ``words`` are those of ROS 2."""
+    pkg = "$(find pkg)/…" if words is None else words.under("find-pkg-share", "pkg", "…")
+    home = "$(env HOME)/…" if words is None else words.under("env", "HOME", "…")
+    launcher = view.dialect.launcher
     found = re.search(_HOME, plain)
     if found is not None and is_path_to_fill_in(found[0]):
         help = "fill it in, or make it an arg without a default"
@@ -139,13 +168,13 @@ def _home(parts: Parts, view: FileView) -> _Fault | None:
     if found is not None and _is_in_container(found[0], view):
         return None
     if found is not None:
-        help = "name files with $(find pkg)/…, others with $(env HOME)/… or an arg that each machine sets"
+        help = f"name files with {pkg}, others with {home} or an arg that each machine sets"
         return _Fault(f"{found[0]}… is somebody's home directory", "it is there on machines of that user only", help, cause=found[0])
     found = re.search(_TILDE, plain)
     if found is None:
         return None
-    note = "roslaunch does not expand ~: it works only where the node does"
-    return _Fault(f"{found[0]} begins with ~", note, "write $(env HOME)/…, which works for every node", Severity.INFO, "~")
+    note = f"{launcher} does not expand ~: it works only where the node does"
+    return _Fault(f"{found[0]} begins with ~", note, f"write {home}, which works for every node", Severity.INFO, "~")
 
 
 def _is_in_container(path: str, view: FileView) -> bool:

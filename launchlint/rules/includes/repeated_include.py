@@ -1,7 +1,8 @@
 """The same file is included twice, in the same way, in one scope.
 
 What it does: it looks for two `<include>` tags beside each other in one `<launch>` or `<group>` that are written with the same
-attributes and the same args.
+attributes and the same args. It looks at launch files of ROS 1: in ROS 2 the second include starts its nodes once more, which LL301
+tells.
 
 ## Why it matters
 

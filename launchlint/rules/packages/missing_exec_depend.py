@@ -21,6 +21,9 @@ people. Packages below a `CATKIN_IGNORE` are passed over, and launch files that 
 several packages of one name, of which LL703 tells, the first is told of. Beside a `manifest.xml` of rosbuild it is the `package.xml` that
 counts; where there is no other, it is an info: rosbuild installs nothing.
 
+In packages for ROS 2 these are the packages of nodes and components and those in `$(find-pkg-share …)`; in Python those of `Node` and
+`FindPackageShare`.
+
 ## Why it matters
 
 On the developer's machine the package happens to be there. Where only the declared dependencies are installed (rosdep, the build
@@ -92,7 +95,7 @@ from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.judging.stale_package import own_files_instead, own_instead
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import FileView
+from launchlint.rules.view import FileView, of_ros2
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.parts import Parts
 from launchlint.syntax.ros1.substitutions import parts_of
@@ -138,15 +141,16 @@ _DISTRIBUTION = late(r"\b(?:indigo|jade|kinetic|lunar|melodic|noetic)\b", re.IGN
 
 def check(view: FileView) -> Iterator[Finding]:
     """Yield one finding for each undeclared package of one launch file (roslaunch.depends, roslaunch.rlutil.check_roslaunch)."""
-    document, packages = view.document, view.packages
+    ros2 = of_ros2(view)
+    document, packages = view.document, view.packages.colcon if ros2 else view.packages
     file = document.source.file
     home = _home(packages, file)
     if home is None or home.broken or home.is_metapackage or not home.name or not is_inside(home.manifest_path, packages.workspaces):
         return
     manifest = home.manifest
-    if manifest is None or manifest.is_ament:
+    if manifest is None or manifest.is_ament != ros2:
         return
-    uses = _uses(document)
+    uses = _uses_of_ros2(view) if ros2 else _uses(document)
     wanted = sorted(name for name in uses if name != home.name)
     if not wanted:
         return
@@ -157,7 +161,7 @@ def check(view: FileView) -> Iterator[Finding]:
     missing = [name for name in wanted if name not in declared and not _is_commented_out(name, manifest)]
     if not missing:
         return
-    declared = _with_what_they_declare(declared | {"roslaunch"}, packages, file)
+    declared = _with_what_they_declare(declared | ({"ros2launch", "launch", "launch_ros"} if ros2 else {"roslaunch"}), packages, file)
     missing = [name for name in missing if name not in declared and (packages.has(name) or name in public_names())]
     if not missing or packages.is_hidden(home.directory) or first_of_name(home, packages).directory != home.directory:
         return
@@ -183,7 +187,7 @@ def check(view: FileView) -> Iterator[Finding]:
         at = next((each.span for each in manifest.dependencies if each.name == name and each.tag == "test_depend"), None)
         line = _line(name, manifest.format, is_test=is_test)
         way = None if tested else ways.get(name)
-        closes = way is not None and (way.built or is_test)
+        closes = way is not None and (way.built or is_test or ros2)
         beside = not tested and home.name not in public_names() and _is_beside(name, packages, file)
         reason = "" if tested else SETTING_UP if extra else why_left_out(name, document, home, packages) or idle
         tried = not (tested or reason) and is_trial(file, home)
@@ -197,7 +201,7 @@ def check(view: FileView) -> Iterator[Finding]:
                 f"{name} lies in this workspace; whoever has only this package lacks it" if beside else ELSEWHERE.format(name),
                 *([f"{LEFT_OUT}{reason}"] if reason else []),
                 *([TRIED.format(name)] if tried else []),
-                *([] if way is None else [_ring(way, closes=closes)]),
+                *([] if way is None else [_ring(way, "colcon" if ros2 else "catkin", closes=closes)]),
                 *([] if tested or reason or way is not None else _doubts(name, later, manifest, packages)),
             ),
             help=_MOVE.format(document.source.path) if way is not None else f"{'change it to' if tested else 'add'} {line}",
@@ -243,6 +247,8 @@ def _foreign(name: str, files: Sequence[str], where: Place, home: Package) -> Fi
 def _doubts(name: str, later: Mapping[str, Way], manifest: Manifest, packages: Packages) -> list[str]:
     """Why a fix that declares the package is not safe; nothing where it is."""
     doubts = [_LATER.format(name, "declares", "its", "it")] if name in later else []
+    if manifest.is_ament:
+        return doubts  # what was released for which distribution, the lists of ROS 1 say
     named = {each.lower() for text in _CONDITION.findall(manifest.source.text) for each in _DISTRIBUTION.findall(text)}
     meant = named | packages.distributions().meant
     lacking = sorted(each for each in meant or _RECENT if never_released((name,), each))
@@ -321,12 +327,12 @@ def _is_beside(name: str, packages: Packages, near: str) -> bool:
     return package is not None and is_inside(package.directory, packages.workspaces)
 
 
-def _ring(way: Way, *, closes: bool) -> str:
+def _ring(way: Way, builder: str, *, closes: bool) -> str:
     """What a dependency would come to on a package that needs this one already."""
     over = "" if len(way.names) == 2 else f" ({' → '.join(way.names)})"
     already = f"{way.names[0]} needs {way.names[-1]} to {'be built' if way.built else 'run'}{over}"
     if closes:
-        return f"{already}: to declare it here would close a ring, and catkin would build nothing any more"
+        return f"{already}: to declare it here would close a ring, and {builder} would build nothing any more"
     return f"{already}: to declare it here makes a ring; catkin allows it, since they need each other only to run"
 
 
@@ -376,6 +382,18 @@ def _uses(document: Document) -> dict[str, tuple[Place, str]]:
                 for name, start, end in _found(parts_of(attribute)):
                     how = "includes a file of" if element.tag == "include" else "uses files of"
                     found.setdefault(name, (document.place(attribute.span_of(start, end)), how))
+    return found
+
+
+def _uses_of_ros2(view: FileView) -> dict[str, tuple[Place, str]]:
+    """The same of a launch file of ROS 2."""
+    from launchlint.rules.judging.ros2_written import packages_used
+
+    found: dict[str, tuple[Place, str]] = {}
+    for name, place, how in packages_used(view):
+        if is_placeholder(name):
+            return {}
+        found.setdefault(name, (place, how))
     return found
 
 

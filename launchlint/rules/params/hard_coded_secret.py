@@ -5,6 +5,7 @@ ends in a word such as `password`, `secret`, `token` or `api_key`. Empty values,
 placeholders, words such as `admin` that anybody would try, and the name of the user that stands beside it, are left alone. The default of
 an `<arg>` is an info, and so is a value that a comment beside it calls a default: it may be the one that everybody knows, to be replaced.
 The value itself is never printed: what is shown of the line has asterisks in its place. One value that stands in many places is told once.
+In ROS 2, which has no `<machine>`, what a `<let>` or an include hands on counts, too.
 
 ## Why it matters
 
@@ -41,7 +42,8 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Location, Severity
 from launchlint.rules.judging.secret_names import is_secret
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import FileView
+from launchlint.rules.view import FileView, of_ros2
+from launchlint.rules.wording import words_at
 from launchlint.source import Place
 from launchlint.syntax.tree import Attribute, Document, Element
 
@@ -61,6 +63,9 @@ _MOST_BESIDE = 200
 
 def check(view: FileView) -> Iterator[Finding]:
     """Look at every attribute that holds a value."""
+    if of_ros2(view):
+        yield from _ros2(view)
+        return
     document = view.document
     for element in document.elements:
         tag = element.tag.lower()
@@ -77,11 +82,35 @@ def check(view: FileView) -> Iterator[Finding]:
                         yield _finding(document, element, attribute, name.strip())
 
 
+def _ros2(view: FileView) -> Iterator[Finding]:
+    from launchlint.rules.judging.ros2_written import masked, values
+
+    written = list(values(view))
+    users = {(each.text.literal or "").strip().lower() for each in written if re.search(_USER, each.name) is not None}
+    for kind, name, text in written:
+        secret = text.literal
+        if secret is None or not is_secret(name) or not _is_secret_value(secret) or secret.strip().lower() in users:
+            continue
+        variable = re.sub(r"\W+", "_", name).strip("_").upper()
+        yield RULE.at_location(
+            masked(text.place),
+            f"{name.strip()} is written into the launch file",
+            severity=Severity.INFO if kind == "arg" else None,
+            label="a literal secret",
+            help=f"read it from the environment, {words_at(text.place).call('env', variable)}, or from a file that is not published;"
+            " and change it where it is in use",
+            element=f"{kind} {name}",
+            cause=f"{_digest(secret)}{' replaceable' * (kind == 'arg')}",
+        )
+
+
 def _is_literal(attribute: Attribute | None) -> bool:
     """Whether this looks like a real secret."""
-    if attribute is None:
-        return False
-    value = attribute.value.strip()
+    return attribute is not None and _is_secret_value(attribute.value)
+
+
+def _is_secret_value(written: str) -> bool:
+    value = written.strip()
     return "$" not in value and re.fullmatch(_PLACEHOLDER, value) is None and re.fullmatch(_FILE, value) is None
 
 

@@ -1,5 +1,8 @@
 """A remap gives a name its own name.
 
+In ROS 2 it is told where no other remap of the node is for that name: of two the first counts, so that one like this takes the other out of
+effect.
+
 ## Why it matters
 
 It does nothing, unless a scope around it remaps the same name: then it takes that back for this node. Where it is
@@ -38,7 +41,7 @@ from launchlint.evaluate.names import canonical
 from launchlint.finding import Finding, Severity
 from launchlint.rules.edits import Spot, fix, remove_element
 from launchlint.rules.rule import Rule
-from launchlint.rules.view import FileView
+from launchlint.rules.view import FileView, of_ros2
 from launchlint.syntax.tree import Element
 
 RULE = Rule("LL605", "remap-identity", Severity.INFO, fixable="safe")
@@ -46,6 +49,12 @@ RULE = Rule("LL605", "remap-identity", Severity.INFO, fixable="safe")
 
 def check(view: FileView) -> Iterator[Finding]:
     """Compare ``from`` and ``to`` as they are written."""
+    if of_ros2(view):
+        from launchlint.rules.judging.ros2_written import remapped_to_themselves
+
+        for name, place in remapped_to_themselves(view):
+            yield RULE.at(place, f"{name} is remapped to itself", label="does nothing", help="remove it, or correct one of the names")
+        return
     document = view.document
     remapped: dict[int, set[str]] = {}
     for element in document.elements:
