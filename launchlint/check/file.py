@@ -88,7 +88,7 @@ def is_left_over(dialect: DialectName, file: str, packages: Packages) -> bool:
 def check_parameters(source: Source, dialect: DialectName) -> FileResult:
     """What a parameter file in YAML by itself gives: what its comments say of the findings in it."""
     from launchlint.suppression import read
-    from launchlint.syntax.ros2.yaml_remarks import remarks
+    from launchlint.syntax.yaml_remarks import remarks
 
     return FileResult(source.path, (), tuple(read(source, remarks(source))), None, dialect=dialect, launches=False)
 

@@ -69,7 +69,7 @@ def _remarks(document: Document) -> list[Remark]:
         from launchlint.syntax.ros2.python.remarks import remarks as python_remarks
 
         return python_remarks(document.source)
-    from launchlint.syntax.ros2.yaml_remarks import remarks as yaml_remarks
+    from launchlint.syntax.yaml_remarks import remarks as yaml_remarks
 
     return yaml_remarks(document.source)
 

@@ -7,7 +7,7 @@ from bisect import bisect_left, bisect_right
 from functools import partial
 
 from launchlint.syntax.remarks import remarks as xml_remarks
-from launchlint.syntax.ros2.yaml_remarks import remarks as yaml_remarks
+from launchlint.syntax.yaml_remarks import remarks as yaml_remarks
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -390,6 +390,8 @@ def _uses_of_ros2(view: FileView) -> dict[str, tuple[Place, str]]:
     from launchlint.rules.judging.ros2_written import packages_used
 
     found: dict[str, tuple[Place, str]] = {}
+    if any(problem.refused for problem in view.document.problems):
+        return found  # not yet a launch file of ROS 2, or not any more
     for name, place, how in packages_used(view):
         if is_placeholder(name):
             return {}

@@ -6,7 +6,7 @@ import time
 
 from launchlint.source import Source
 from launchlint.suppression import Suppression, read
-from launchlint.syntax.ros2.yaml_remarks import remarks
+from launchlint.syntax.yaml_remarks import remarks
 
 TEXT = """\
 # launchlint: ignore-file[LL201] the caller gives it

@@ -1,4 +1,4 @@
-"""Comments of a launch file in YAML, with what they stand before or behind."""
+"""Comments of a file in YAML, a launch file or one of params, with what they stand before or behind."""
 
 from __future__ import annotations
 
