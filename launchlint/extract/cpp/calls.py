@@ -197,6 +197,8 @@ def _named(machine: Machine, node: Node, name: str, types: tuple[Type, ...], fra
     if answer is not None:
         return answer
     answer = ros.function(asked)
+    if answer is None and "::" in name and frame.this is not None:
+        answer = _of_ros_base(asked, frame.this)
     if answer is not None:
         return answer
     found = functions(machine, name, frame)
@@ -220,6 +222,13 @@ def _named(machine: Machine, node: Node, name: str, types: tuple[Type, ...], fra
     if "::" in name:
         _from_elsewhere(machine, resolved.name, given, node, frame)
     return unanswered(machine, name, given, node, frame)
+
+
+def _of_ros_base(asked: Call, this: Thing) -> Value | None:
+    """``Base::member(…)`` of a base class of ROS; None where it is none."""
+    owner, _, last = asked.name.rpartition("::")
+    resolved = asked.machine.names.resolve(Type(owner), asked.frame)
+    return ros.own_method(this, asked._replace(name=last)) if asked.machine.tables.known(resolved.name) else None
 
 
 def _unread(machine: Machine, name: str, this: Thing | None, given: Sequence[Argument], node: Node, frame: Frame) -> None:
@@ -433,7 +442,7 @@ def unanswered(machine: Machine, name: str, given: Sequence[Argument], node: Nod
         for _, value in choices(each.value):
             if isinstance(value, (Callable, Closure)):
                 machine.later(value, machine.when)
-            elif (held := node_of(value)) is not None and not _HARMLESS.search(name):
+            elif (held := node_of(value)) is not None and not _HARMLESS.search(name) and not ros.is_plain(name, held):
                 reason = f"{name} is given a {held.word}, and is not in these sources"
                 if _OF_PARAMS.search(name):
                     machine.doubt("params", reason, node, frame)

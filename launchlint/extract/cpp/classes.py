@@ -185,11 +185,18 @@ def initialise(machine: Machine, function: Function, this: Thing | None, frame: 
             name = each.children[0].text.partition("<")[0].replace(" ", "").rpartition("::")[2]
             listed[name] = each
     own = listed.get(declared.name.rpartition("::")[2])
-    if own is not None:
+    if own is not None and not _is_of_base(own, declared):
         begin(machine, this, declared, arguments(machine, own.child("argument_list", "initializer_list"), frame), own, frame)
         return
     if function.body is not None:
         _members(machine, this, declared, listed, frame, function.body)
+
+
+def _is_of_base(initialiser: Node, declared: Class) -> bool:
+    """Whether an initialiser that is called like the class is that of a base class, which has the same name in another namespace."""
+    spelled = initialiser.children[0].text.partition("<")[0].replace(" ", "")
+    bases = [base.name for base in declared.bases if base.last == declared.name.rpartition("::")[2]]
+    return spelled in bases and spelled != declared.name and "::" in spelled
 
 
 def _members(

@@ -93,6 +93,8 @@ def evaluate(machine: Machine, node: Node, frame: Frame) -> Value:
         type_, listed = node.field("type"), node.field("value")
         if type_ is None:
             return UNKNOWN
+        if listed is not None and listed.children and classes.is_list(machine, parse_type(type_.text), frame):
+            return machine.evaluate(listed, frame)
         return classes.construct(machine, parse_type(type_.text), classes.arguments(machine, listed, frame), node, frame)
     if kind == "cast_expression":
         return _cast(machine, node, frame)

@@ -14,6 +14,7 @@ from launchlint.workspace.public_packages import public_names
 
 _MESSAGES = re.compile(r"(?:msgs?|srvs|actions|messages|interfaces)$")
 _GENERATED = re.compile(r"^(?:ui_|moc_)|\.pb$|_(?:version|export)$")
+_LIBRARIES = ("boost", "Eigen")
 _SHORTEST_PREFIX = 6
 _QT = re.compile(r"Q[A-Z]\w*")
 
@@ -36,6 +37,8 @@ class Foreign:
             return
         if len(parts) == 3 and parts[1] in ("msg", "srv", "action"):
             return  # a message of ROS 2
+        if package in _LIBRARIES or (not package and "." not in header):
+            return  # "string" is of the standard library, in quotes, too
         if not package:
             if quoted:
                 self._stems.setdefault(_plain(stem), header)

@@ -12,6 +12,7 @@ from launchlint.extract.cpp.foreign import Foreign
 from launchlint.extract.cpp.machine import Argument, Machine
 from launchlint.extract.cpp.naming import ANY, UNKNOWN_SPACE, finished
 from launchlint.extract.cpp.rclcpp import component
+from launchlint.extract.cpp.rclcpp.generated import with_classes
 from launchlint.extract.cpp.rclcpp.tables import RCLCPP
 from launchlint.extract.cpp.ros.roscpp import ROSCPP
 from launchlint.extract.cpp.spelled_type import Type
@@ -75,7 +76,8 @@ def cpp_program(
         declarations.read(file.root, file.path)
     declarations.finish()
     of_ros2 = client in ("rclcpp", "component")
-    machine = Machine(declarations, RCLCPP if of_ros2 else ROSCPP, root, plugins, Foreign(missing, packages))
+    tables = with_classes(RCLCPP, parameters, root) if of_ros2 else ROSCPP
+    machine = Machine(declarations, tables, root, plugins, Foreign(missing, packages))
     first = files[-1].path if files else "."
     for problem in problems:
         machine.doubt_all(problem, first, 1)

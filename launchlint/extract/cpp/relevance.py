@@ -145,6 +145,8 @@ class Relevance:
         methods = {each.last for each in functions if each.owner}
         for word in told:
             for function, mention in self._mentioned.get(word, ()):
+                if mention.joint == "::" and mention.before and mention.before not in self._tables.owners.get(word, (mention.before,)):
+                    continue
                 if word in strange or (_tells(mention) and not (word in methods and self._is_of_program(function, mention))):
                     self._found(function)
             if word[0].isupper() and word not in _SILENT_MEMBERS:

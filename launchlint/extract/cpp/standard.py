@@ -43,6 +43,8 @@ _BINDERS = frozenset(("boost::bind", "std::bind", "bind", "boost::mem_fn", "std:
 _NUMBERS = frozenset(("int", "double", "float", "bool", "size_t", "std::size_t", "uint32_t", "uint8_t", "unsigned"))
 CHANGING = frozenset(("push_back", "emplace_back", "insert", "append", "resize", "clear", "assign", "emplace", "push_front", "str"))
 """Members that change a container or a text."""
+_OF_PARAMETERS = frozenset("as_string as_int as_double as_bool get_value get get_parameter_value".split())
+"""Members of rclcpp::Parameter that give its value."""
 _MOST_ITEMS = 200
 _FORMATS = re.compile(r"(?:^|::)(?:u?[Ff]ormat|[Ss]tr(?:ing)?_?[Ff]ormat|StringPrintf|stringf)$")
 """Functions of libraries that format as printf does, and give the text."""
@@ -156,7 +158,7 @@ def method(value: Value, asked: Call, cell: Cell | None) -> Value:
     name = asked.name
     machine = asked.machine
     if isinstance(value, Text):
-        if name in ("c_str", "data", "str", "toStdString", "begin"):
+        if name in ("c_str", "data", "str", "toStdString", "begin") or (name in _OF_PARAMETERS and value.param):
             return value
         if name in ("empty", "isEmpty", "size", "length") and is_whole(value):
             return Number(not value.template) if "mpty" in name else Number(len(value.template))

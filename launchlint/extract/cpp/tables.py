@@ -33,6 +33,7 @@ class Tables(NamedTuple):
         bare: classes whose members tell something even where their constructor was not seen.
         words: words of functions that may have to do with names; ``silent_words`` are those of them that make no name by themselves.
         spaces: how namespaces begin whose functions may be called without them.
+        owners: of words that other libraries have, too: the namespaces in front of which they count (``rclcpp::Node``, not ``YAML::Node``).
         is_handle: whether a variable of a type is a node handle, or a node.
         running: conditions that hold as long as the program runs.
         follow: follows what others call of an object that is a node, when the program has come to its end.
@@ -53,6 +54,7 @@ class Tables(NamedTuple):
     words: frozenset[str]
     silent_words: frozenset[str]
     spaces: tuple[str, ...]
+    owners: Mapping[str, frozenset[str]]
     is_handle: Callable[[Type], bool]
     running: frozenset[str]
     follow: Callable[[Machine, Thing], None]

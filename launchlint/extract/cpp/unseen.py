@@ -80,7 +80,7 @@ class Unseen:
             elif self.visited.isdisjoint(value.functions) and any(self.tells(each) for each in value.functions):
                 machine.later(value, "message", (f"{value.functions[0].last} is called",))
         for declared, thing in list(self.made.items()):
-            base = self._foreign_base(declared)
+            base = self.foreign_base(declared)
             for each in self._called_by(declared, base) if base else ():
                 machine.later(Callable((each,), thing), "message", (f"{base} calls {each.last}",))
         for name in self.blind:
@@ -144,7 +144,7 @@ class Unseen:
                         self._words.setdefault(each.last, []).append(each)
         return self._words
 
-    def _foreign_base(self, declared: Class) -> str:
+    def foreign_base(self, declared: Class) -> str:
         """A base class that is not among the sources, so that nobody knows what it calls."""
         names = self.machine.names
         for each in (declared, *names.bases(declared.name)):

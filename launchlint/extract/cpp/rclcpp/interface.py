@@ -184,6 +184,18 @@ def parameters_client(asked: Call) -> Value:
     return thing
 
 
+def of_object(this: Thing, asked: Call) -> Value | None:
+    """The object itself; or what a node offers, where the base class of the object is not here and may be one."""
+    if nodes.gives_itself(this, asked):
+        return this
+    if asked.name in _MAKE and node_of(this) is None and this.declared is not None and asked.machine.unseen.foreign_base(this.declared):
+        return OF_HANDLE[asked.name](nodes.first_node(asked.machine), asked)
+    return None
+
+
+_MAKE = frozenset((*_OF_NODE, "declare_parameter", "declare_parameters"))
+"""Members that only nodes have."""
+
 OF_HANDLE: dict[str, Does[[Handle, Call], Value]] = {
     **{name: _of_handle(does) for name, does in _OF_NODE.items()},
     **nodes.OF_HANDLE,
@@ -195,6 +207,10 @@ FUNCTIONS: dict[str, Does[[Call], Value | None]] = {
     "rclcpp_action::create_server": action("server"),
     "rclcpp_action::create_client": action("client"),
     "rclcpp::wait_for_message": _wait_for_message,
+    **{
+        f"rclcpp::node_interfaces::get_node_{each}_interface": (lambda asked: asked.value(0))
+        for each in ("base", "parameters", "topics", "services", "clock", "graph", "logging", "timers", "time_source", "waitables")
+    },
     **dict.fromkeys(
         (
             f"rclcpp::{name}"

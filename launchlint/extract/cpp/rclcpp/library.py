@@ -260,7 +260,7 @@ def _nav2_node(asked: Call) -> Value:
     params.declared(asked._replace(types=(Type("double"),)), value, Text("bond_heartbeat_period"), Number(0.1), UNKNOWN)
     before, asked.machine.exists = asked.machine.exists, "active"
     for category in ("publishers", "subscribers"):
-        note(asked, value, category, Text("/bond"), type="bond/msg/Status")
+        note(asked, value, category, Text("bond"), type="bond/msg/Status")
     asked.machine.exists = before
     return value
 

@@ -29,7 +29,7 @@ def follow(machine: Machine, thing: Thing) -> None:
         return
     for name, state in _STEPS:
         for function in classes.methods(machine, thing, name)[:1]:
-            machine.exists = state
+            machine.exists, machine.when, machine.conditions, machine.horizon = state, "start", [], 0
             try:
                 machine.call(function, thing, [Argument(UNKNOWN) for _ in function.parameters])
             finally:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable as Does
 
 from launchlint.extract.cpp.naming import ANY, NODE_NAME, NODE_NAMESPACE, below, finished, template
@@ -27,6 +28,7 @@ _FLAGS = (
     append_parameter_override context clock_type clock_qos use_clock_thread enable_rosout rosout_qos parameter_event_qos
     parameter_event_publisher_options allocator enable_topic_statistics enable_logger_service""".split(),
 )
+_ONCE = re.compile(r"\{remap:([^{}]+)\}")
 _SELF = frozenset(("shared_from_this", "weak_from_this", "get_node", "getNode", "GetNode"))
 """Members that give the node which an object is; ``get_node()`` where no function of the program is called so."""
 
@@ -158,7 +160,7 @@ def note(asked: Call, node: Value, category: str, name: Value, **more: Any) -> V
     said: list[tuple[str, Value]] = []
     for outer, each in choices(node):
         own = node_of(each) or Handle("", "")
-        spelled = names.named(own, name)
+        spelled = names.named(own, _as_given(name))
         said += [(outer or inner, one) for inner, one in choices(spelled)]
         if outer:
             machine.conditions.append(outer)
@@ -166,6 +168,15 @@ def note(asked: Call, node: Value, category: str, name: Value, **more: Any) -> V
         if outer:
             machine.conditions.pop()
     return either(said)
+
+
+def _as_given(name: Value) -> Value:
+    """A name without its being resolved first: what is resolved twice is the same."""
+    found: list[tuple[str, Value]] = []
+    for condition, each in choices(name):
+        match = _ONCE.fullmatch(each.template) if isinstance(each, Text) else None
+        found.append((condition, Text(match[1]) if match else each))
+    return either(found)
 
 
 def qos_with(qos: Qos | None, options_: Value) -> Qos | None:
@@ -216,6 +227,7 @@ OF_HANDLE: dict[str, Does[[Handle, Call], Value]] = {
     "create_sub_node": _sub_node,
     "resolve_topic_name": _resolved,
     "resolve_service_name": _resolved,
+    "resolve_topic_or_service_name": _resolved,
     **dict.fromkeys(
         (
             f"get_node_{each}_interface"
@@ -230,11 +242,9 @@ OF_HANDLE: dict[str, Does[[Handle, Call], Value]] = {
 }  # fmt: skip
 
 
-def of_object(this: Thing, asked: Call) -> Value | None:
-    """What gives the object itself."""
-    if asked.name in _SELF and not asked.arguments and node_of(this) is not None:
-        return this
-    return None
+def gives_itself(this: Thing, asked: Call) -> bool:
+    """Whether a member gives the object that it is called of."""
+    return asked.name in _SELF and not asked.arguments and node_of(this) is not None
 
 
 MAKERS: dict[str, Does[[Call], Value]] = {

@@ -95,7 +95,7 @@ def declared(asked: Call, node: Value, name: Value, default: Value, descriptor: 
     if kind:
         default = UNKNOWN
     elif explicit.name:
-        kind = value_type(asked, explicit)
+        kind = value_type(asked, explicit) or value_type(asked, UNTYPED, default)
     else:
         kind = (
             value_type(asked, UNTYPED, default)
@@ -107,7 +107,7 @@ def declared(asked: Call, node: Value, name: Value, default: Value, descriptor: 
         kind = ""
     noted = default_of(default, kind)
     _note(asked, node, name, default=noted, value_type=kind, declared=True, descriptor=said)
-    return _slots(asked, name, default)
+    return value_of(name, default)
 
 
 def _spelled(asked: Call) -> str:
@@ -130,8 +130,8 @@ def _note(asked: Call, node: Value, name: Value, **more: Any) -> None:
             asked.machine.conditions.pop()
 
 
-def _slots(asked: Call, name: Value, default: Value) -> Value:
-    """The value of a param."""
+def value_of(name: Value, default: Value) -> Value:
+    """What stands for the value of a param."""
     found: list[tuple[str, Value]] = []
     for condition, each in choices(named(name)):
         for inner, value in choices(default):
@@ -220,7 +220,7 @@ def get(handle: Handle, asked: Call) -> Value:
     cell = asked.cell(1) if len(asked.arguments) > 1 else None
     kind = value_type(asked, asked.types[0]) if asked.types else value_type(asked, cell.type) if cell is not None else ""
     _note(asked, handle, asked.value(0), value_type=kind, declared=False)
-    value = _slots(asked, asked.value(0), _known_default(asked, handle, asked.value(0)))
+    value = value_of(asked.value(0), _known_default(asked, handle, asked.value(0)))
     if cell is None:
         return value
     asked.machine.write(cell, value)
@@ -254,7 +254,7 @@ def get_or(handle: Handle, asked: Call) -> Value:
     cell = asked.cell(1) if len(asked.arguments) > 2 else None
     kind = value_type(asked, cell.type) if cell is not None and cell.type.name else value_type(asked, UNTYPED, value)
     _note(asked, handle, asked.value(0), value_type=kind, declared=False, default=default_of(value, kind))
-    read = _slots(asked, asked.value(0), value)
+    read = value_of(asked.value(0), value)
     if cell is None:
         return read
     asked.machine.write(cell, read)
@@ -273,7 +273,7 @@ def get_all(handle: Handle, asked: Call) -> Value:
         return UNKNOWN
     for each in first.items[:_MOST_LISTED]:
         _note(asked, handle, each, declared=False)
-    return Items(tuple(_slots(asked, each, UNKNOWN) for each in first.items))
+    return Items(tuple(value_of(each, UNKNOWN) for each in first.items))
 
 
 def has(handle: Handle, asked: Call) -> Value:
@@ -342,4 +342,7 @@ MAKERS: dict[str, Does[[Call], Value]] = {
     "rclcpp::ParameterValue": _first,
     "rclcpp::Parameter": _parameter,
 }
-VALUES = _constants()
+VALUES: dict[str, Does[[], Value]] = {
+    **_constants(),
+    "bond::msg::Constants::DISABLE_HEARTBEAT_TIMEOUT_PARAM": lambda: Text("bond_disable_heartbeat_timeout"),
+}

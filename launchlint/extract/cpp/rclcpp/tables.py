@@ -20,7 +20,9 @@ _WORDS = frozenset(
     createInstance createSharedInstance createUniqueInstance ParamListener get_params
     on_configure on_activate""".split()
 )
-_SILENT = frozenset("create_wall_timer create_timer thread NodeOptions Buffer".split())
+_EVERYWHERE = frozenset(("Buffer", "NodeOptions"))
+"""Classes that many functions are given which make no names."""
+_SILENT = frozenset("create_wall_timer create_timer thread".split())
 
 
 def _is_handle(type_: Type) -> bool:
@@ -36,7 +38,7 @@ RCLCPP = Tables(
     methods={**qos.METHODS, **nodes.METHODS, **interface.METHODS, **library.METHODS, **loading.METHODS},
     functions={**qos.FUNCTIONS, **interface.FUNCTIONS, **library.FUNCTIONS},
     of_handle={**interface.OF_HANDLE, **library.OF_HANDLE},
-    of_object=nodes.of_object,
+    of_object=interface.of_object,
     models=MODELS,
     bases={},
     values={**qos.VALUES, **params.VALUES},
@@ -54,9 +56,10 @@ RCLCPP = Tables(
         "get_parameter_or": "params",
     },
     bare=frozenset(("message_filters::Subscriber", "image_transport::SubscriberFilter")),
-    words=_WORDS | last_words(nodes.MAKERS, library.MAKERS, library.STANDINS, interface.MAKERS, MODELS, loading.MAKERS),
+    words=_WORDS | last_words(nodes.MAKERS, library.MAKERS, library.STANDINS, interface.MAKERS, MODELS, loading.MAKERS) - _EVERYWHERE,
     silent_words=_SILENT,
     spaces=("rclcpp", "image_transport", "nav2"),
+    owners={"Node": frozenset(("rclcpp",)), "Subscriber": frozenset(("message_filters",))},
     is_handle=_is_handle,
     running=frozenset(("rclcpp::ok()",)),
     follow=lifecycle.follow,

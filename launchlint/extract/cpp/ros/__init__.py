@@ -60,13 +60,17 @@ def make(machine: Machine, type_: Type, given: Sequence[Argument], node: Node, f
                 machine.later(value, machine.when)
             elif isinstance(value, (Callable, Closure)):
                 return value
-            elif (held := node_of(value)) is not None and name not in machine.tables.harmless and not _is_plain(name, held):
-                machine.doubt_all(f"{name} is given a {held.word}, and is not in these sources", frame.path, node.line)
+            elif (held := node_of(value)) is not None and name not in machine.tables.harmless and not is_plain(name, held):
+                reason = f"{name} is given a {held.word}, and is not in these sources"
+                if held.node is not None and name.endswith("ParamListener"):
+                    machine.doubt("params", reason, node, frame)  # generate_parameter_library makes it, and its description is not here
+                else:
+                    machine.doubt_all(reason, frame.path, node.line)
     return thing
 
 
-def _is_plain(name: str, held: Handle) -> bool:
-    """Whether a class is of the standard library, which knows no nodes; a node is often what a thread is run for."""
+def is_plain(name: str, held: Handle) -> bool:
+    """Whether a class or function is of the standard library, which knows no nodes; a node is often what a thread is run for."""
     return held.node is not None and name.startswith(("std::", "boost::"))
 
 

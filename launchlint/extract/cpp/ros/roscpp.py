@@ -86,6 +86,7 @@ ROSCPP = Tables(
         "NodeHandle getNodeHandle getPrivateNodeHandle thread createTimer createWallTimer Publisher Loader M_string NodeletLazy".split()
     ),
     spaces=("ros", "image_transport", "dynamic_reconfigure"),
+    owners={},
     is_handle=_is_handle,
     running=frozenset(("ros::ok()", "nh.ok()", "nh_.ok()", "n.ok()", "node.ok()", "ros::isInitialized()")),
     follow=lambda machine, thing: None,
