@@ -6,6 +6,7 @@ parameters and calls; both sides of an ``if`` are followed, and what they leave 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable as Does
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -52,6 +53,8 @@ _MOST_STEPS_OF_NUMBERED = 4_000
 _LONGEST_CONDITION = 160
 _LARGEST_IRRELEVANT = 1_500
 _LARGEST_PLAIN = 500
+_ASSIGNED = re.compile(r"(?:(?<![\w.>])|(?<=this->))([A-Za-z_]\w*)\s*=(?!=)")
+"""A member that is assigned: not one of another object."""
 _PLAIN = DOUBLES | INTEGERS | {"void"}
 _CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 
@@ -343,9 +346,9 @@ class Machine:
             if overloads.tells(self, function):
                 self.doubt_all(f"calls are nested too deeply to follow {function.name}", function.path, function.line)
             return UNKNOWN
-        if function.body.size > _LARGEST_IRRELEVANT and not overloads.is_relevant(self, function):
-            return UNKNOWN
-        if function.body.size > _LARGEST_PLAIN and function.returns.name in _PLAIN and not overloads.is_relevant(self, function):
+        largest = _LARGEST_PLAIN if function.returns.name in _PLAIN else _LARGEST_IRRELEVANT
+        if function.body.size > largest and not overloads.is_relevant(self, function):
+            self._forget(function, this)
             return UNKNOWN
         owner = self.declarations.classes.get(function.owner)
         known = dict(classes.bindings_in(self, this, owner)) if this is not None else {}
@@ -362,6 +365,15 @@ class Machine:
             self.calls.pop()
             self.horizon = horizon
         return either(frame.returns) if frame.returns else UNKNOWN
+
+    def _forget(self, function: Function, this: Thing | None) -> None:
+        """What a function that is not followed assigns to members of its own object, as its words say, is not known any more."""
+        if this is None or function.body is None:
+            return
+        for name in dict.fromkeys(_ASSIGNED.findall(function.body.text)):
+            cell = classes.member(self, this, name)
+            if cell is not None and not cell.constant:
+                self.write(cell, UNKNOWN)
 
     def _body(self, body: Node, frame: Frame) -> None:
         """Follow a body, and take the conditions of its early returns off afterwards."""

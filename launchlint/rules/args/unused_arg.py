@@ -8,7 +8,8 @@ of a file with `<rosparam file="…" subst_value="true"/>`: the YAML file may re
 
 It is an info where nobody who gives the arg a value is misled: what reads it is commented out, and may come back, or the arg has a fixed
 `value`. So it is where another file names this one and gives the arg with `name:=…` (a script, a service, a document, the args of a node in
-another launch file): it belongs to an interface that is kept. It is one, too, where no include passes the arg and nobody is likely to give
+another launch file): it belongs to an interface that is kept; and where includes pass it, with others, to another launch file of the same
+directory as well, which reads it. It is one, too, where no include passes the arg and nobody is likely to give
 it: it has no default (roslaunch asks for it only where it is read, so that such a rest of a template is in nobody's way), or the file is
 a `.test`; where the file holds nothing but args, to keep the place of one that other robots have (as MoveIt's Setup Assistant writes them);
 and where the package is a copy of a public one among packages of other people. All args of one file that are never read are told as one,

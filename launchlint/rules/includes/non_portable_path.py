@@ -7,7 +7,8 @@ and where it begins in a package that is not here: how that lies, its own people
 directory roslaunch is started in. Absolute names of system configuration (`/etc`, `/dev`, `/tmp` and the like) are passed over, and so is
 all that begins with a substitution other than `$(find …)` and `$(dirname)`.
 
-Home directories that the containers of the workspace have (Dockerfiles, compose files, `docker run` in scripts) are passed over.
+Home directories that the containers of the workspace have (Dockerfiles, compose files, `docker run` in scripts) are passed over, and those
+of users that a `<machine>` of the file logs in as.
 
 In the values of args and params, and in what nodes get as `args` or `env`, it speaks about paths below the home directory of one person
 and about `..` that leads out of a package; that is an info where no package holds what is named, and so is `~`, which nodes expand or
@@ -165,7 +166,7 @@ def _home(plain: str, view: FileView, words: Words | None) -> _Fault | None:
         help = "fill it in, or make it an arg without a default"
         note = "it is a placeholder, which each user fills in"
         return _Fault(f"{found[0]}… is nobody's home directory", note, help, severity=Severity.INFO, cause=found[0])
-    if found is not None and _is_in_container(found[0], view):
+    if found is not None and (_is_in_container(found[0], view) or _logs_in(found[0], view)):
         return None
     if found is not None:
         help = f"name files with {pkg}, others with {home} or an arg that each machine sets"
@@ -181,6 +182,13 @@ def _is_in_container(path: str, view: FileView) -> bool:
     """Whether it lies in a home directory that a container of this workspace has: it is the same on each machine then."""
     found = re.match(r"/home/([\w.-]+)/", path)
     return found is not None and found[1] in view.packages.container_users()
+
+
+def _logs_in(path: str, view: FileView) -> bool:
+    """Whether it lies in the home directory of the user that a ``<machine>`` of the file logs in as: it is a path of that machine."""
+    found = re.match(r"/(?:home|Users)/([\w.-]+)/", path)
+    machines = (each for each in view.document.elements if each.tag == "machine")
+    return found is not None and any(each.get("user") == found[1] for each in machines)
 
 
 def _out_of_package(parts: Parts, view: FileView) -> _Fault | None:

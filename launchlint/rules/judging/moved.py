@@ -21,10 +21,18 @@ _OF_MANY = {
 
 
 def moved(path: str, meant: str) -> str:
-    """The cause of all that is looked for where ``path`` should be and lies elsewhere, as ``meant`` does; else empty."""
+    """The cause of all that is looked for where ``path`` should be and lies elsewhere, as ``meant`` does; else empty.
+
+    It is the directory; or, where a directory on the way there is left out (``nav/x.launch`` for ``launch/nav/x.launch``), that one.
+    """
     directory, name = posixpath.split(posixpath.normpath(path))
     right, other = posixpath.split(meant)
-    return f"{_MOVED}{directory}" if name == other and right else ""
+    if name != other or not right:
+        return ""
+    there, looked_for = right.split("/"), directory.split("/")
+    same = next((at for at, (one, two) in enumerate(zip(reversed(there), reversed(looked_for), strict=False)) if one != two), 0)
+    left_out = "/".join(there[1 : len(there) - same])
+    return f"{_MOVED}{'/'.join(looked_for[: len(looked_for) - same])} {left_out}" if same and left_out else f"{_MOVED}{directory}"
 
 
 def lacking(path: str, source: str, view: LaunchView) -> str:

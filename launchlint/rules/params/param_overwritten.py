@@ -111,5 +111,5 @@ def _finding(again: SetAgain, severity: Severity) -> Finding:
         if behind
         else "remove one of the two, or put a condition on the second",
         topic=last,
-        cause=f"{last} {shown(again.old)} {shown(again.new)}",
+        cause=f"{last} {shown(again.old)} {shown(again.new) if behind else ''}",
     )

@@ -5,7 +5,7 @@ for a double and rounds a double to an int, and nothing else: text is no number,
 list or a mapping instead of a single value is told, and the reverse. Values in one YAML file that are wrong in the same way are told as
 one, also where the file was copied, and so is the same value of the same param in several files. An empty text is an info: it is a way to
 say that the param is not set. So is a value that says the same as the default that the node falls back to: `1e-3`, a text for YAML, where
-the default is 0.001, `pi / 2` where it is 1.5708, or `none` where it is false.
+the default is 0.001, `pi / 2` where it is 1.5708, or `none` where it is false; and 0 for a bool of which no default is known.
 
 In ROS 2 a node takes no other type than the one it declares a param with: that is an error, and so is a value beyond the range that it
 declares, or none of those that it allows. An integer for a double is told by LL906.
@@ -171,6 +171,8 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
         or _is_number(value, default)
         or (isinstance(value, str) and value.strip().lower() in _words_for(default))
     )
+    # What is not known to be true when it is not set is false, as the value says.
+    means_default = means_default or (one == "bool" and not known and str(value).strip().lower() in _NOTHING)
     return RULE.at(
         setting.origin,
         f"{instance.program} reads {reading.declared} as {_WORDS[one]}, and {shown(value)} is {_WORDS[type_]}: {instead}",

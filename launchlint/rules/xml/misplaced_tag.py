@@ -66,6 +66,7 @@ from collections.abc import Iterator, Sequence
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import FileView
 from launchlint.syntax.problems import MisplacedTag
 from launchlint.syntax.ros1.dialect import TAGS
 from launchlint.syntax.ros2.problems import MisplacedEntity
@@ -73,6 +74,8 @@ from launchlint.syntax.ros2.problems import MisplacedEntity
 RULE = Rule("LL106", "misplaced-tag", Severity.WARNING, roslaunch="reports")
 SKIPPED = "skipped"
 MOST_NAMED = 6
+_MOST_ALIKE = 20
+"""Elements by which a copy is recognised; each finding carries them."""
 
 
 def tell(problem: MisplacedTag | MisplacedEntity, view: object) -> Iterator[Finding]:
@@ -90,22 +93,38 @@ def tell(problem: MisplacedTag | MisplacedEntity, view: object) -> Iterator[Find
         label=f"<{tag}> {problem.name} is {SKIPPED}" if problem.name else SKIPPED,
         notes=(said,),
         help=_advice(tag, parent),
-        cause=f"{problem.place.source.path}:{problem.within} {problem.refused}",
+        cause=_cause(problem, view),
     )
+
+
+def _cause(problem: MisplacedTag, view: object) -> str:
+    """One for all that stands wrongly in one element, and in its copies in other files, in which the same stands."""
+    place = problem.place
+    around = view.document.element_from(problem.within) if isinstance(view, FileView) and problem.within >= 0 else None
+    if around is None or around.span.start != problem.within or len(around.children) > _MOST_ALIKE:
+        return f"{place.source.path}:{problem.within} {problem.refused}"
+    inside = (f"{each.tag} {each.get('name') or ''} {each.get('value') or each.get('to') or ''}" for each in around.children)
+    return f"{problem.parent} {problem.refused} {'; '.join(inside)}"
 
 
 def together(findings: Sequence[Finding]) -> Finding:
     """All that stands wrongly in one element: how much, what, and what to do about each kind."""
     if any(SKIPPED not in finding.label for finding in findings):
         return joined(findings)
-    findings = sorted(findings, key=lambda finding: finding.location.start)
+    findings = sorted(findings, key=lambda finding: (finding.location.path, finding.location.start))
     first = joined(findings)
-    named = [finding.label.removesuffix(f" is {SKIPPED}") if finding.label != SKIPPED else f"<{finding.element}>" for finding in findings]
-    more = f" and {len(named) - MOST_NAMED} more" if len(named) > MOST_NAMED else ""
+    own = [finding for finding in findings if finding.location.path == first.location.path]
+    files = {finding.location.path for finding in findings}
+    named = [finding.label.removesuffix(f" is {SKIPPED}") if finding.label != SKIPPED else f"<{finding.element}>" for finding in own]
     parent = first.message.rpartition(" inside ")[2].partition(" (")[0]
+    more = f" and {len(named) - MOST_NAMED} more" if len(named) > MOST_NAMED else ""
+    what = f"{len(own)} elements have no effect inside {parent}: {', '.join(named[:MOST_NAMED])}{more}"
+    if len(own) == 1:
+        what = f"{named[0]} has no effect inside {parent}"
+    copies = "" if len(files) == 1 else f" (and in {len(files) - 1} more file{'s' if len(files) > 2 else ''})"
     return first._replace(
-        message=f"{len(findings)} elements have no effect inside {parent}: {', '.join(named[:MOST_NAMED])}{more}",
-        label=findings[0].label,
+        message=f"{what}{copies}",
+        label=own[0].label,
         help="; ".join(dict.fromkeys(finding.help for finding in findings)),
     )
 

@@ -250,3 +250,42 @@ def test_a_member_that_a_callback_changes_decides_nothing(tmp_path: Path) -> Non
         "publishers out std_msgs/Bool 5 queue=1 when=message if ready_",
         "subscribers in std_msgs/Bool 4 queue=1",
     ]
+
+
+MANY = "".join(f"  value[{number}] = {number};\n" for number in range(200))
+
+
+@pytest.mark.parametrize(
+    ("made", "expected"),
+    [
+        ("ros::this_node::getName()", "params ~gain double 11"),
+        ("std::string(read_from_somewhere())", "params {any}/gain double 11"),
+    ],
+)
+def test_a_member_that_a_long_function_sets(tmp_path: Path, made: str, expected: str) -> None:
+    """Such a function may be passed over where nothing in it speaks of ROS: then the member is not what it was before."""
+    code = f"""struct Controller {{
+  Controller();
+  void init();
+  void get();
+  std::string name;
+  double gain;
+  int value[200];
+  ros::NodeHandle nh;
+}};
+void Controller::get() {{
+  nh.getParam(name + "/gain", gain);
+}}
+void Controller::init() {{
+  name = {made};
+{MANY}}}
+Controller::Controller() {{
+  init();
+  get();
+}}
+int main(int argc, char** argv) {{
+  Controller controller;
+}}
+"""
+    facts, _ = program(tmp_path, code)
+    assert [spelled(fact) for fact in facts] == lines(expected)

@@ -28,7 +28,8 @@ _WORDS = frozenset(
     hasParam searchParam NodeHandle waitForMessage waitForService createClient TransformListener TransformBroadcaster
     StaticTransformBroadcaster SimpleActionServer SimpleActionClient ActionServer ActionClient Subscriber Publisher Server
     ImageTransport Updater createTimer createWallTimer getNodeHandle getPrivateNodeHandle CameraInfoManager
-    RealtimePublisher initParam thread createInstance createUniqueInstance Loader M_string""".split()
+    RealtimePublisher initParam thread createInstance createUniqueInstance Loader M_string
+    this_node""".split()
 )
 
 
@@ -83,7 +84,10 @@ ROSCPP = Tables(
     ),
     words=_WORDS | last_words(MAKERS, MODELS),
     silent_words=frozenset(
-        "NodeHandle getNodeHandle getPrivateNodeHandle thread createTimer createWallTimer Publisher Loader M_string NodeletLazy".split()
+        (
+            "NodeHandle getNodeHandle getPrivateNodeHandle thread createTimer createWallTimer Publisher Loader M_string NodeletLazy "
+            "this_node"
+        ).split()
     ),
     spaces=("ros", "image_transport", "dynamic_reconfigure"),
     owners={},
