@@ -26,8 +26,8 @@ MOST_LINES = 200
 def command(output: str, packages: tuple[str, ...], jobs: int, quiet: bool, sources: tuple[str, ...]) -> int:
     """Make a library from source code: what nodes publish, subscribe, serve, call and read.
 
-    SRC is the directory of a package or a workspace. rospy and roscpp sources are read, never run, imported or built. Names that
-    cannot be known from the source are open in the library; the summary on standard error counts them.
+    SRC is the directory of a package or a workspace. Sources of rospy, roscpp, rclpy and rclcpp are read, never run, imported or
+    built. Names that cannot be known from the source are open in the library; the summary on standard error counts them.
     """
     import os
 
@@ -77,6 +77,8 @@ def _summarize(result: Result) -> None:
     from launchlint.report.escape import visible
 
     lines = [f"{counted(result.programs, 'program')}, {counted(result.names, 'name')}, {result.unresolved} not known as a whole"]
+    if result.opened:
+        lines[0] += f"; {counted(result.opened, 'program')} may have more"
     by_reason: dict[str, list[str]] = {}
     for each in result.skipped:
         by_reason.setdefault(each.reason, []).append(f"{_named(each.package, each.name)} ({each.path})")

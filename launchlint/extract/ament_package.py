@@ -12,7 +12,7 @@ from launchlint.extract.package_reader import PackageReader
 from launchlint.extract.python.ros2.modules import AmentModules
 from launchlint.extract.task import Skipped
 from launchlint.workspace import looking
-from launchlint.workspace.ament.installed import Program
+from launchlint.workspace.ament.installed import Installed, Program
 from launchlint.workspace.ament.reading import installed_by_cmake, installed_by_python
 from launchlint.workspace.cmake_targets import Component, Target
 from launchlint.workspace.package import Package
@@ -31,7 +31,7 @@ class AmentPackage(PackageReader):
 
     def __init__(self, package: Package, origin: Origin, workspace: Workspace) -> None:
         super().__init__(package, origin, workspace)
-        self._read_python: tuple[Mapping[str, Program], frozenset[str]] | None = None
+        self._read_installed: tuple[Installed, frozenset[str]] | None = None
 
     @property
     def complete(self) -> bool:
@@ -45,6 +45,9 @@ class AmentPackage(PackageReader):
                 self._executable(target_name, target)
         for name, program in self._python.items():
             self._python_program(name, program)
+        for reason in self._more_of_python:
+            shown = self._shown(self.package.directory)
+            self.skipped.append(Skipped(self.package.name, "", shown, f"it may have more programs: {reason}"))
         for each in self._components.values():
             self._component(each)
             if each.executable:
@@ -72,23 +75,33 @@ class AmentPackage(PackageReader):
     @property
     def _python(self) -> Mapping[str, Program]:
         """The programs that no compiler makes, by name: entry points, and files that are installed to be run."""
-        if self._read_python is None:
-            self._read_python = looking.watched(self._programs_of_python)
-        found, looked = self._read_python
-        looking.note(looked)
-        return found
-
-    def _programs_of_python(self) -> Mapping[str, Program]:
-        manifest = self.package.manifest
-        of_python = manifest is not None and manifest.build_types == ("ament_python",)
-        installed = installed_by_python(self.package) if of_python else installed_by_cmake(self.package, self.cmake)
         there = f"lib/{self.package.name}"
         found: dict[str, Program] = {}
-        for each in installed.programs:
+        for each in self._installed.programs:
             before = found.get(each.name)
             if each.how in _OF_PYTHON and (before is None or (each.destination == there and before.destination != there)):
                 found[each.name] = each
         return dict(sorted(found.items()))
+
+    @property
+    def _more_of_python(self) -> tuple[str, ...]:
+        """Why ``setup.py`` may install programs that are not found; that of other files counts only where there are none."""
+        found = self._installed
+        return tuple(each for each in found.program_reasons if self._is_of_python and (each not in found.reasons or not found.programs))
+
+    @property
+    def _is_of_python(self) -> bool:
+        return self.package.manifest is not None and self.package.manifest.build_types == ("ament_python",)
+
+    @property
+    def _installed(self) -> Installed:
+        if self._read_installed is None:
+            self._read_installed = looking.watched(
+                lambda: installed_by_python(self.package) if self._is_of_python else installed_by_cmake(self.package, self.cmake)
+            )
+        found, looked = self._read_installed
+        looking.note(looked)
+        return found
 
     def _python_program(self, name: str, program: Program) -> None:
         path = next((each for each in program.sources if os.path.isfile(each)), None) or self._module(program.entry)

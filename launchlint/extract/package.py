@@ -15,12 +15,15 @@ PARALLEL_FROM = 8
 
 
 class Result(NamedTuple):
-    """The library as a document, and what the summary says. ``skipped`` are programs that are not in it, with the reason."""
+    """The library as a document, and what the summary says. ``skipped`` are programs that are not in it, with the reason; ``opened``
+    counts those that may have names that were not found.
+    """
 
     document: dict[str, Any]
     programs: int
     names: int
     unresolved: int
+    opened: int
     skipped: tuple[Skipped, ...]
 
 
@@ -86,7 +89,8 @@ def _result(planned: Plan, readings: Sequence[Reading]) -> Result:
         "packages": packages,
     }
     done = [reading for reading in readings if reading.program is not None]
-    return Result(document, len(done), sum(each.names for each in done), sum(each.unresolved for each in done), tuple(skipped))
+    opened = sum(any("open" in variant for variant in each.program["variants"].values()) for each in done if each.program is not None)
+    return Result(document, len(done), sum(each.names for each in done), sum(each.unresolved for each in done), opened, tuple(skipped))
 
 
 def _sources(planned: Plan, used: set[str]) -> list[dict[str, Any]]:

@@ -76,3 +76,65 @@ def test_what_cannot_be_done(repository: Path) -> None:
     ):
         ran = run(repository, *words)
         assert (ran.status, ran.output, ran.errors) == (2, "", f"launchlint: {message}\n")
+
+
+NODE = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('topic', 'chatter')
+        self.create_publisher(String, self.get_parameter('topic').value, rclpy.qos.qos_profile_sensor_data)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+
+
+def nothing():
+    rclpy.init()
+"""
+SPOKEN = """\
+    "talker": {
+     "class": "rclpy",
+     "variants": {
+      "default": {
+       "node": "talker",
+       "publishers": [
+        {"name": "{param:~topic|chatter}", "type": "std_msgs/msg/String", "qos": {"reliability": "best_effort", "durability": "volatile", \
+"history": "keep_last", "depth": 5}, "evidence": [{"by": "static", "at": "repository:demo/demo/node.py:10"}]}
+       ],
+       "params": [
+        {"name": "~topic", "type": "string", "declared": true, "default": "chatter", \
+"evidence": [{"by": "static", "at": "repository:demo/demo/node.py:9"}]}
+       ]
+"""
+
+
+def test_programs_of_ros2_and_what_was_not_understood(repository: Path) -> None:
+    manifest = PACKAGE.format(name="demo").replace("</package>", "<export><build_type>ament_python</build_type></export></package>")
+    setup = "from setuptools import setup\nsetup(packages=['demo'], entry_points={'console_scripts': ['talker = demo.node:main', 'empty = demo.node:nothing']})"
+    write(repository, {"demo/package.xml": manifest, "demo/setup.py": setup, "demo/demo/__init__.py": "", "demo/demo/node.py": NODE})
+    ran = run(repository, "extract", "demo", "-o", "demo.json")
+    assert ran.errors == "2 programs, 2 names, 0 not known as a whole; 1 program may have more\n"
+    text = (repository / "demo.json").read_text(encoding="utf-8")
+    assert SPOKEN in text
+    library = json.loads(text)
+    assert (library["version"], library["packages"]["demo"]["middleware"]) == (2, "ros2")
+    opened = library["packages"]["demo"]["executables"]["empty"]["variants"]["default"]["open"]
+    assert set(opened.values()) == {"it uses rclpy, and no node of it was found (demo/demo/node.py:1)"}
+    assert run(repository, "library", "validate", "demo.json").status == 0
+
+
+def test_a_setup_that_is_not_understood_is_told(repository: Path) -> None:
+    manifest = PACKAGE.format(name="demo").replace("</package>", "<export><build_type>ament_python</build_type></export></package>")
+    write(repository, {"demo/package.xml": manifest, "demo/setup.py": "import somebody\nsomebody.install()\n"})
+    assert run(repository, "extract", "demo", "-o", "demo.json").errors == (
+        "0 programs, 0 names, 0 not known as a whole\n1 program not read:\n"
+        "  demo (demo): it may have more programs: setup.py cannot be followed to a call of setup()\n"
+    )
