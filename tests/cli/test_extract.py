@@ -118,7 +118,8 @@ SPOKEN = """\
 
 def test_programs_of_ros2_and_what_was_not_understood(repository: Path) -> None:
     manifest = PACKAGE.format(name="demo").replace("</package>", "<export><build_type>ament_python</build_type></export></package>")
-    setup = "from setuptools import setup\nsetup(packages=['demo'], entry_points={'console_scripts': ['talker = demo.node:main', 'empty = demo.node:nothing']})"
+    points = "['talker = demo.node:main', 'empty = demo.node:nothing']"
+    setup = f"from setuptools import setup\nsetup(packages=['demo'], entry_points={{'console_scripts': {points}}})"
     write(repository, {"demo/package.xml": manifest, "demo/setup.py": setup, "demo/demo/__init__.py": "", "demo/demo/node.py": NODE})
     ran = run(repository, "extract", "demo", "-o", "demo.json")
     assert ran.errors == "2 programs, 2 names, 0 not known as a whole; 1 program may have more\n"
