@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.library.template import UNKNOWN, Thing, Undetermined
 
@@ -95,6 +95,22 @@ def pattern_of(like: str) -> re.Pattern[str] | None:
     return re.compile("".join(f"(?P<{word}>{some})" if number % 2 else re.escape(word) for number, word in enumerate(words)))
 
 
+def _alike(found: Sequence[Any], pattern: re.Pattern[str] | None) -> list[Thing] | Undetermined:
+    """The arguments of that form; of one that is known in part the parts. One of which the form cannot be told may be any of them."""
+    if pattern is None:
+        return []
+    result: list[Thing] = []
+    for value in found:
+        partly = isinstance(value, Undetermined)
+        match = pattern.fullmatch(value.pattern if partly else value)
+        if match is not None:
+            parts = match.groupdict()
+            result.append(Thing(value, {name: Undetermined(part) if partly and "*" in part else part for name, part in parts.items()}))
+        elif partly:
+            return UNKNOWN
+    return result
+
+
 def things(each: Any, situation: Situation) -> list[Thing] | Undetermined:
     """What a (validated) ``each`` goes through: :data:`UNKNOWN` where that cannot be known."""
     if "args" in each:
@@ -103,9 +119,7 @@ def things(each: Any, situation: Situation) -> list[Thing] | Undetermined:
             return UNKNOWN
         if "like" not in each:
             return [Thing(value, value) for value in found]
-        pattern = pattern_of(each["like"])
-        fitting = [(value, pattern.fullmatch(value)) for value in found] if pattern is not None else []
-        return [Thing(value, match.groupdict()) for value, match in fitting if match is not None]
+        return _alike(found, pattern_of(each["like"]))
     value = situation.param(each["param"] if "param" in each else each["words"])
     if value is None:
         value = each.get("default", [])

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from launchlint.library.condition import holds, things
-from launchlint.library.template import UNKNOWN, Thing
+from launchlint.library.template import UNKNOWN, Thing, Undetermined
 from tests.library.samples import Node
 
 YES: dict[str, Any] = {"param": "~yes"}
@@ -110,3 +110,16 @@ def test_condition_on_the_command_line(condition: Any, expected: bool) -> None:
 )
 def test_things(each: Any, node: Node, expected: Any) -> None:
     assert things(each, node) == expected
+
+
+def test_arguments_known_in_part() -> None:
+    """Of ``$(arg sensor)/imu@p/T[q`` the type is known; a word of which the form is not known may be any argument."""
+    each = {"args": 1, "like": "{topic}@{type}[{other}"}
+    found = things(each, Node((Undetermined("*/imu@p/T[q"), "/b@p/T[q")))
+    assert isinstance(found, list)
+    topic, certain = (thing.value["topic"] for thing in found)
+    assert isinstance(topic, Undetermined)
+    assert topic.pattern == "*/imu"
+    assert certain == "/b"
+    assert found[0].value["type"] == "p/T"
+    assert things(each, Node((Undetermined("/x*"), "/b@p/T[q"))) is UNKNOWN
