@@ -149,3 +149,28 @@ def test_an_entry_point_that_ends_the_program(tmp_path: Path) -> None:
         "    node.create_timer(1, lambda: node.create_publisher(String, 'later', 1))\n    sys.exit(rclpy.spin(node))\n"
     )
     assert [each.name for each in follow(tmp_path, source, "p.entry:main", "p/entry.py").facts] == ["later"]
+
+
+DESCRIBED = """\
+controller:
+  base_frame: {type: string, default_value: base_link, description: "the frame", read_only: true}
+  gains:
+    p: {type: double, default_value: 1.0, validation: {bounds<>: [0.0, 5.0]}}
+"""
+
+
+def test_params_of_a_generated_module(tmp_path: Path) -> None:
+    write(tmp_path, {"package.xml": MANIFEST, "setup.py": "generate_parameter_module('made', 'p/params.yaml')", "p/params.yaml": DESCRIBED})
+    source = (
+        "import rclpy\nfrom p.made import controller\nfrom std_msgs.msg import String\n\nrclpy.init()\nnode = rclpy.create_node('n')\n"
+        "params = controller.ParamListener(node).get_params()\nnode.create_publisher(String, params.base_frame + '/state', 1)\n"
+    )
+    assert shown(follow(tmp_path, source)) == (
+        "node n @6\n"
+        "params ~base_frame default='base_link' value_type=string declared=True (description=the frame read_only=True) @7\n"
+        "params ~gains.p default=1.0 value_type=double declared=True (minimum=0.0 maximum=5.0) @7\n"
+        "publishers {param:~base_frame|base_link}/state std_msgs/msg/String"
+        " (reliability=reliable durability=volatile history=keep_last depth=1) @8\n"
+    )
+    missing = follow(tmp_path, source.replace("controller", "other"))
+    assert {each.reason for each in missing.doubts} == {"it declares the params of p.made.other, whose description was not found"}

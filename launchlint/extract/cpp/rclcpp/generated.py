@@ -4,140 +4,19 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable as Does
-from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Sequence
 
-from launchlint.errors import ConfigurationError
 from launchlint.extract.cpp.rclcpp import params
 from launchlint.extract.cpp.rclcpp.interface import node_at
 from launchlint.extract.cpp.spelled_type import Type
 from launchlint.extract.cpp.tables import Tables
 from launchlint.extract.cpp.values import UNKNOWN, Cell, Number, Text, Thing, Value, choices, node_of
-from launchlint.extract.fact import Descriptor, Fact
-from launchlint.workspace import looking
-from launchlint.workspace.yaml_nodes import MAPPING, SCALAR, SEQUENCE, Node, parse_document
+from launchlint.extract.described_params import MOST_PARAMS, Description, read
+from launchlint.extract.fact import Fact
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.extract.cpp.calls import Call
-
-_MOST_PARAMS = 2_000
-_DEEPEST = 20
-_LARGEST = 1 << 20
-_MAP = "__map_"
-_TYPES = {
-    "bool": "bool", "int": "integer", "double": "double", "string": "string", "bool_array": "bool_array", "int_array": "integer_array",
-    "double_array": "double_array", "string_array": "string_array",
-}  # fmt: skip
-_LEAST = ("bounds<>", "lower_bounds<>", "gt_eq<>")
-_GREATEST = ("bounds<>", "upper_bounds<>", "lt_eq<>")
-
-
-class Described(NamedTuple):
-    """One param of a YAML file: its name with dots, ``{any}`` for the parts that another param gives."""
-
-    name: str
-    type: str
-    default: bool | int | float | str | list[bool | int | float | str] | None
-    descriptor: Descriptor
-    line: int
-
-
-class Description(NamedTuple):
-    """A YAML file: the namespace of the classes that are made of it, and the params; ``whole`` says that all of them are understood."""
-
-    space: str
-    params: tuple[Described, ...]
-    whole: bool
-
-
-def read(path: str) -> Description | None:
-    """What a YAML file describes; None where it cannot be read."""
-    try:
-        root = parse_document(looking.read_bytes(path, _LARGEST), path).root
-    except (OSError, ConfigurationError):
-        return None
-    if root is None or root.kind != MAPPING or len(root.pairs) != 1:
-        return None
-    key, value = root.pairs[0]
-    found = list(_params(value, "", 0))
-    return Description(key.text, tuple(found[:_MOST_PARAMS]), len(found) <= _MOST_PARAMS)
-
-
-def _params(node: Node, start: str, depth: int) -> Iterator[Described]:
-    if node.kind != MAPPING or depth > _DEEPEST:
-        return
-    said = {key.text: value for key, value in node.pairs if key.kind == SCALAR}
-    if start and "type" in said and said["type"].kind == SCALAR:
-        yield _described(start, said, node.line)
-        return
-    for key, value in node.pairs:
-        part = "{any}" if key.text.startswith(_MAP) else key.text
-        if key.kind == SCALAR and part and (part == "{any}" or not set(part) & set("{}~/ ")):
-            yield from _params(value, f"{start}.{part}" if start else part, depth + 1)
-
-
-def _described(name: str, said: dict[str, Node], line: int) -> Described:
-    kind = said["type"].text
-    base, _, size = kind.rpartition("_fixed_")
-    type_ = _TYPES.get(base if size.isdigit() else kind, "")
-    checks = said.get("validation")
-    given = {key.text: value for key, value in checks.pairs} if checks is not None and checks.kind == MAPPING else {}
-    one_of = _first(given.get("one_of<>"))
-    described = Descriptor(
-        said["description"].text if "description" in said and said["description"].kind == SCALAR else "",
-        "read_only" in said and said["read_only"].text == "true",
-        False,
-        _limit(given, _LEAST, 0),
-        _limit(given, _GREATEST, -1),
-        None,
-        tuple(each for each in (_value(item) for item in one_of.items) if each is not None) if one_of is not None else (),
-    )
-    default = said.get("default_value")
-    return Described(name, type_, _default(default, type_), described, line)
-
-
-def _first(node: Node | None) -> Node | None:
-    """The list that a check is given as its first argument."""
-    found = node.items[0] if node is not None and node.kind == SEQUENCE and node.items else None
-    return found if found is not None and found.kind == SEQUENCE else None
-
-
-def _limit(given: dict[str, Node], names: Sequence[str], position: int) -> float | None:
-    for name in names:
-        node = given.get(name)
-        value = _value(node.items[position]) if node is not None and node.kind == SEQUENCE and node.items else None
-        if isinstance(value, (int, float)) and not isinstance(value, bool):
-            return value
-    return None
-
-
-def _default(node: Node | None, kind: str) -> bool | int | float | str | list[bool | int | float | str] | None:
-    if node is None:
-        return None
-    if node.kind == SEQUENCE:
-        items = [_value(each, kind.removesuffix("_array")) for each in node.items]
-        known = [each for each in items if each is not None]
-        return known if len(known) == len(items) else None
-    return _value(node, kind)
-
-
-def _value(node: Node, kind: str = "") -> bool | int | float | str | None:
-    if node.kind != SCALAR:
-        return None
-    try:
-        if kind == "string":
-            return node.text
-        if node.type == "bool":
-            return node.text.lower() in ("true", "yes", "on")
-        if node.type == "int":
-            number = int(node.text.replace("_", ""), 0)
-            return (float(number) if kind == "double" else number) if abs(number) < 10**18 else None
-        if node.type == "float":
-            return float(node.text) if abs(float(node.text)) < 1e300 else None
-    except (ValueError, OverflowError):
-        return None
-    return node.text if node.type == "str" else None
 
 
 def with_classes(tables: Tables, paths: Sequence[str], root: str) -> Tables:
@@ -186,7 +65,7 @@ def _listener(description: Description, path: str) -> Does[[Call], Value]:
                     )
                 )
         if not description.whole:
-            machine.doubt("params", f"only {_MOST_PARAMS} params of {path} are listed", asked.node, asked.frame)
+            machine.doubt("params", f"only {MOST_PARAMS} params of {path} are listed", asked.node, asked.frame)
         machine.serial += 1
         thing = Thing(Type(asked.name), None, machine.serial)
         thing.fields["<params>"] = machine.cell(_struct(description, start))

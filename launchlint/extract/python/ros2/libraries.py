@@ -9,7 +9,7 @@ from launchlint.extract.python import command_line, libraries
 from launchlint.extract.python.arguments import Call
 from launchlint.extract.python.dialect import Handler, Method
 from launchlint.extract.python.outside import MessageClass
-from launchlint.extract.python.ros2 import nodes, params, qos
+from launchlint.extract.python.ros2 import described, nodes, params, qos
 from launchlint.extract.python.ros2.api import quiet
 from launchlint.python import standard
 from launchlint.python.text import joined
@@ -285,5 +285,6 @@ METHODS: Mapping[tuple[str, str], Method] = {
     **{("client", name): _asked for name in ("call_async", "send_goal_async", "wait_for_transform_async", "lookup_transform_async")},
     ("future", "add_done_callback"): _asked,
     ("executor", "create_task"): _starts,
+    ("listener", "get_params"): described.params_of,
     **{("updater", name): _starts for name in ("add", "broadcast")},
 }

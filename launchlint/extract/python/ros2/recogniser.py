@@ -5,7 +5,7 @@ from __future__ import annotations
 from launchlint.extract.python.arguments import Call
 from launchlint.extract.python.foreign import has_no_ros
 from launchlint.extract.python.recogniser import RosRecogniser
-from launchlint.extract.python.ros2 import api, libraries, nodes, params, qos
+from launchlint.extract.python.ros2 import api, described, libraries, nodes, params, qos
 from launchlint.extract.python.ros2.canonical import canonical
 from launchlint.python.values import MISSING, UNKNOWN, External, Handle, Instance, Map, Scope, Seq, Value, alternatives
 
@@ -38,6 +38,8 @@ class Ros2Recogniser(RosRecogniser):
             made = Handle("node", {})
             nodes.construct(self._run, made, Call(self._run, name, positional, keywords, node, scope), name in nodes.LIFECYCLE)
             return made
+        if name.endswith(described.LISTENER):
+            return described.listener(Call(self._run, name, positional, keywords, node, scope))
         if name not in libraries.HANDLERS and not name.endswith(".__init__"):
             self._doubt_given(name, [*positional, *keywords.values()], node, scope)
         return super().call(name, positional, keywords, node, scope)
