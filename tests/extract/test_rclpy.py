@@ -5,6 +5,7 @@ A case is a file: the program, a line of dashes, what is found. ``--update`` wri
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import pytest
@@ -174,3 +175,49 @@ def test_params_of_a_generated_module(tmp_path: Path) -> None:
     )
     missing = follow(tmp_path, source.replace("controller", "other"))
     assert {each.reason for each in missing.doubts} == {"it declares the params of p.made.other, whose description was not found"}
+
+
+HEAD = "import rclpy\nfrom rclpy.node import Node\nfrom rclpy.qos import QoSProfile\nfrom rcl_interfaces.msg import *\n"
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        pytest.param("".join(f"rclpy.create_node('n{each}')\n" for each in range(3_000)), id="many nodes"),
+        pytest.param(
+            "n = rclpy.create_node('n')\n" + "".join(f"n.declare_parameter('p{each}', 1)\n" for each in range(4_000)), id="many params"
+        ),
+        pytest.param(
+            f"rclpy.create_node('n').declare_parameters('', [{', '.join('(str(1), 1)' for _ in range(4_000))}])\n", id="a long list"
+        ),
+        pytest.param(
+            "q = QoSProfile(depth=1)\n" + "".join(f"if x:\n q.depth = {each}\n" for each in range(4_000)), id="a profile of branches"
+        ),
+        pytest.param(
+            "d = ParameterDescriptor()\nd.integer_range = [d]\nrclpy.create_node('n').declare_parameter('x', d, d)\n", id="in itself"
+        ),
+        pytest.param("x = []\nx.append(x)\nrclpy.create_node(x, namespace=x).declare_parameters(x, x)\n", id="a list in itself"),
+        pytest.param(
+            "n = rclpy.create_node('n')\nn.create_publisher()\nn.create_subscription(n, n, n, n)\nn.get_parameter()\n", id="odd arguments"
+        ),
+        pytest.param("class A(Node):\n def __init__(self):\n  A()\n  super().__init__('n')\nA()\n", id="a node in itself"),
+        pytest.param(
+            "".join(
+                f"class A{n}(Node):\n def __init__(self):\n  super().__init__('n')\n  self.create_timer(1, self.t)\n def t(self):\n  A{n + 1}()\n"
+                for n in range(1_000)
+            )
+            + "A0()\n",
+            id="nodes that make nodes later",
+        ),
+    ],
+)
+def test_what_is_made_to_take_long_ends(tmp_path: Path, source: str) -> None:
+    start = time.process_time()
+    found = follow(tmp_path, HEAD + source)
+    assert time.process_time() - start < 5
+    assert len(found.nodes) <= 200
+
+
+def test_more_nodes_than_are_followed_are_told(tmp_path: Path) -> None:
+    found = follow(tmp_path, HEAD + "".join(f"rclpy.create_node('n{each}')\n" for each in range(201)))
+    assert {each.reason for each in found.doubts} == {"it makes too many nodes to be followed"}

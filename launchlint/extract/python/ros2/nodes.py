@@ -83,8 +83,10 @@ def construct(run: Ros2Run, value: Value, made: Call, lifecycle: bool, name: str
         lifecycle: whether it is a lifecycle node.
         name: what it is called where the call does not say.
     """
-    known = run.nodes.of(value)
-    if known is not None or len(run.nodes) >= MOST_NODES:
+    if run.nodes.of(value) is not None:
+        return
+    if len(run.nodes) >= MOST_NODES:
+        made.doubt("it makes too many nodes to be followed")
         return
     allowed = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
     namespace = made.get(MOST_NODES if not name else 1, "namespace", "")
