@@ -177,6 +177,7 @@ def test_params_of_a_generated_module(tmp_path: Path) -> None:
     assert {each.reason for each in missing.doubts} == {"it declares the params of p.made.other, whose description was not found"}
 
 
+LATER = "class A{n}(Node):\n def __init__(self):\n  super().__init__('n')\n  self.create_timer(1, self.t)\n def t(self):\n  A{m}()\n"
 HEAD = "import rclpy\nfrom rclpy.node import Node\nfrom rclpy.qos import QoSProfile\nfrom rcl_interfaces.msg import *\n"
 
 
@@ -202,11 +203,7 @@ HEAD = "import rclpy\nfrom rclpy.node import Node\nfrom rclpy.qos import QoSProf
         ),
         pytest.param("class A(Node):\n def __init__(self):\n  A()\n  super().__init__('n')\nA()\n", id="a node in itself"),
         pytest.param(
-            "".join(
-                f"class A{n}(Node):\n def __init__(self):\n  super().__init__('n')\n  self.create_timer(1, self.t)\n def t(self):\n  A{n + 1}()\n"
-                for n in range(1_000)
-            )
-            + "A0()\n",
+            "".join(LATER.replace("{n}", str(n)).replace("{m}", str(n + 1)) for n in range(1_000)) + "A0()\n",
             id="nodes that make nodes later",
         ),
     ],
