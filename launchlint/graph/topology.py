@@ -150,6 +150,10 @@ EMPTY = Topology("", ("",), True, (), (), (), (), ())
 """What a launch file that is not there starts."""
 
 
+_NOT_XML = (".py", ".yaml", ".yml")
+_REFERENCES = (("&quot;", '"'), ("&apos;", "'"), ("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&"))
+
+
 def topology(graphs: Iterable[ConnectionGraph]) -> Topology:
     """The record of one graph, or of several configurations of one entry file joined; takes at least one."""
     records = [_record(graph) for graph in graphs]
@@ -206,7 +210,17 @@ def _node(instance: Instance, containers: _Containers) -> TopologyNode:
 def _condition(condition: Condition) -> str:
     if condition.attribute in ("maybe", "unknown"):
         return f"maybe: {condition.text}"
-    return f'{condition.attribute}="{condition.place.text}"'
+    return f'{condition.attribute}="{_resolved(condition.place)}"'
+
+
+def _resolved(place: Place) -> str:
+    """What is written at ``place``, with the characters that references of XML stand for."""
+    text = place.text
+    if "&" not in text or place.source.path.endswith(_NOT_XML):
+        return text
+    for reference, character in _REFERENCES:
+        text = text.replace(reference, character)
+    return text
 
 
 class _Containers:

@@ -23,7 +23,7 @@ Edits: TypeAlias = "tuple[Edit, ...]"
 LOADS = "roslaunch loads the file"
 """What changes where it refused the file before."""
 
-LOADS2 = "ros2 launch loads the file"
+LOADS2 = "ros2 launch does not stop here any more"
 """The same for ROS 2."""
 
 _REFERENCES = {"&": "&amp;", "<": "&lt;", '"': "&quot;", "'": "&apos;", "\n": "&#10;", "\r": "&#13;", "\t": "&#9;"}

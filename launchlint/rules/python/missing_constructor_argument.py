@@ -31,7 +31,7 @@ def generate_launch_description():
 
 ## Fix
 
-`--fix` writes the name before a value where only one can be meant, and the brackets of a list. ros2 launch loads the file then.
+`--fix` writes the name before a value where only one can be meant, and the brackets of a list. ros2 launch does not stop there then.
 """
 
 from __future__ import annotations

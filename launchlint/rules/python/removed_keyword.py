@@ -36,8 +36,8 @@ def generate_launch_description():
 
 ## Fix
 
-`--fix` writes the keyword of today where there is one; `--unsafe-fixes` also the one that is most likely meant. ros2 launch loads the file
-then.
+`--fix` writes the keyword of today where there is one; `--unsafe-fixes` also the one that is most likely meant. ros2 launch does not
+stop there then.
 """
 
 from __future__ import annotations

@@ -35,7 +35,7 @@ def generate_launch_description():
 
 ## Fix
 
-`--fix` imports the name from the module that has it. ros2 launch loads the file then.
+`--fix` imports the name from the module that has it. ros2 launch does not stop there then.
 """
 
 from __future__ import annotations

@@ -29,7 +29,7 @@ launch:
 ## Fix
 
 `--fix` puts quotes around the value, or `.0` behind the number; for `yes`, `no`, `on` and `off`, which may be meant as words or as true and
-false, `--unsafe-fixes` does. ros2 launch loads the file then.
+false, `--unsafe-fixes` does. ros2 launch does not stop there then.
 """
 
 from __future__ import annotations

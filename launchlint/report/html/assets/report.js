@@ -247,16 +247,23 @@
     });
     return root;
   }
+  function isNameless(own, entry) {
+    var _a;
+    return own.kind === "group" && ((_a = entry.containers[own.container]) == null ? void 0 : _a.label) === "";
+  }
   function byElement(entry) {
     const root = group2("root", "g:file:", "/", "/");
     const all = [];
     const outermost = { group: root, depth: 0 };
     const find = (index) => all[index] ?? outermost;
     entry.containers.forEach((container, index) => {
+      var _a;
       const around3 = container.parent < index ? find(container.parent) : outermost;
-      const label2 = container.kind === "include" ? lastPart(container.label) : container.label || "group";
+      const line4 = (_a = container.place) == null ? void 0 : _a[1];
+      const nameless = line4 === void 0 ? "group" : `group in line ${line4}`;
+      const label2 = container.kind === "include" ? lastPart(container.label) : container.label || nameless;
       const own = group2(container.kind, `g:file:${index}`, label2, container.namespace, index);
-      own.title = container.label || "group";
+      own.title = container.label || nameless;
       own.own = container.findings;
       all.push(around3.depth < DEEPEST ? { group: own, depth: around3.depth + 1 } : around3);
       if (around3.depth < DEEPEST) around3.group.groups.push(own);
@@ -292,7 +299,8 @@
     const inner = own.groups[0];
     if (own.kind !== "root" && inner && own.groups.length === 1 && !own.nodes.length) {
       const joint = own.kind === "namespace" ? "/" : " › ";
-      Object.assign(own, inner, { label: `${own.label}${joint}${inner.label}`, title: inner.title, own: [...own.own, ...inner.own] });
+      const label2 = isNameless(own, entry) ? inner.label : isNameless(inner, entry) ? own.label : `${own.label}${joint}${inner.label}`;
+      Object.assign(own, inner, { label: label2, title: inner.title, own: [...own.own, ...inner.own] });
     }
     own.nodes.sort((a, b) => {
       var _a, _b;
@@ -839,7 +847,7 @@ ${counted(about.nodes, "node")}`;
         return box2 && singles.includes(box2) ? single(box2, all.get(box2.id), widths.get(box2.kind) ?? 0, measure) : layOutPart(engine, part2, all, measure, cache, aspect);
       })
     );
-    const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 70;
+    const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 92;
     const head2 = level.group.kind === "root" ? MARGIN2 : HEAD;
     all.set(level.group.id, pack(parts3, blocks, head2, least, aspect));
     return all;

@@ -41,7 +41,7 @@ export async function layOut(engine, level, measure, cache, aspect) {
       return box && singles.includes(box) ? single(box, all.get(box.id), widths.get(box.kind) ?? 0, measure) : layOutPart(engine, part, all, measure, cache, aspect);
     }),
   );
-  const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 70;
+  const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 92;
   const head = level.group.kind === "root" ? MARGIN : HEAD;
   all.set(level.group.id, pack(parts, blocks, head, least, aspect));
   return all;
