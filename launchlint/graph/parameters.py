@@ -123,7 +123,9 @@ class NodeParameters(Parameters):
         if node is None or node.own is None:
             return UNKNOWN
         typed = node.own.get(inner)
-        return None if typed is None else _plain(typed[1])
+        if typed is None:
+            return None
+        return list(typed[1]) if isinstance(typed[1], tuple) else _plain(typed[1])
 
     def read(self, name: str, namer: Namer) -> Any:
         """The value of what the code of a node calls ``name``: it is always its own."""

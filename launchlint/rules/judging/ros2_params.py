@@ -72,6 +72,7 @@ def given(view: GraphView) -> Iterator[Given]:
             wanted = tuple(each.declaration.declared for each in readings if each.declaration.declared is not None)
             sure = all(each.certain for each in readings) and all(each.declared and each.type and not each.dynamic for each in wanted)
             if type_ in TYPES and sure and not isinstance(value, Unknown):
+                value = list(value) if isinstance(value, tuple) else value
                 yield Given(instance, name, TYPES[type_], value, wanted, place_of(instance, name))
 
 

@@ -100,6 +100,9 @@ def _package(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> Non
     _to_share(facts, scope, "package.xml")
 
 
+_UNKNOWN_CLASS = "rclcpp_components_register_node(s) with a class that is not known"
+
+
 def _register_node(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
     """``rclcpp_components_register_node(library PLUGIN class EXECUTABLE name)``: a program that loads the component."""
     project = scope.variables.get("PROJECT_NAME")
@@ -107,6 +110,8 @@ def _register_node(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) 
     for plugin in section(arguments, "PLUGIN", _REGISTER_WORDS)[:1]:
         if arguments[0] and plugin and len(facts.components) < _MOST_COMPONENTS:
             facts.components.append(Component(arguments[0], plugin, (names[0] if names else "") or ""))
+        else:
+            facts.targets_reasons.append(_UNKNOWN_CLASS)
     for name in names:
         if name is None:
             facts.targets_reasons.append("rclcpp_components_register_node with a name that is not known")
@@ -120,6 +125,8 @@ def _register_nodes(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value])
     for plugin in takewhile(lambda word: word not in _REGISTER_WORDS, arguments[1:]):
         if arguments[0] and plugin and len(facts.components) < _MOST_COMPONENTS:
             facts.components.append(Component(arguments[0], plugin, ""))
+        else:
+            facts.targets_reasons.append(_UNKNOWN_CLASS)
 
 
 def _parameter_library(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:

@@ -39,10 +39,10 @@ class Installed:
 
     ``installs`` are files and directory trees, ``programs`` all programs, those not in ``lib/PKG`` among them, in order.
     ``reasons`` say why there may be more files, ``program_reasons`` why there may be more programs; in the directories ``gaps`` below the
-    prefix there may be more of both.
+    prefix there may be more of both. ``components`` are the classes that can be loaded into a container; None where not all are known.
     """
 
-    __slots__ = ("gaps", "installs", "name", "program_reasons", "programs", "reasons")
+    __slots__ = ("components", "gaps", "installs", "name", "program_reasons", "programs", "reasons")
 
     def __init__(
         self,
@@ -52,7 +52,9 @@ class Installed:
         programs: Sequence[Program],
         program_reasons: Iterable[str],
         gaps: Iterable[str] = (),
+        components: frozenset[str] | None = None,
     ) -> None:
+        self.components = components
         self.name = name
         self.installs = tuple(installs)
         self.reasons = tuple(dict.fromkeys(reasons))
@@ -124,6 +126,7 @@ def of_cmake(package: Package, facts: CMakeFacts, files: Mapping[str, int], scri
         programs,
         (*facts.targets_reasons, *reasons),
         [destination for _, destination in gaps if destination is not None],
+        None if facts.targets_reasons or facts.executables_reasons else frozenset(each.plugin for each in facts.components),
     )
 
 
@@ -132,7 +135,8 @@ def of_files(
 ) -> Installed:
     """What a package of build type ``ament_python`` installs: its ``data_files``, and its programs."""
     programs = [Program(each.name, "setup.py", each.sources, below_prefix(each.destination), each.entry) for each in scripts]
-    return Installed(package.name, installs, reasons, [*programs, *_files(installs, package, {})], script_reasons)
+    programs += _files(installs, package, {})
+    return Installed(package.name, installs, reasons, programs, script_reasons, components=frozenset())
 
 
 def of_prefix(package: Package) -> Installed:
