@@ -7,7 +7,7 @@ is not here …) is an :class:`Unknown`; it is never guessed at and never causes
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -202,6 +202,14 @@ class Process(NamedTuple):
     open_environment: bool = False
 
 
+class OwnParameters(NamedTuple):
+    """The params that a node ends up with, as :class:`Node` has them: ``own``, ``own_origins`` and ``own_shared``."""
+
+    own: Mapping[str, tuple[str, Any]] | None
+    own_origins: Mapping[str, Origin]
+    own_shared: frozenset[str]
+
+
 class Node(NamedTuple):
     """A node (or, with ``test_name``, a test) that would be started.
 
@@ -214,7 +222,8 @@ class Node(NamedTuple):
     name. ``deferred`` names what it waits for (``timer``). ``has_namespace``: launch gives it one; else it has its own, as it has its own
     name where ``name`` is empty. ``sources`` are what its params come from, ``own`` what it ends up with: type and value by name, None if
     that cannot be known; ``own_origins`` says where these are written, as far as that is in a file, ``own_shared`` which of them a file
-    gives to any node that matches a pattern. ``fatal`` is why rcl would refuse its command line, so that it dies at once, else empty.
+    gives to any node that matches a pattern; ``own_as`` says what these are under a full name that launch does not give. ``fatal`` is why
+    rcl would refuse its command line, so that it dies when it starts, else empty.
     ``extra_arguments``: of a composable node, as ``own``. ``condition_ignored``: it is loaded although its condition does not hold.
     """
 
@@ -253,6 +262,7 @@ class Node(NamedTuple):
     own: Mapping[str, tuple[str, Any]] | None = None
     own_origins: Mapping[str, Origin] = MappingProxyType({})
     own_shared: frozenset[str] = frozenset()
+    own_as: Callable[[str], OwnParameters] | None = None
     fatal: str = ""
     extra_arguments: Mapping[str, tuple[str, Any]] = MappingProxyType({})
     condition_ignored: bool = False

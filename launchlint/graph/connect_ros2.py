@@ -37,9 +37,10 @@ def instances_of(launch: Launch, library: Library) -> tuple[tuple[Instance, ...]
     """The nodes in the order in which they are started, and the params of each."""
     known = [_called(node, *_program(node, library)) for node in launch.nodes]
     names = _names(launch.nodes, known)
-    parameters = NodeParameters(zip(names, launch.nodes, strict=True))
-    containers = {name: name for name, node in zip(names, launch.nodes, strict=True) if node.kind == "container"}
-    made = (_instance(node, name, containers, parameters, each) for node, name, each in zip(launch.nodes, names, known, strict=True))
+    nodes = [_with_params(*each) for each in zip(launch.nodes, known, names, strict=True)]
+    parameters = NodeParameters(zip(names, nodes, strict=True))
+    containers = {name: name for name, node in zip(names, nodes, strict=True) if node.kind == "container"}
+    made = (_instance(node, name, containers, parameters, each) for node, name, each in zip(nodes, names, known, strict=True))
     return tuple(made), parameters
 
 
@@ -99,6 +100,13 @@ def _names(nodes: Sequence[Node], known: Sequence[_Known]) -> list[str]:
                 name = f"{its.namespace}({program} {seen[name]})"
         names.append(name)
     return names
+
+
+def _with_params(node: Node, known: _Known, name: str) -> Node:
+    """The node with the params that it ends up with under the name that it gives itself, where launch gives none."""
+    if node.own_as is None or not known.name:
+        return node
+    return node._replace(**node.own_as(name)._asdict())
 
 
 def _instance(node: Node, name: str, containers: Mapping[str, str], parameters: NodeParameters, known: _Known) -> Instance:

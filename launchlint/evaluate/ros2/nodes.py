@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from launchlint.evaluate.problems import InvalidNamespace, InvalidNodeName
@@ -21,16 +22,15 @@ from launchlint.evaluate.ros2.setting_actions import remapping
 from launchlint.evaluate.ros2.started import Started, started
 from launchlint.evaluate.ros2.substitutions import is_package_name, prefix
 from launchlint.evaluate.ros2.walk import STARTING, Told, Walk, tag_of
-from launchlint.model import EnvironmentSetting, Node, ParameterSource, Remap, Unknown
-from launchlint.source import Origin, Place
+from launchlint.model import EnvironmentSetting, Node, OwnParameters, ParameterSource, Remap, Unknown
+from launchlint.source import Place
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
-
     from launchlint.evaluate.problems import NameFault
+    from launchlint.evaluate.ros2.started import Value as StartValue
     from launchlint.model import Role
 
 
@@ -85,6 +85,7 @@ def node(walk: Walk, action: described.Node) -> None:
         unknown.add("arguments")
     if len(known) < len(remaps):
         unknown.add("remaps")
+    own = _own(None if fate is None else fate.parameters)
     here, origin = walk.here, walk.at(action.place)
     process = process_of(prepared, action.process, arguments, ros_arguments)
     note_leaks(walk, action.place, text_of(named.name) if named.name else text_of(executable))
@@ -119,9 +120,10 @@ def node(walk: Walk, action: described.Node) -> None:
             has_namespace=named.namespace is not None,
             process=process,
             sources=tuple(ParameterSource(each.origin, each.file, each.content, each.rule, each.of) for each in sources),
-            own=_own(fate),
-            own_origins=_own_origins(fate),
-            own_shared=_own_shared(fate),
+            own=own.own,
+            own_origins=own.own_origins,
+            own_shared=own.own_shared,
+            own_as=_own_as(fate),
             fatal="" if fate is None or fate.refused is None else fate.refused.reason,
         )
     )  # fmt: skip
@@ -191,23 +193,21 @@ def _started(
     return started(words, ros_words, named.name, named.namespace, sources, pairs, walk.performer)
 
 
-def _own(fate: Started | None) -> dict[str, tuple[str, Any]] | None:
+def _own_as(fate: Started | None) -> Callable[[str], OwnParameters] | None:
+    """What it ends up with under a name that launch does not give it."""
+    called = None if fate is None else fate.called
+    return None if called is None else lambda full_name: _own(called(full_name))
+
+
+def _own(parameters: Mapping[str, StartValue] | None) -> OwnParameters:
     """The params that it ends up with."""
-    if fate is None or fate.parameters is None:
-        return None
-    return {name: (value.type, value.data) for name, value in fate.parameters.items()}
-
-
-def _own_origins(fate: Started | None) -> dict[str, Origin]:
-    """Where these are written, as far as they stand in a file."""
-    if fate is None or fate.parameters is None:
-        return {}
-    return {name: value.origin for name, value in fate.parameters.items() if value.origin is not None}
-
-
-def _own_shared(fate: Started | None) -> frozenset[str]:
-    """Those that are given to whatever node matches a pattern."""
-    return frozenset() if fate is None else frozenset(name for name, value in (fate.parameters or {}).items() if value.shared)
+    if parameters is None:
+        return OwnParameters(None, {}, frozenset())
+    return OwnParameters(
+        {name: (value.type, value.data) for name, value in parameters.items()},
+        {name: value.origin for name, value in parameters.items() if value.origin is not None},
+        frozenset(name for name, value in parameters.items() if value.shared),
+    )
 
 
 def _unknown(values: dict[Role, Value | None]) -> tuple[set[Role], dict[Role, str]]:

@@ -5,8 +5,8 @@ The words are put together as ``launch_ros.actions.Node`` does.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from functools import cache
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache, partial
 from typing import Any, NamedTuple
 
 from launchlint.evaluate.ros2.parameters import PARAMETERS
@@ -46,7 +46,8 @@ class Started(NamedTuple):
     """What becomes of a node.
 
     ``parameters``: what it starts with, None where that cannot be known. ``refused``: why it dies at its start, if it does. ``full_name``:
-    the name that it has then, if launch gives it one. ``contents``: what launch wrote for it, with what rcl read.
+    the name that it has then, if launch gives it one. ``contents``: what launch wrote for it, with what rcl read. ``called``: what it
+    starts with under the name that it gives itself, None where launch gives it one, or that cannot be known.
     """
 
     parameters: Mapping[str, Value] | None
@@ -54,6 +55,7 @@ class Started(NamedTuple):
     full_name: str | None = None
     command_line: CommandLine | None = None
     contents: tuple[tuple[Source, Passed], ...] = ()
+    called: Callable[[str], Mapping[str, Value]] | None = None
 
 
 def started(
@@ -120,10 +122,11 @@ def started(
     if isinstance(line, Refused):
         return Started(None, line, None if name is None else Names(name, namespace or "/").full_name)
     full_name = None if name is None else Names(name, namespace or "/", line.rules).full_name
-    found = None
-    if known and not beyond and (full_name is not None or _is_for_all(line.parameters)):
-        found = _found(line.parameters, full_name or _NAMELESS, contents.values(), passed)
-    return Started(found, None, full_name, line, tuple(contents.values()))
+    if beyond or not known:
+        return Started(None, None, full_name, line, tuple(contents.values()))
+    called = partial(_found, line.parameters, contents=tuple(contents.values()), passed=passed)
+    found = called(full_name or _NAMELESS) if full_name is not None or _is_for_all(line.parameters) else None
+    return Started(found, None, full_name, line, tuple(contents.values()), called if full_name is None else None)
 
 
 def _is_for_all(table: Table) -> bool:
@@ -131,9 +134,8 @@ def _is_for_all(table: Table) -> bool:
     return all(key.name == ANY for key in table.keys.values() if key.parameters)
 
 
-def _found(table: Table, full_name: str, contents: Iterable[tuple[Source, Passed]], passed: Iterable[Passed]) -> dict[str, Value]:
+def _found(table: Table, full_name: str, *, contents: Sequence[tuple[Source, Passed]], passed: Iterable[Passed]) -> dict[str, Value]:
     """The params of a node; what launch wrote without knowing it is Unknown."""
-    contents = list(contents)
     made = {id(source): each.origin for source, each in contents}
     shared = {id(each) for key in table.keys.values() if "*" in key.name for each in key.parameters}
     files = {each.file: each.origin.step for each in passed if each.file is not None}

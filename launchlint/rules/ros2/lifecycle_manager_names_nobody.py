@@ -75,9 +75,7 @@ def _full(name: str, manager: Instance) -> str:
     return name if name.startswith("/") else f"{manager.namer.namespace.rstrip('/')}/{name}"
 
 
-def _of_manager(
-    manager: Instance, absent: list[str], wanted: dict[str, str], started: set[str], view: GraphView
-) -> Iterator[Finding]:
+def _of_manager(manager: Instance, absent: list[str], wanted: dict[str, str], started: set[str], view: GraphView) -> Iterator[Finding]:
     spare = sorted(started - set(wanted.values()))
     for name in absent:
         full = wanted[name]
