@@ -227,7 +227,7 @@ RULES: tuple[Entry, ...] = (
     ),
     Entry("LL514", "param-repeated", "params.param_repeated", INFO, view="launch"),
     Entry("LL515", "ros2-parameter-file", "params.ros2_parameter_file", WARNING, on=(evaluate.Ros2Parameters,)),
-    Entry("LL601", "remap-matches-nothing", "remaps.remap_matches_nothing", WARNING, view="graph"),
+    Entry("LL601", "remap-matches-nothing", "remaps.remap_matches_nothing", WARNING, view="graph", dialects=BOTH),
     Entry("LL602", "remap-after-node", "remaps.remap_after_node", WARNING, view="launch"),
     Entry("LL603", "remap-out-of-effect", "remaps.remap_out_of_effect", WARNING, view="launch"),
     Entry("LL604", "remap-duplicate", "remaps.remap_duplicate", WARNING, view="launch"),
@@ -348,6 +348,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL945", "not-installed", "packages.not_installed", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL946", "not-in-libexec", "nodes.not_in_libexec", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL947", "remap-kills-node", "ros2.remap_kills_node", ERROR, dialects=(ROS2,), ros2=("RemapDies",)),
+    Entry("LL948", "absolute-remap-misses", "ros2.absolute_remap_misses", WARNING, view="graph", dialects=(ROS2,)),
 )
 
 REDIRECTS: Mapping[str, str] = {}

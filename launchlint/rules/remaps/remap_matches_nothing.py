@@ -15,6 +15,8 @@ topic and a param of one name, a remap moves both.
 All remaps of a program for which nothing better is known than that it has no such names are one finding, and so is the same remap of the
 same program in several files.
 
+In ROS 2 a remap acts on topics and services; that of a global name which the node has in a namespace is told by LL948.
+
 A remap acts on whole names only: `camera` does not remap `camera/image`, unless the code makes a NodeHandle of `camera`.
 
 ## Why it matters
@@ -55,12 +57,14 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.graph.connections import HUBS, ConnectionGraph, Instance
 from launchlint.graph.names import Applied, absolute, around, kind
+from launchlint.model import ROS2
 from launchlint.plural import listed
 from launchlint.rules.edits import fix, remove_element, set_value, spot
 from launchlint.rules.judging.commented_code import commented_out
 from launchlint.rules.judging.name_places import is_inside
 from launchlint.rules.judging.other_file import root_of
 from launchlint.rules.judging.own_names import OwnNames, own_names
+from launchlint.rules.judging.ros2_remaps import in_vain
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
@@ -105,6 +109,9 @@ class _Advice:
 
 def check(view: GraphView) -> Iterator[Finding | Fine]:
     """Look at every remap of every node that the library knows completely."""
+    if view.dialect.name == ROS2:
+        yield from in_vain(RULE, view, absolute=False)
+        return
     missed: dict[tuple[str, int, str], list[_Miss]] = {}
     fine: dict[tuple[str, int], Origin] = {}
     for instance in view.graph.instances:
