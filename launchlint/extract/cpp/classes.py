@@ -199,6 +199,14 @@ def _is_of_base(initialiser: Node, declared: Class) -> bool:
     return spelled in bases and spelled != declared.name and "::" in spelled
 
 
+def _of_alias(machine: Machine, listed: dict[str, Node], declared: Class, base: Type, frame: Frame) -> Node | None:
+    """The initialiser of a base that is called by another name there: ``using Base = Filter<Scan>;``."""
+    for name, each in listed.items():
+        if name not in declared.fields and machine.names.resolve(Type(name), frame).last == base.last:
+            return each
+    return None
+
+
 def _members(
     machine: Machine,
     this: Thing,
@@ -210,7 +218,7 @@ def _members(
 ) -> None:
     """Make the bases and members; ``inherited`` is what an object without a constructor of its own is given: those of its base take it."""
     for base in declared.bases:
-        initialiser = listed.get(base.last)
+        initialiser = listed.get(base.last) or _of_alias(machine, listed, declared, base, frame)
         given = arguments(machine, initialiser.child("argument_list", "initializer_list"), frame) if initialiser else inherited
         _base(machine, this, base, given, initialiser or node, frame)
     for name, field in declared.fields.items():

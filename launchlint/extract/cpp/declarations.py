@@ -22,7 +22,11 @@ _SCOPES = frozenset(
     access_specifier field_declaration_list friend_declaration""".split()
 )
 _DEEPEST = 60
-_ASSIGNED = re.compile(r"\b([A-Za-z_]\w*)\s*(?:=(?!=)|\+\+|--|[-+*/|&]=)|(?:\+\+|--)\s*([A-Za-z_]\w*)")
+_ASSIGNED = re.compile(
+    r"\b([A-Za-z_]\w*)\s*(?:=(?!=)|\+\+|--|[-+*/|&]=)|(?:\+\+|--)\s*([A-Za-z_]\w*)"
+    r"|[(,]\s*&\s*(?:[A-Za-z_]\w*(?:->|\.))*([A-Za-z_]\w*)\s*(?=[,)])"
+)
+"""By itself, or through its address, which is given to a function."""
 _MESSAGE = re.compile(r"(\w+)/(\w+)\.h|(\w+)/(msg|srv|action)/(?:detail/)?(\w+?)(?:__\w+)?\.hpp")
 _MADE = re.compile(r"(?:=\s*(?:0|default|delete)|\{\s*\})\s*;?\s*$")
 _VIRTUAL = re.compile(r"\b(?:virtual|override|final)\b")
@@ -373,7 +377,7 @@ class Declarations:
             for functions in self.functions.values():
                 for each in functions:
                     if each.body is not None and each.last != each.owner.rpartition("::")[2]:
-                        self._assigned.update(match[1] or match[2] for match in _ASSIGNED.finditer(each.body.text))
+                        self._assigned.update(match[1] or match[2] or match[3] for match in _ASSIGNED.finditer(each.body.text))
         return name in self._assigned
 
     def _by_alias(self, owner: str) -> str:

@@ -106,6 +106,12 @@ rostopic
 
 roslaunch
   open: it starts other nodes with roslaunch
+
+gym.make id
+  open: it makes an environment by its name, which may talk to anybody
+
+gymnasium.make id
+  open: it makes an environment by its name, which may talk to anybody
 """
 
 _QUIET = frozenset(

@@ -380,3 +380,65 @@ def test_a_part_that_is_not_understood_leaves_it_open(tmp_path: Path) -> None:
     torn = f'{sound}\n\n\n@ @ ) void more(ros::NodeHandle nh) ( nh.subscribe("a", 1, cb); @ ( }}'
     assert doubted(tmp_path, torn) == {"a part of the source is not understood": CATEGORIES}
     assert doubted(tmp_path, sound) == {}
+
+
+def test_a_base_that_is_called_by_another_name_gets_what_it_is_given(tmp_path: Path) -> None:
+    facts, doubts = program(
+        tmp_path,
+        """
+        class Common {
+         public:
+          explicit Common(ros::NodeHandlePtr nh) : nh_(nh) {}
+          virtual void initialize() { pub_ = nh_->advertise<std_msgs::String>("raw", 1); }
+          ros::NodeHandlePtr nh_;
+          ros::Publisher pub_;
+        };
+        class Online : public Common {
+          using BASE = Common;
+         public:
+          explicit Online(ros::NodeHandlePtr nh) : BASE(nh) {}
+          void initialize() override { BASE::initialize(); }
+        };
+        int main(int argc, char** argv) {
+          ros::NodeHandlePtr nh(new ros::NodeHandle("~"));
+          Online online(nh);
+          online.initialize();
+        }
+        """,
+    )
+    assert [each.name for each in facts] == ["~raw"]
+    assert not doubts
+
+
+def test_a_pointer_to_a_node_handle_that_nobody_set_is_one_that_nobody_knows(tmp_path: Path) -> None:
+    facts, doubts = program(
+        tmp_path,
+        """
+        class Lost {
+         public:
+          void initialize() { pub_ = nh_->advertise<std_msgs::String>("lost", 1); }
+          ros::NodeHandlePtr nh_;
+          ros::Publisher pub_;
+        };
+        int main(int argc, char** argv) { Lost lost; lost.initialize(); }
+        """,
+    )
+    assert [each.name for each in facts] == ["{any}/lost"]
+    assert {each.category for each in doubts} == {"publishers"}
+
+
+def test_a_flag_whose_address_is_given_away_is_not_decided(tmp_path: Path) -> None:
+    facts, _ = program(
+        tmp_path,
+        """
+        struct Settings { bool interactive = false; };
+        void load(const Table& table, Settings* p) { read(table, "interactive", &p->interactive); }
+        int main(int argc, char** argv) {
+          Settings settings;
+          for (const auto& each : tables()) { reader.load(each, settings); }
+          ros::NodeHandle nh;
+          if (settings.interactive) { ros::Publisher pub = nh.advertise<std_msgs::String>("markers", 1); }
+        }
+        """,
+    )
+    assert [each.name for each in facts] == ["markers"]

@@ -51,7 +51,7 @@ def _is_nodelet(this: Thing, asked: Call) -> bool:
 
 
 def _is_handle(type_: Type) -> bool:
-    return type_.last == "NodeHandle"
+    return type_.last in ("NodeHandle", "NodeHandlePtr") or type_.name.endswith("NodeHandle::Ptr")
 
 
 ROSCPP = Tables(
