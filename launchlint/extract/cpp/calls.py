@@ -439,6 +439,8 @@ def unanswered(machine: Machine, name: str, given: Sequence[Argument], node: Nod
     for each in given:
         if each.cell is not None and not _HARMLESS.search(name) and isinstance(each.value, (Number, Null, Text)):
             each.cell.changing = True  # by reference or pointer: what it holds from here on is not certain
+            if isinstance(each.value, Text) and each.node is not None and each.node.kind == "pointer_expression":
+                machine.write(each.cell, either([("", each.value), ("", UNKNOWN)]))
         for _, value in choices(each.value):
             if isinstance(value, (Callable, Closure)):
                 machine.later(value, machine.when)

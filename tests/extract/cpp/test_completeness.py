@@ -442,3 +442,42 @@ def test_a_flag_whose_address_is_given_away_is_not_decided(tmp_path: Path) -> No
         """,
     )
     assert [each.name for each in facts] == ["markers"]
+
+
+def test_a_text_whose_address_is_given_away_may_be_another_one(tmp_path: Path) -> None:
+    facts, doubts = program(
+        tmp_path,
+        """
+        int main(int argc, char** argv) {
+          ros::NodeHandle nh;
+          std::string topic("given");
+          fill(&topic);
+          ros::Subscriber first = nh.subscribe<std_msgs::String>(topic, 1, heard);
+        }
+        """,
+    )
+    assert [each.name for each in facts] == ["given", "{any}"]
+    assert {each.category for each in doubts} == {"subscribers"}
+
+
+def test_a_namespace_that_is_read_in_is_not_the_empty_one_that_it_was_before(tmp_path: Path) -> None:
+    facts, _ = program(
+        tmp_path,
+        """
+        struct Config {
+          std::string space() { std::string ns; inner("_space", &ns); return ns; }
+          template <class T> void inner(const std::string& key, T* value) {
+            auto it = map_.find(key);
+            if (it == map_.end()) { return; }
+            *value = it->second;
+          }
+          std::map<std::string, XmlRpc::XmlRpcValue> map_;
+        };
+        int main(int argc, char** argv) {
+          Config config;
+          ros::NodeHandle nh(config.space());
+          ros::Subscriber sub = nh.subscribe<std_msgs::String>("in", 1, heard);
+        }
+        """,
+    )
+    assert [each.name for each in facts] == ["{any}/in"]

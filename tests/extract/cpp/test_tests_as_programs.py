@@ -47,9 +47,11 @@ KINDS = {
         "publishers four std_msgs/String 5 queue=1",
     ),
     "those that are left out": (
-        'TEST(S, DISABLED_six) { ros::NodeHandle nh; auto p = nh.advertise<std_msgs::String>("six", 1); }\n'
-        'TEST(S, seven) { ros::NodeHandle nh; auto p = nh.advertise<std_msgs::String>("seven", 1); }',
-        "publishers seven std_msgs/String 2 queue=1",
+        """
+        TEST(S, DISABLED_six) { ros::NodeHandle nh; auto p = nh.advertise<std_msgs::String>("six", 1); }
+        TEST(S, seven) { ros::NodeHandle nh; auto p = nh.advertise<std_msgs::String>("seven", 1); }
+        """,
+        "publishers seven std_msgs/String 3 queue=1",
     ),
     "Boost": (
         'BOOST_AUTO_TEST_CASE(five) { ros::NodeHandle nh; auto p = nh.advertise<std_msgs::String>("five", 1); }',

@@ -42,9 +42,12 @@ def _handle(asked: Call) -> Value:
         names = asked.value(1)
     else:
         spaces, names = (("", _DEFAULT),), first
+    given = choices(names)
+    if any(each is UNKNOWN for _, each in given):  # an empty text is what it was before it was set
+        given = tuple((condition, each) for condition, each in given if each != Text(""))
     found: list[tuple[str, Value]] = []
     for outer, space in spaces:
-        for inner, name in choices(names):
+        for inner, name in given:
             if isinstance(space, Handle):
                 text = UNKNOWN_SPACE if name is UNKNOWN else template(name)
                 found.append((outer or inner, Handle(below(space.namespace, text))))
