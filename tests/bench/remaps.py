@@ -9,7 +9,9 @@ a rule about remaps and connections that the untouched file has not.
 What counts, in one column each, and all of them together in the last:
 
 - *both ends known*: two nodes of the launch, each with its name known, talked to each other by a name and do so no more, and one of
-  these two ends at least is left with nobody.
+  these two ends at least is left with nobody, and with nobody who could be there.
+- *others in doubt*: the same, but wherever an end is left there is another node of which not all names are known, and which could have
+  this one: it speaks the type, or has a name that is known only in part. That nobody is there is not known then.
 - *all still meet somebody*: two nodes are parted, but every end that was has another partner: it hears another source of the same type.
   Nothing in the launch file tells that from what was meant.
 - *other end not here*: nobody in the launch is parted. The name that changes had its partner outside of the launch, in a node that is
@@ -47,7 +49,7 @@ ABOUT = ("LL60", "LL61")
 WAYS = ("misspelt from", "misspelt to", "deleted", "wrong node", "wrong namespace")
 TRIES = 20
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
-EFFECTS = ("both ends known", "all still meet somebody", "other end not here")
+EFFECTS = ("both ends known", "others in doubt", "all still meet somebody", "other end not here")
 End = tuple[str, str, str]
 """A node, its role and the name in its code."""
 Talk = dict[End, frozenset[End]]
@@ -178,7 +180,13 @@ def _outcomes(checker: EntryChecker, file: str, chance: random.Random, idle: Cou
             new = list(_new(_told(mutated, request), known))
             told = tuple(each for each in new if each.severity > Severity.INFO)
             yield (
-                Outcome(seed, all_known, effect(before, after), told, tuple(each for each in new if each.severity <= Severity.INFO)),
+                Outcome(
+                    seed,
+                    all_known,
+                    effect(before, after, {} if after_graph is None else doubted(after_graph[0])),
+                    told,
+                    tuple(each for each in new if each.severity <= Severity.INFO),
+                ),
                 known,
             )
             break
@@ -199,12 +207,25 @@ def _end(endpoint: Endpoint) -> End:
     return endpoint.node, endpoint.role, endpoint.declared
 
 
-def effect(before: Talk, after: Talk) -> str:
-    """What a mistake does, one of EFFECTS."""
+def doubted(graph: ConnectionGraph) -> dict[End, bool]:
+    """Of each end with nobody at the other one, whether somebody of whom not all is known could be there."""
+    found: dict[End, bool] = {}
+    for channel in graph.channels.values():
+        for endpoint in (*channel.offers, *channel.uses):
+            offers = endpoint.role in OFFERS
+            if not (channel.uses if offers else channel.offers):
+                possible = (graph.may_use if offers else graph.may_offer)(channel.kind, channel.name, endpoint.type)
+                found[_end(endpoint)] = any(each.node != endpoint.node for each in possible)
+    return found
+
+
+def effect(before: Talk, after: Talk, doubts: dict[End, bool]) -> str:
+    """What a mistake does, one of EFFECTS; ``doubts`` as :func:`doubted` says."""
     parted = [(end, other) for end, others in before.items() for other in others - after.get(end, frozenset())]
-    if any(end in after and not after[end] for pair in parted for end in pair):
-        return EFFECTS[0]
-    return EFFECTS[1] if parted else EFFECTS[2]
+    left = {end for pair in parted for end in pair if end in after and not after[end]}
+    if left:
+        return EFFECTS[1] if all(doubts.get(end, False) for end in left) else EFFECTS[0]
+    return EFFECTS[2] if parted else EFFECTS[3]
 
 
 def _graph(checker: EntryChecker, request: EntryRequest) -> tuple[ConnectionGraph, Document] | None:
