@@ -6,8 +6,10 @@ Variables that every login or ROS installation sets are not told of, nor those t
 check. The variables of a file are told of together. It is an info where the workspace itself sets or reads the variable elsewhere (a shell
 file, a Dockerfile, a service, `os.environ` or `getenv`), where a document of it or a comment of the launch file names the variable (then
 people are told to set it), where it is a secret by its name (`DB_PASSWORD`, `API_TOKEN`), where a public package sets it that nothing here
-names, where three or more launch files read it, or two and none of all has a default for it, and where the launch files read three or
-more variables of one first word (`SITE_MAP`, `SITE_DOCK` …), none with a default: it is the project's own.
+names, where three or more launch files read it, or two and none of all has a default for it, and where the launch files read three or more
+variables of one first word (`SITE_MAP`, `SITE_DOCK` …), none with a default: it is the project's own. It is one, too, where the variable
+is the default of an arg, or chooses one of several files of a directory (`$(find site)/maps/$(env SITE).yaml`): then it is an input of
+whoever starts the file.
 
 ## Why it matters
 
@@ -32,12 +34,14 @@ Where the variable is not set roslaunch refuses the file. `$(optenv NAME default
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 from launchlint.evaluate.problems import EnvUnset
 from launchlint.finding import Finding, Severity
+from launchlint.rules.edits import spot
 from launchlint.rules.judging.first_of_file import all_but_first
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.other_file import root_of, shown
@@ -47,6 +51,7 @@ from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.spelling import one_slip
 from launchlint.syntax.ros1.substitutions import parts_of
 from launchlint.syntax.tree import Document
+from launchlint.workspace.looking import names
 from launchlint.workspace.public_variables import public_setters
 
 RULE = Rule("LL209", "env-unset", Severity.WARNING, roslaunch="refuses")
@@ -61,6 +66,9 @@ OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE"
 
 
 _SET_BY = "the public package"
+_SEVERAL = 2
+_IN_PACKAGE = re.compile(r"\$\(find ([\w-]+)\)/([\w./-]+)/[\w-]*$")
+"""A path as far as a directory in a package, and perhaps the first letters of a name in it."""
 OF_A_SITE = "the launch files read"
 SECRET = "it holds a secret, by its name: it belongs into no file, and without it nothing is to start"
 
@@ -99,14 +107,14 @@ def tell(problem: EnvUnset, view: LaunchView) -> Iterator[Finding]:
 def together(findings: Sequence[Finding]) -> Finding:
     """The variables of one file, and of files that read the same ones."""
     whole = joined(findings)
-    names = list(dict.fromkeys(finding.topic for finding in sorted(findings, key=lambda finding: finding.location)))
-    if len(names) < 2:
+    told = list(dict.fromkeys(finding.topic for finding in sorted(findings, key=lambda finding: finding.location)))
+    if len(told) < 2:
         return whole
-    more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+    more = f" and {len(told) - MOST_NAMED} more" if len(told) > MOST_NAMED else ""
     if whole.launcher != "roslaunch":
         return whole
     return whole._replace(
-        message=f"{len(names)} environment variables are not set here: {', '.join(names[:MOST_NAMED])}{more}",
+        message=f"{len(told)} environment variables are not set here: {', '.join(told[:MOST_NAMED])}{more}",
         notes=("where one of them is not set roslaunch stops", *(note for note in whole.notes if note.startswith((_SET_BY, OF_A_SITE)))),
         help="write $(optenv NAME DEFAULT), or give them values under env: in .launchlint.yaml if they are always set",
     )
@@ -144,7 +152,23 @@ def _reason(name: str, problem: EnvUnset, view: LaunchView) -> str:
     if is_secret(name, variable=True):
         return SECRET
     setters = public_setters(name)
-    return f"{_SET_BY} {setters[0]} sets it wherever that is installed" if setters else _elsewhere(name, problem, view)
+    told = f"{_SET_BY} {setters[0]} sets it wherever that is installed" if setters else _elsewhere(name, problem, view)
+    return told or ("" if of_ros2(view) else _as_input(problem, view))
+
+
+def _as_input(problem: EnvUnset, view: LaunchView) -> str:
+    """What shows that whoever starts the file is to choose: it is the default of an arg, or says which of several files to take."""
+    at = spot(view, problem.place)
+    if at is None or at.attribute is None:
+        return ""
+    if at.element.tag == "arg" and at.attribute.name == "default":
+        return "it is the default of an arg: an input of whoever starts this"
+    before = parts_of(at.attribute).text.partition("$(env")[0]
+    found = _IN_PACKAGE.search(before)
+    package = None if found is None else view.packages.get(found[1], view.launch.entry.file)
+    if found is None or package is None or len(names(posixpath.join(package.directory, found[2]))) < _SEVERAL:
+        return ""
+    return f"it chooses one of what is in {found[2]} of {found[1]}: an input of whoever starts this"
 
 
 def _elsewhere(name: str, problem: EnvUnset, view: LaunchView) -> str:
@@ -168,5 +192,5 @@ def _in_comment(name: str, problem: EnvUnset, view: LaunchView) -> bool:
 def _like(problem: EnvUnset, view: LaunchView) -> list[str]:
     """The variables of the same file that nothing says are set."""
     path = problem.place.source.path
-    names = {each.variable for each in view.launch.noticed(EnvUnset) if each.place.source.path == path}
-    return sorted(name for name in names if not _is_set(name, view) and slip_of(name) is None and not _reason(name, problem, view))
+    read = {each.variable for each in view.launch.noticed(EnvUnset) if each.place.source.path == path}
+    return sorted(name for name in read if not _is_set(name, view) and slip_of(name) is None and not _reason(name, problem, view))

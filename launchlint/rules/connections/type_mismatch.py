@@ -126,6 +126,6 @@ def _finding(channel: Channel, offer: Endpoint, use: Endpoint, owner: Owners, al
         notes=tuple(notes),
         help="give one of the two another name, or put a node between them that converts",
         topic=f"{channel.kind} {channel.name} {offer.type} {use.type}",
-        cause=f"{giver.program} {taker.program} {channel.kind} {channel.name} {offer.type} {use.type}",
+        cause=f"{giver.program} {taker.program} {channel.kind} {channel.name.rpartition('/')[2]} {offer.type} {use.type}",
     )
     return with_sources(found, acting, other)

@@ -1,10 +1,11 @@
 """The arguments of a `static_transform_publisher` are not what it reads.
 
-What it does: it reads `args` as the program does. That of tf takes `x y z yaw pitch roll parent child period` or `x y z qx qy qz qw
-parent child period` (the period in milliseconds), that of tf2_ros the same without the period, or the name of a param. It is an error
-where the program exits with its usage text, where a frame is read as a number or a number as a frame, where parent and child are the same
-frame, and where the listeners drop the transform because its quaternion has not the length 1. It is a warning where a word is no number
-and is read as 0, or as the digits it begins with, and where tf's program brings the quaternion to the length 1 itself.
+What it does: it reads `args` as the program does. That of tf takes `x y z yaw pitch roll parent child period` or `x y z qx qy qz qw parent
+child period` (the period in milliseconds), that of tf2_ros the same without the period, or the name of a param. It is an error where the
+program exits with its usage text, where a frame is read as a number or a number as a frame, where parent and child are the same frame, and
+where the listeners drop the transform because its quaternion has not the length 1. It is a warning where a word is no number and is read
+as 0, or as the digits it begins with, and where tf's program brings the quaternion to the length 1 itself; an info where only one of the
+four numbers is not 0, since that changes nothing then.
 
 A `/` before a frame is no mistake here: who receives the transform takes it off. It looks at launch files of ROS 1: the program of ROS 2
 takes its arguments by name (`--x 1 --frame-id map`) and says itself what it cannot read.
@@ -148,6 +149,7 @@ def _frames(node: Node, parent: str, child: str) -> Iterator[Finding]:
             "parent and child are the same",
             ("the program exits",) if node.package == "tf2_ros" and parent == child else ("who receives the transform drops it",),
             "write two different frames: parent first, then child",
+            cause=f"{node.package} {parent} to {child}",
         )
 
 
@@ -160,10 +162,14 @@ def _quaternion(node: Node, parts: list[float]) -> Iterator[Finding]:
     if node.package == "tf2_ros" or square == 0 or not isfinite(square):
         yield _told(node, off, "no rotation", ("who receives the transform drops it (TF_DENORMALIZED_QUATERNION)",), help_)
     elif abs(square - 1) >= _PLAINLY_OFF:
-        yield _told(node, off, "no rotation as it stands", ("tf brings it to the length 1",), help_, Severity.WARNING)
+        one = sum(part != 0 for part in parts) == 1  # half a turn, or none, whatever the length
+        level = Severity.INFO if one else Severity.WARNING
+        yield _told(node, off, "no rotation as it stands", ("tf brings it to the length 1",), help_, level)
 
 
-def _told(node: Node, message: str, label: str, notes: tuple[str, ...] = (), help: str = "", severity: Severity | None = None) -> Finding:
+def _told(
+    node: Node, message: str, label: str, notes: tuple[str, ...] = (), help: str = "", severity: Severity | None = None, cause: str = ""
+) -> Finding:
     return RULE.at(
         Origin(node.places.get("arguments", node.origin.place), node.origin.step),
         message,
@@ -171,6 +177,7 @@ def _told(node: Node, message: str, label: str, notes: tuple[str, ...] = (), hel
         label=label,
         notes=notes,
         help=help or f"it reads {FORMS[node.package]}",
+        cause=cause,
     )
 
 

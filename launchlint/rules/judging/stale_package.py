@@ -17,6 +17,8 @@ from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
 from launchlint.workspace.text_parts import LARGEST
 
+_GENERATED = "_moveit_config"
+"""What the Setup Assistant calls its packages."""
 _LAUNCH_ENDS = (".launch", ".launch.xml", ".test")
 _MOST_BESIDE = 100
 _STARTED = late(r"<(?:node|test)\s[^<>]{1,2000}>")
@@ -57,7 +59,8 @@ def own_files_instead(name: str, text: str, home: Package, near: str) -> tuple[s
 
     They were meant to be its own: the two packages are of one kind by the last word of their names (``arm_moveit_config``), nothing else
     is asked of the other one, here or in the launch files beside, and it is more than one file, or MoveIt's Setup Assistant wrote
-    ``home`` from a template. A launch file that is one of them wraps the other one. Empty where it is not so.
+    ``home`` from a template. A launch file that is one of them wraps the other one, and what else than such a template includes launch
+    files of another package may need what these do. Empty where it is not so.
     """
     last, other = home.name.rpartition("_")[2], name.rpartition("_")[2]
     asked = _asked(text)
@@ -70,7 +73,10 @@ def own_files_instead(name: str, text: str, home: Package, near: str) -> tuple[s
         return ()
     if _asked_elsewhere(name, home, near):
         return ()
-    return files if len(files) > 1 or is_file(posixpath.join(home.directory, SETUP_ASSISTANT)) else ()
+    if is_file(posixpath.join(home.directory, SETUP_ASSISTANT)):
+        return files
+    wraps = not home.name.endswith(_GENERATED) and any(file.endswith(_LAUNCH_ENDS) for file in files)
+    return files if len(files) > 1 and not wraps else ()
 
 
 def _asked_elsewhere(name: str, home: Package, near: str) -> bool:

@@ -1,16 +1,16 @@
 """A node's `type` names no executable of its package.
 
-What it does: where the package lies in the workspace or is installed, it looks for the `type` among the programs that its
-`CMakeLists.txt` builds, its scripts, and its installed files. It is an error where the package is installed or the name is one
-slip away from a program of it; otherwise a warning. Where the package is not here, the library is asked: a name that is one slip away
-from a program that it knows is an error where the library lists all programs of the package, else a warning. Where the list of programs
-may have gaps, as with packages below `/usr`, whose programs Debian distributes over several packages of its own, nothing is said but such
-a warning.
-Each program is told of once, with all places that start it. Where another package of the workspace has a program of just that name,
-the help names it; a program or script (with the executable bit or without) of the same name but for blanks, `_`, `-` or a `_test` or
-`_node` at the end comes first. Where the command that would build the program is commented out in `CMakeLists.txt`, a note says so.
-In ROS 2 only what is installed to `lib/PKG` counts, by `CMakeLists.txt` or by `setup.py` and `setup.cfg`: where these can be followed to
-their end and nothing in the package is called so, it is an error. What is built or lies there and is not installed is told by LL946.
+What it does: where the package lies in the workspace or is installed, it looks for the `type` among the programs that its `CMakeLists.txt`
+builds, its scripts, and its installed files. It is an error where the package is installed or the name is one slip away from a program of
+it; otherwise a warning. Where the package is not here, the library is asked: a name that is one slip away from a program that it knows is
+an error where the library lists all programs of the package, else a warning. Where the list of programs may have gaps, as with packages
+below `/usr`, whose programs Debian distributes over several packages of its own, nothing is said but such a warning. Each program is told
+of once, with all places that start it. A package without any programs is told of once, with all that is asked of it. It is an info where
+an arg with an empty default makes the name: whoever starts the file gives it. Where another package of the workspace has a program of just
+that name, the help names it; a program or script (with the executable bit or without) of the same name but for blanks, `_`, `-` or a
+`_test` or `_node` at the end comes first. Where the command that would build the program is commented out in `CMakeLists.txt`, a note says
+so. In ROS 2 only what is installed to `lib/PKG` counts, by `CMakeLists.txt` or by `setup.py` and `setup.cfg`: where these can be followed
+to their end and nothing in the package is called so, it is an error. What is built or lies there and is not installed is told by LL946.
 
 ## Why it matters
 
@@ -80,12 +80,14 @@ from collections.abc import Iterator, Sequence
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import ROS2, Node
 from launchlint.rules.edits import fix, is_literal, set_value, spot
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.package_contents import contents, installs
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.source import Origin
 from launchlint.spelling import closest, one_slip, same_letters, surely
+from launchlint.syntax.ros1.substitutions import parse
 from launchlint.workspace.cmake_comments import CMAKE_FILE, commented_out
 from launchlint.workspace.cmake_mentions import may_build
 from launchlint.workspace.packages import SYSTEM_SHARE
@@ -94,6 +96,7 @@ RULE = Rule("LL304", "unknown-executable", Severity.ERROR, roslaunch="reports", 
 
 _MOST_NAMED = 6
 _MOST_PACKAGES = 3
+_NONE = "none at all"
 _SCRIPT_ENDS = (".py", ".sh", ".bash", ".pl", ".rb")
 
 
@@ -134,7 +137,10 @@ def check(view: GraphView) -> Iterator[Finding]:
         if line is not None:
             cmake = shown(f"{package.directory}/{CMAKE_FILE}", root_of(node.origin.place.source))
             notes.append(f"the command that would build it is commented out in {cmake}, line {line}")
-        severity = Severity.ERROR if certain else Severity.WARNING
+        left_empty = _left_empty(node, view)
+        if left_empty:
+            notes.append(f"the arg {left_empty} has an empty default: whoever starts this file gives it")
+        severity = Severity.INFO if left_empty else Severity.ERROR if certain else Severity.WARNING
         yield RULE.at(
             Origin(node.places.get("executable", node.origin.place), node.origin.step),
             f"the package {node.package} has no executable {name}",
@@ -148,9 +154,34 @@ def check(view: GraphView) -> Iterator[Finding]:
                 contents(view.packages).having(name),
                 f"correct the type, or add {name} to the CMakeLists.txt or scripts of {node.package}",
             ),
-            cause=f"{severity.word} {node.package}/{name}",
+            cause=f"{severity.word} {node.package}/{name if known.names else _NONE}",
+            topic=name,
             fix=None if slip is None or same not in (None, slip) else _fix(node, view, slip),
         )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """All that is asked of a package without programs, by the names."""
+    whole = joined(findings)
+    names = list(dict.fromkeys(each.topic for each in findings))
+    if len(names) < 2 or not whole.cause.endswith(_NONE):
+        return whole
+    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    package = whole.cause.removesuffix(f"/{_NONE}").rpartition(" ")[2]
+    return whole._replace(
+        message=f"the package {package} has none of {len(names)} executables: {', '.join(names[:_MOST_NAMED])}{more}",
+        help=f"let the CMakeLists.txt of {package} build them, or correct the package",
+        fix=None,
+    )
+
+
+def _left_empty(node: Node, view: GraphView) -> str:
+    """The arg with an empty default that the program's name is made of, where nobody gives it; empty where there is none."""
+    place = node.places.get("executable")
+    if place is None or node.origin.chain:
+        return ""
+    asked = {part.only for part in parse(place.text).substitutions("arg")} - dict(view.launch.given).keys()
+    return next((each.name for each in view.launch.declared if each.name in asked and each.value is None and each.default == ""), "")
 
 
 def _in_ros2(view: GraphView) -> Iterator[Finding]:

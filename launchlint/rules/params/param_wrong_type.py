@@ -169,7 +169,7 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
     means_default = known and (
         _plain(value) in (_plain(default), str(int(default)) if isinstance(default, bool) else "")
         or _is_number(value, default)
-        or (isinstance(value, str) and value.strip().lower() in _words_for(default))
+        or (isinstance(value, (str, int)) and str(value).strip().lower() in _words_for(default))
     )
     # What is not known to be true when it is not set is false, as the value says.
     means_default = means_default or (one == "bool" and not known and str(value).strip().lower() in _NOTHING)
