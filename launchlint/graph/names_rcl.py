@@ -6,7 +6,7 @@ only, or for one node. Source: see :mod:`launchlint.rcl.names`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from launchlint.graph.names import Applied, Namer, Resolved, Rule, clean, placed
 from launchlint.graph.qos import qos_of
@@ -74,7 +74,7 @@ class RclNamer(Namer):
         self._by_rule = {id(rule): remap for remap, rule in rules}
         own = node.rpartition("/")[2]
         self._names = Names(own if is_node_name(own) else _UNNAMED, namespace.rstrip("/") or "/", [rule for _, rule in rules])
-        self.namespace = self._names.namespace
+        self.namespace = self.home = self._names.namespace
         self.node = self.graph_name = self.private = node
         self._is_rospy = False
         self._spelled = {}
@@ -141,6 +141,10 @@ class RclNamer(Namer):
         """A name made by the code from a name that is already resolved: ``image`` → ``/cam/image`` → ``/cam/image/compressed``."""
         inner = self.topic(clean(f"{base.name}/{suffix}"))
         return Resolved(inner.name, inner.unremapped, (*base.applied, *inner.applied))
+
+    def _handles(self, unremapped: str) -> Iterator[str]:
+        """Rcl remaps whole names only: nothing that the code puts around them."""
+        return iter(())
 
     def _expanded(self, name: str) -> str | None:
         """``name`` before any rule. A library that is written for ROS 1 spells private names ``~name``."""

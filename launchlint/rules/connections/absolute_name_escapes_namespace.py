@@ -52,7 +52,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint, Instance
-from launchlint.rules.judging.name_places import Owners, acting_origin, how, is_known_to_act, owners
+from launchlint.rules.judging.name_places import Owners, acting_origin, how, is_known_to_act, owners, put_remap
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
@@ -137,12 +137,12 @@ def _finding(channel: Channel, copies: list[Endpoint], known: Owners, severity: 
         severity=severity,
         label="a global name" if last.applied else "says a global name",
         notes=(words,) if words else (),
-        help=f"{_help(last)}{'' if severity is None else ', unless they are to share it'}",
+        help=f"{_help(last, instance)}{'' if severity is None else ', unless they are to share it'}",
         topic=channel.name,
     )
 
 
-def _help(endpoint: Endpoint) -> str:
+def _help(endpoint: Endpoint, instance: Instance) -> str:
     if endpoint.applied:
         return f"write {endpoint.applied[-1].rule.target} without / at its start"
-    return f'put <remap from="{endpoint.declared}" to="{endpoint.declared[1:]}"/> into the <node>'
+    return put_remap(instance, endpoint.declared, endpoint.declared[1:])

@@ -51,6 +51,7 @@ Both nodes run, neither complains, and no message arrives.
 
 `--unsafe-fixes` makes two ends meet whose names are one letter apart, where there is only one name so near: it writes the other name
 in the `<remap>` or `<param>` that makes one of them, as global or relative as before, or else puts a `<remap>` into the `<node>`.
+In ROS 2 a person has to do it.
 """
 
 from __future__ import annotations

@@ -10,7 +10,8 @@ once.
 ## Why it matters
 
 The ROS master keeps one server for each service name: the one that registered last. Which one that is changes from start to start, and
-nobody is told. Two servers of one action both take every goal, and the client hears two answers.
+nobody is told. Two servers of one action both take every goal, and the client hears two answers. In ROS 2 all servers carry out every
+call, and who called takes the answer that comes first.
 
 ## Example
 
@@ -44,7 +45,7 @@ from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import Channel, Endpoint
-from launchlint.rules.judging.name_places import Owners, acting_origin, how, node_origin, owners
+from launchlint.rules.judging.name_places import Owners, acting_origin, how, is_of_ros1, node_origin, owners
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 
@@ -100,6 +101,9 @@ def _finding(shared: list[Clash], known: Owners) -> Finding:
     names = ", ".join(sorted(server.node for server in servers)[:4]) + (" …" if len(servers) > 4 else "")
     if channel.kind == "action":
         effect = "each of them takes every goal, and clients hear all of them"
+    elif not is_of_ros1(known[id(first)]):
+        caller = next((use.node for use in channel.uses if use.certain), "who calls it")
+        effect = f"each of them carries out every call, and {caller} takes the answer that comes first"
     else:
         caller = next((use.node for use in channel.uses if use.certain), "who calls it")
         effect = f"{caller} gets the one that registers last, which changes from start to start"

@@ -254,7 +254,7 @@ class LooseEnds:
     def _is_of_absent_program(self, name: str, other: str) -> bool:
         """Whether ``name``, and not ``other``, lies below the name of a known program that is not started here: that gives it."""
         apart = set(name.split("/")[1:-1]) - set(other.split("/"))
-        return any(each not in self._started and is_in_library(each) for each in apart)
+        return any(each not in self._started and is_in_library(each, self.graph.launch.dialect) for each in apart)
 
     def _in_doubt(self, end: Endpoint, other: Endpoint, how: str, doubts: tuple[Possible, ...], level: Severity | None) -> Severity | None:
         """How sure that is of two loose ends beside which there are others that could be at one of them, though nothing says so."""

@@ -11,7 +11,7 @@ from launchlint.rules.judging.loose_ends import Missed
 from launchlint.rules.judging.met import topic_of
 from launchlint.rules.judging.misplaced import moved_include
 from launchlint.rules.judging.misspelt import Repairs
-from launchlint.rules.judging.name_places import TALKS, acting_origin, how, node_origin, remap_origin, with_sources
+from launchlint.rules.judging.name_places import TALKS, acting_origin, how, in_namespace, node_origin, remap_origin, with_sources
 from launchlint.rules.judging.near_names import NAMESPACE, SLIP
 from launchlint.rules.judging.one_cause import Cause
 from launchlint.rules.rule import Rule
@@ -122,7 +122,8 @@ def _help(missed: Missed, repairs: Repairs, *, at_partner: bool) -> str:
     if missed.how == SLIP:
         return f"did you mean {other.name}? Then {advice}"
     if len(missed.alike) > 1 and other.role == "subscriber":
-        return f'{advice}, and give it a <group ns="…"> of its own together with {missed.partner.name}, so that the others do not hear it'
+        group = in_namespace(missed.instance, "…")
+        return f"{advice}, and give it a {group} of its own together with {missed.partner.name}, so that the others do not hear it"
     same = end.declared == other.declared and kind(end.declared) == "relative" and not end.applied and not other.applied
     if missed.how == NAMESPACE and same:
         namespace = missed.partner.namer.namespace.strip("/")
@@ -134,7 +135,7 @@ def _fed(missed: Missed) -> str:
     if missed.other.role != "subscriber":
         return ""
     feeding = f", and {_listed(missed.feeding)} publishes to all of them" if len(missed.feeding) == 1 else ""
-    return f'{feeding}: each needs a <group ns="…"> of its own with the node that it is to hear'
+    return f"{feeding}: each needs a {in_namespace(missed.instance, '…')} of its own with the node that it is to hear"
 
 
 def _listed(instances: Iterable[Instance]) -> str:

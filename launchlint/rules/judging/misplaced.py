@@ -6,6 +6,7 @@ from launchlint.finding import Location
 from launchlint.graph.connections import Endpoint, Instance
 from launchlint.graph.names import clean, kind
 from launchlint.rules.judging.loose_ends import Missed
+from launchlint.rules.judging.name_places import in_namespace
 from launchlint.rules.judging.near_names import NAMESPACE
 from launchlint.source import Place
 
@@ -23,7 +24,7 @@ def moved_include(missed: Missed, node: str = "") -> str | None:
         space = None if place is None else _lacking(place, end, instance, other, partner)
         if place is not None and space is not None:
             at = Location.of(place)
-            return f'put the include at {at.path}:{at.line} into <group ns="{space}">, where {partner.name} is'
+            return f"put the include at {at.path}:{at.line} into {in_namespace(instance, space)}, where {partner.name} is"
     return None
 
 

@@ -11,7 +11,7 @@ from launchlint.graph.names import absolute, kind
 from launchlint.library.template import Slot, is_template, parse
 from launchlint.rules.edits import append_child, fix, remove_element, set_value, spot
 from launchlint.rules.judging.loose_ends import Missed
-from launchlint.rules.judging.name_places import TALKS, new_remap, write_remap
+from launchlint.rules.judging.name_places import TALKS, is_of_ros1, new_remap, write_remap
 from launchlint.rules.judging.near_names import SLIP
 from launchlint.rules.view import GraphView
 from launchlint.source import Place
@@ -36,9 +36,10 @@ class Repairs:
     def of(self, missed: Missed) -> Fix | None:
         """What joins the two ends: another name in the ``<remap>`` or ``<param>`` that makes one of them, else a new ``<remap>``.
 
-        None where the other end is not the only one that is so near, and where the name is not written out in a launch file.
+        None where the other end is not the only one that is so near, where the name is not written out in a launch file, and in ROS 2,
+        whose launch files are written in several languages.
         """
-        if missed.how != SLIP or not missed.only or missed.level < Severity.WARNING:
+        if missed.how != SLIP or not missed.only or missed.level < Severity.WARNING or not is_of_ros1(missed.instance):
             return None
         wrong = self._wrong(missed)
         for way in (self._in_remap, self._in_param):

@@ -11,6 +11,7 @@ from launchlint.library.template import Slot, is_template, parse
 from launchlint.library.terms import READ_FROM
 from launchlint.model import Remap
 from launchlint.rules.view import GraphView
+from launchlint.rules.wording import words_at
 from launchlint.source import Origin
 
 Owners = Mapping[int, Instance]
@@ -149,6 +150,29 @@ def write_remap(endpoint: Endpoint, instance: Instance, target: str) -> str:
         shown = target[len(prefix) :] if not rule.target.startswith(("/", "~")) and target.startswith(prefix) else target
         if remap is None:
             return f"write {source}:={shown} in the args of {instance.name}"
-        return f'let the remap of {source} lead to="{shown}"'
-    source, shown = new_remap(endpoint, instance, target)
-    return f'put <remap from="{source}" to="{shown}"/> into the <node> of {instance.name}'
+        return f'let the remap of {source} lead to="{shown}"' if is_of_ros1(instance) else f"let the remap of {source} lead to {shown}"
+    return f"{put_remap(instance, *new_remap(endpoint, instance, target))} of {instance.name}"
+
+
+def is_of_ros1(instance: Instance) -> bool:
+    """Whether it is a node of ROS 1: whose actions are topics."""
+    return instance.namer.has_action_topics
+
+
+def put_remap(instance: Instance, source: str, target: str) -> str:
+    """What to write so that the node is remapped, in the words of its launch file, up to where the node is to be named."""
+    words = words_at(instance.node.origin)
+    if is_of_ros1(instance):
+        return f'put <remap from="{source}" to="{target}"/> into the <node>'
+    source, target = (f"~/{each[1:].lstrip('/')}" if each.startswith("~") else each for each in (source, target))
+    said = words.written("remap", {"from": source, "to": target}, f"('{source}', '{target}')")
+    return f"put {said} into the {'remappings' if words.language == 'python' else words.tag('node')}"
+
+
+def in_namespace(instance: Instance, namespace: str) -> str:
+    """A group that puts a namespace around what is in it, in the words of the launch file of a node."""
+    if is_of_ros1(instance):
+        return f'<group ns="{namespace}">'
+    words = words_at(instance.node.origin)
+    pushed = words.written("push_ros_namespace", {"namespace": namespace}, f"PushRosNamespace('{namespace}')")
+    return f"{words.tag('group')} with {pushed}"
