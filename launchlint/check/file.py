@@ -12,7 +12,7 @@ from launchlint.rules.registry import Entry, speaking_of
 from launchlint.rules.rule import Fine
 from launchlint.rules.view import FileView, LaunchView
 from launchlint.syntax.tree import Element
-from launchlint.workspace.other_ros import built_for_ros2
+from launchlint.workspace.other_ros import left_over
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -81,8 +81,8 @@ def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
 
 
 def is_left_over(dialect: DialectName, file: str, packages: Packages) -> bool:
-    """Whether a launch file is one of ROS 1 in a package that is built for ROS 2: of such a file no more than that is said."""
-    return dialect == ROS1 and built_for_ros2(file, packages) is not None
+    """Whether a launch file is one of ROS 1 that ROS 2 has left behind: of such a file no more than that is said."""
+    return dialect == ROS1 and left_over(file, packages) is not None
 
 
 def check_parameters(source: Source, dialect: DialectName) -> FileResult:

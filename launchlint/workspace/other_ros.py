@@ -1,10 +1,10 @@
-"""Launch files of ROS 1 in packages that are built for ROS 2 only."""
+"""Launch files of ROS 1 in packages that are built for ROS 2 only, or that wait in a workspace of ROS 2 for being ported."""
 
 from __future__ import annotations
 
 import posixpath
 
-from launchlint.workspace.looking import content, names
+from launchlint.workspace.looking import content, is_file, names, note, watched
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -12,6 +12,12 @@ if TYPE_CHECKING:
     from launchlint.workspace.packages import Packages
 
 _ONLY_ROS2 = frozenset(("2",))
+_INSTALLED = posixpath.join("install", ".colcon_install_layout")
+
+
+def left_over(file: str, packages: Packages) -> Package | None:
+    """The package of the launch file ``file`` (absolute) of ROS 1, where roslaunch has no use for it; else ``None``."""
+    return built_for_ros2(file, packages) or _unported(file, packages)
 
 
 def built_for_ros2(file: str, packages: Packages) -> Package | None:
@@ -28,3 +34,39 @@ def built_for_ros2(file: str, packages: Packages) -> Package | None:
         return None
     written = (content(posixpath.join(package.directory, "CMakeLists.txt")) or b"").decode("utf-8", "replace")
     return None if any("catkin" in line.partition("#")[0] for line in written.splitlines()) else package
+
+
+def _unported(file: str, packages: Packages) -> Package | None:
+    """The package of ``file`` where catkin alone builds it, in a workspace of ROS 2: nobody builds it, or starts what is in it."""
+    package = packages.package_of(file)
+    if package is None or not _is_of_catkin(package):
+        return None
+    is_ros2, looked = packages.once(_workspace_is_ros2)
+    note(looked)
+    return package if is_ros2 else None
+
+
+def _is_of_catkin(package: Package) -> bool:
+    manifest = package.manifest
+    return manifest is not None and manifest.is_catkin and not manifest.is_ament
+
+
+def _workspace_is_ros2(packages: Packages) -> tuple[bool, frozenset[str]]:
+    return watched(lambda: _is_ros2(packages))
+
+
+def _is_ros2(packages: Packages) -> bool:
+    """Whether the workspaces are of ROS 2: ament builds at least as many packages as half of those that catkin does, nothing names a
+    distribution of ROS 1, and something names one of ROS 2, or colcon has built here.
+    """
+    own = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything]
+    ament = sum(each.manifest is not None and each.manifest.ros_versions == _ONLY_ROS2 for each in own)
+    if not ament or 2 * ament < sum(map(_is_of_catkin, own)):
+        return False
+    from launchlint.workspace.named_distributions import named_distributions
+
+    roots = packages.workspaces
+    built = any(is_file(posixpath.join(root, _INSTALLED)) for root in roots)
+    if not (built or named_distributions(roots, [each.directory for each in own])):
+        return False
+    return not packages.distributions().named

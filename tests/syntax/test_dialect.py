@@ -40,6 +40,7 @@ NODE_1 = '<node pkg="a" type="b" name="c"/>'
         ('<launch><param name="a" value="$(eval x == \'y\')"/></launch>', None, "ros1"),
         ('<launch><param name="a" type="double" value="1.5"/></launch>', None, "ros1"),
         ("<launch><rosparam>a: $(var x)</rosparam></launch>", None, "ros1"),
+        ('<launch><test test-name="a" pkg="b" type="c"/></launch>', "ros2", "ros1"),
         # One slip in a ROS 1 file.
         (f'<launch>{NODE_1}<node pkg="a" exec="b" name="d"/></launch>', None, "ros1"),
         ('<launch><node pkg="a" exec="b" name="d"/></launch>', "ros1", "ros1"),

@@ -164,6 +164,8 @@ def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
             posixpath.abspath(place.source.file), name, view.once(_declared).get(id(place.source), frozenset()), view.packages
         )
     )
+    if not idle and _is_used_by_program(place.source.text, name):
+        idle = "the program reads it where it does not get to here"
     if beside:
         idle = f"{beside} beside this file takes it, too, and reads it: it may be here for those who include one or the other"
     yield RULE.at(
@@ -176,6 +178,12 @@ def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
         topic=name,
         cause=_cause_of_all(problem, view, idle),
     )
+
+
+def _is_used_by_program(text: str, name: str) -> bool:
+    """Whether a launch file in Python keeps the arg in a variable that it uses, perhaps in a loop or branch that is not run."""
+    found = re.search(rf"""\b(\w+)\s*=\s*LaunchConfiguration\(\s*["']{re.escape(name)}["']""", text)
+    return found is not None and len(re.findall(rf"(?<![\w.'\"])(?:self\.)?{found[1]}(?![\w'\"])(?!\s*=[^=])", text)) > 0
 
 
 def _cause_of_all(problem: ArgUnused, view: LaunchView, idle: str) -> str:
@@ -204,6 +212,9 @@ def _declared(view: LaunchView) -> dict[int, frozenset[str]]:
 def _written(place: Place, name: str) -> Place:
     """Where in the declaration the name stands: in YAML the place is the key only."""
     text, start = place.source.text, place.span.start
+    if place.source.path.endswith(".py"):
+        quoted = re.compile(rf"""["']{re.escape(name)}["']""").search(text, start, start + _LONGEST_DECLARATION)
+        return place if quoted is None else Place(place.source, Span(quoted.start() + 1, quoted.end() - 1))
     at = text.find(name, text.find("name", start, start + _LONGEST_DECLARATION) + 4, start + _LONGEST_DECLARATION)
     return place if at < 0 else Place(place.source, Span(at, at + len(name)))
 

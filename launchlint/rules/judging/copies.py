@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Sequence
+
+from launchlint.workspace.looking import is_file
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -10,11 +13,17 @@ if TYPE_CHECKING:
     from launchlint.workspace.packages import Packages
 
 
+_NOT_BUILT = "COLCON_IGNORE"
+
+
 def built_together(copies: Sequence[Package]) -> list[list[Package]]:
-    """``copies`` of one name, those together that one catkin would build; what is built for ROS 2 only (ament) is left out."""
+    """``copies`` of one name, those together that one catkin would build; what is built for ROS 2 only (ament) is left out.
+
+    So is what a ``COLCON_IGNORE`` sets aside: it is kept in a workspace of ROS 2.
+    """
     together: dict[str, list[Package]] = {}
     for copy in copies:
-        if copy.manifest is None or not copy.manifest.is_ament:
+        if (copy.manifest is None or not copy.manifest.is_ament) and not is_file(posixpath.join(copy.directory, _NOT_BUILT)):
             together.setdefault(_source_space(copy), []).append(copy)
     return list(together.values())
 

@@ -10,6 +10,7 @@ from launchlint.rules.edits import Edits
 from launchlint.source import Place
 
 _LONGEST = 60
+_DESCRIBES = "def generate_launch_description("
 
 
 def level(problem: Problem) -> Severity:
@@ -20,7 +21,9 @@ def level(problem: Problem) -> Severity:
 def reads_environment(place: Place) -> bool:
     """Whether a launch file in Python reads variables of the environment: a path or value may be another one where they are set."""
     source = place.source
-    return source.path.endswith(".py") and any(each in source.text for each in ("getenv(", "environ[", "environ.get("))
+    return (source.path.endswith(".py") or _DESCRIBES in source.text) and any(
+        each in source.text for each in ("getenv(", "environ[", "environ.get(")
+    )
 
 
 def shown(text: str) -> str:

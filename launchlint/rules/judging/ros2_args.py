@@ -22,6 +22,7 @@ from launchlint.rules.judging.broken_call import broken_call
 from launchlint.rules.judging.near_launch_file import near_launch_file
 from launchlint.rules.judging.never_declared import never_declared
 from launchlint.rules.judging.other_file import root_of, shown
+from launchlint.rules.judging.out_of_share import leads_out, where
 from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -150,7 +151,10 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
         advice = f"did you mean {shown(others[0], root_of(source))}?"
     elif not relative and file and (near := near_launch_file(file, {posixpath.abspath(source.file), *view.included_by.get(source, ())})):
         advice = f"did you mean {near}?"
-    elsewhere = relative and source.path.endswith(".py")  # people start such files from the workspace they are made for
+    left = leads_out(file, view.packages)
+    if left:
+        notes.append(where(left))
+    elsewhere = left or (relative and source.path.endswith(".py"))  # people start such files from the workspace they are made for
     yield rule.at(
         problem.origin,
         f"the included file {named} does not exist" if file else "the name of the included file is empty",

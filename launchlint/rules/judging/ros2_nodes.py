@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.evaluate.problems import DuplicateNode
+from launchlint.evaluate.ros2.problems import DefaultOverruled
 from launchlint.finding import Finding, Severity
 from launchlint.model import Node
 from launchlint.rules.rule import Rule
@@ -17,6 +18,8 @@ def one_name(problem: DuplicateNode, rule: Rule, view: LaunchView) -> Iterator[F
     """Two nodes that would be one to everybody who asks for it by its name."""
     name, first, second = problem.name, problem.first, problem.second
     twice = first.origin.place == second.origin.place
+    if not twice and any(_renames(each, node) for each in view.launch.noticed(DefaultOverruled) for node in (first, second)):
+        return  # LL911 says that the default for this name does not count
     tried = view.tried
     notes = [f"ros2 launch warns that there are 2 nodes with the name {name}: services and params of such nodes reach any of them"]
     if tried:
@@ -36,6 +39,11 @@ def one_name(problem: DuplicateNode, rule: Rule, view: LaunchView) -> Iterator[F
         if second.origin.chain or first.origin.chain
         else name,
     )
+
+
+def _renames(problem: DefaultOverruled, node: Node) -> bool:
+    """Whether a node has its name from an arg whose default does not count, since an include before has left another value."""
+    return problem.left and problem.place.source is node.origin.place.source and node.name.rpartition("/")[2] == problem.value
 
 
 def _way_to(first: Node, second: Node) -> tuple[tuple[Place, str], ...]:

@@ -58,6 +58,7 @@ from launchlint.rules.judging.left_over import left_over_in
 from launchlint.rules.judging.made_file import cause_of, made
 from launchlint.rules.judging.moved import lacking, moved, told_as_moved
 from launchlint.rules.judging.other_file import root_of, shown
+from launchlint.rules.judging.out_of_share import leads_out, where
 from launchlint.rules.judging.python_text import reads_environment
 from launchlint.rules.judging.robot_file import advice, is_robots
 from launchlint.rules.judging.template import is_path_to_fill_in
@@ -108,7 +109,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     elif maker is not None:
         severity = Severity.INFO
         notes.append(maker.why)
-    elif path and problem.relative and view.dialect.name == ROS2 and reads_environment(problem.place):
+    elif path and (problem.relative or "None" in name) and view.dialect.name == ROS2 and reads_environment(problem.place):
         severity = Severity.INFO
         notes.append("this launch file makes paths of environment variables, which may be set elsewhere")
     elif path and problem.relative and "(" not in path and has_arg(problem.place.text):
@@ -116,6 +117,10 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         notes.append("an arg says which file, so that this one may stand for any")
     elif path and (problem.relative or problem.elsewhere) and not left_over_in(problem.file, view):
         severity = Severity.WARNING
+    left = leads_out(problem.file, view.packages) if missing and view.dialect.name == ROS2 else ""
+    if left:
+        severity = Severity.INFO
+        notes.append(where(left))
     robots = missing and maker is None and look and is_robots(problem.file, view.packages, root_of(problem.place.source))
     if robots:
         severity = Severity.INFO
@@ -141,6 +146,8 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         notes=tuple(notes),
         help="fill in the path, or make it an arg without a default"
         if placeholder
+        else "install the file with a package, and start the path with its share directory"
+        if left
         else maker.help
         if maker is not None
         else advice(path)

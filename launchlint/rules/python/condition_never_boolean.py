@@ -71,6 +71,7 @@ def tell(problem: NotACondition | EvalError, view: object) -> Iterator[Finding]:
         severity=level(problem),
         label="no condition",
         notes=stops("an AttributeError when it comes to this action: it has no attribute 'evaluate'"),
+        cause=f"{problem.place.source.path} {problem.callee} {problem.found}",
         help=f"write IfCondition({written})" if problem.substitution else "use a plain if of Python, or IfCondition over a substitution",
     )
 

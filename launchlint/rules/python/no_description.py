@@ -36,6 +36,7 @@ def generate_launch_description():
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
@@ -44,6 +45,7 @@ from launchlint.rules.rule import Rule
 from launchlint.syntax.ros2.python.problems import NoDescription, NotAnAction
 
 RULE = Rule("LL932", "no-description", Severity.ERROR, roslaunch="refuses")
+_LAUNCH = re.compile(r"^\s*(?:from|import)[ \t]+launch", re.MULTILINE)
 _ENTRY = "generate_launch_description"
 
 
@@ -65,7 +67,8 @@ def tell(problem: NoDescription | NotAnAction, view: object) -> Iterator[Finding
         severity = Severity.WARNING  # left to be written, and started by nobody
         yield RULE.at(problem.origin, "the launch file is empty", severity=severity, notes=stops(note), help="write it, or remove it")
         return
-    own = problem.form == "arguments" and "__main__" in problem.place.source.text
+    text = problem.place.source.text
+    own = "__main__" in text and (problem.form == "arguments" or (problem.form == "missing" and not _LAUNCH.search(text)))
     yield RULE.at(problem.origin, message, severity=Severity.INFO if own else level(problem), notes=stops(note), help=advice)
 
 

@@ -95,7 +95,7 @@ def _covers(one: ConfigurationAsPythonValue, problem: NotASubstitution) -> bool:
 
 def _level(problem: NotASubstitution | NotAParameterValue, found: str) -> Severity:
     # A variable of the environment that is not set here may be set where the file is launched.
-    if found == "None" and reads_environment(problem.place):
+    if found in ("None", "a list without items") and problem.place.text not in ("None", "[]") and reads_environment(problem.place):
         return Severity.INFO
     return level(problem)
 

@@ -65,11 +65,13 @@ decides what a file starts, and the second of two includes that look alike goes 
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.ros2.problems import DefaultOverruled
 from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.joined import joined
+from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.rule import Rule, shortened
 from launchlint.rules.wording import words_at
 
@@ -82,10 +84,12 @@ def tell(problem: DefaultOverruled, view: object) -> Iterator[Finding]:
     if not problem.left:
         return
     name, group = problem.name, words_at(problem.origin).tag("group")
+    root = root_of(problem.place.source)
+    default, value = (shown(each, root) if posixpath.isabs(each) else each for each in (problem.default, problem.value))
     yield RULE.at(
         problem.origin,
-        f"the default of {name} does not count: it is {problem.value} here, which {_HOW[problem.how]} before",
-        label=f"{problem.default} does not count",
+        f"the default of {name} does not count: it is {value} here, which {_HOW[problem.how]} before",
+        label=f"{default} does not count",
         related=problem.related,
         notes=("an include leaves behind whatever it was passed and whatever its file has set",),
         help=f"put that include into a {group}, or pass {name} in the include of {problem.place.source.path}",

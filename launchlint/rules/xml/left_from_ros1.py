@@ -3,7 +3,9 @@
 What it does: it looks at launch files whose words are those of roslaunch (`type` of a `<node>`, `$(find …)`, `<rosparam>` …) in a package
 that ament alone builds (`<build_type>` in its `package.xml`). A package that is switched between the two is passed over: its build types
 have conditions, another manifest (`package_ros1.xml`) lies beside `package.xml`, or its `CMakeLists.txt` names catkin. All such files of
-one package are told of at once, and nothing else is said of them.
+one package are told of at once, and nothing else is said of them. In a workspace of ROS 2 (its files name distributions of ROS 2 and none
+of ROS 1, or colcon has built it, and ament builds many of its packages) the packages of catkin wait for being ported, or were forgotten:
+that is one information for all of them. It is an information, too, where a directory is named for ROS 1 (`launch_ros1`).
 
 ## Why it matters
 
@@ -63,11 +65,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
 from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView
-from launchlint.workspace.other_ros import built_for_ros2
+from launchlint.source import Place
+from launchlint.workspace.other_ros import built_for_ros2, left_over
 
+_NAMED = late(r"[^/]*ros_?1(?![0-9])[^/]*(?=/)")
 RULE = Rule("LL115", "left-from-ros1", Severity.WARNING)
 
 
@@ -75,13 +80,32 @@ def check(view: FileView) -> Iterator[Finding]:
     """Point at the root of a launch file of ROS 1 whose package ament builds (REP 149)."""
     document = view.document
     package = None if document.root is None else built_for_ros2(document.source.file, view.packages)
-    if package is None or document.root is None:
+    if document.root is None:
         return
+    if package is None:
+        waiting = left_over(document.source.file, view.packages)
+        if waiting is not None:
+            yield _waiting(document.place(document.root.name_span), waiting.name)
+        return
+    kept = _NAMED.search(document.source.path)
     yield RULE.at(
         document.place(document.root.name_span),
         f"this launch file is for ROS 1, and its package {package.name} is built for ROS 2",
+        severity=None if kept is None else Severity.INFO,
         label="for roslaunch",
-        notes=("ros2 launch refuses it; nothing else is said of it",),
+        notes=("ros2 launch refuses it; nothing else is said of it", *(() if kept is None else (f"{kept[0].strip('/')} says so itself",))),
         help="remove it, or write it for ros2 launch",
-        cause=shown(package.manifest_path, root_of(document.source)),
+        cause=f"{shown(package.manifest_path, root_of(document.source))} {'' if kept is None else kept[0]}",
+    )
+
+
+def _waiting(place: Place, package: str) -> Finding:
+    return RULE.at(
+        place,
+        f"this launch file is for ROS 1, as its package {package} is, and the workspace is one of ROS 2",
+        severity=Severity.INFO,
+        label="for roslaunch",
+        notes=("colcon does not build a package of catkin for ROS 2; nothing else is said of the file",),
+        help="port the package, or put a COLCON_IGNORE into it",
+        cause="waiting",
     )
