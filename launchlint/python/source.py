@@ -137,7 +137,7 @@ def _note(node: ast.AST, around: tuple[Routine, ...], later: set[str]) -> None:
         for each in around:
             each.calls.add(word)
             each.roots.add(root)
-        if word in _FILLING:
+        if word in _FILLING and isinstance(node.func, ast.Attribute):  # type: ignore[attr-defined]
             _note_filled(node.func.value, around, later)  # type: ignore[attr-defined]
     elif kind is ast.Subscript and type(node.ctx) is not ast.Load:  # type: ignore[attr-defined]
         _note_filled(node.value, around, later)  # type: ignore[attr-defined]

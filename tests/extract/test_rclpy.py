@@ -201,6 +201,10 @@ HEAD = "import rclpy\nfrom rclpy.node import Node\nfrom rclpy.qos import QoSProf
         pytest.param(
             "n = rclpy.create_node('n')\nn.create_publisher()\nn.create_subscription(n, n, n, n)\nn.get_parameter()\n", id="odd arguments"
         ),
+        pytest.param(
+            "append(1)\nfrom heapq import *\nadd = update = insert = print\nadd(1), update(2), insert(3)\n",
+            id="functions called as methods",
+        ),
         pytest.param("class A(Node):\n def __init__(self):\n  A()\n  super().__init__('n')\nA()\n", id="a node in itself"),
         pytest.param(
             "".join(LATER.replace("{n}", str(n)).replace("{m}", str(n + 1)) for n in range(1_000)) + "A0()\n",

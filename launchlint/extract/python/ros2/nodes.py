@@ -90,7 +90,7 @@ def construct(run: Ros2Run, value: Value, made: Call, lifecycle: bool, name: str
         return
     allowed = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
     namespace = made.get(MOST_NODES if not name else 1, "namespace", "")
-    run.nodes.add(
+    node = run.nodes.add(
         value,
         Made(
             name=_text(made.get(0, "node_name", name or UNKNOWN)),
@@ -102,6 +102,9 @@ def construct(run: Ros2Run, value: Value, made: Call, lifecycle: bool, name: str
             line=made.line,
         ),
     )
+    if made.get(MOST_NODES, "enable_logger_service", False) is True:
+        for word in ("Get", "Set"):
+            made.fact("services", f"~/{word.lower()}_logger_levels", type=f"rcl_interfaces/srv/{word}LoggerLevels", node=node.made.key)
 
 
 def _text(value: Value) -> str:
