@@ -42,7 +42,7 @@ HUBS = frozenset({"/tf", "/tf_static", "/clock", "/diagnostics", "/diagnostics_a
 """Topics that everybody uses: of no interest in a drawing, and shared on purpose."""
 HUB_SIZE = 64
 """A topic of several publishers and several subscribers with this many pairs of them counts as a hub, too."""
-PLUMBING = ("bond/", "dynamic_reconfigure/", "nodelet/")
+PLUMBING = ("bond/", "dynamic_reconfigure/", "nodelet/", "composition_interfaces/", "lifecycle_msgs/", "rcl_interfaces/")
 """Packages whose types belong to the machinery of nodes, not to what they do."""
 
 

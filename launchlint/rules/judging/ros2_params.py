@@ -46,7 +46,8 @@ ROUNDED = {"integer": "double", "integer_array": "double_array"}
 _EVERYWHERE = ("use_sim_time", "start_type_description_service", "diagnostic_updater.period", "diagnostic_updater.use_fqn")
 """Params that rclcpp, rclpy and diagnostic_updater declare in any node."""
 _OVERRIDES = "qos_overrides."
-_CLIENTS = ("rclcpp", "rclpy", "component", "container")
+_CLIENTS = ("rclcpp", "rclpy", "component")
+"""Of a container nothing is said: what it is given may be for the nodes that are loaded into it."""
 _MOST_NAMES = 8
 
 
