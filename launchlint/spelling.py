@@ -31,6 +31,10 @@ _OFF = frozenset(
 """Words that people put to the name of a tag or attribute to switch it off."""
 
 
+MOST_COMPARED = 2_000
+"""Names of about the length and the letters of one that it is compared with, letter by letter."""
+
+
 @lru_cache(maxsize=8192)  # the same misspelt names come up in every configuration
 def distance(left: str, right: str, limit: int = 3) -> int:
     """Damerau-Levenshtein distance (insert, delete, replace, swap neighbours), at most ``limit`` + 1."""
@@ -38,6 +42,10 @@ def distance(left: str, right: str, limit: int = 3) -> int:
         return 0
     if abs(len(left) - len(right)) > limit:
         return limit + 1
+    alike = _alike(left, right)  # what both begin and end with takes no slip
+    left, right = left[alike:], right[alike:]
+    alike = _alike(left[::-1], right[::-1])
+    left, right = left[: len(left) - alike], right[: len(right) - alike]
     before: list[int] = []
     previous = list(range(len(right) + 1))
     for row, char in enumerate(left, 1):
@@ -53,13 +61,18 @@ def distance(left: str, right: str, limit: int = 3) -> int:
     return previous[-1]
 
 
+def _alike(left: str, right: str) -> int:
+    """How many characters two names begin with alike."""
+    return next((index for index, (one, other) in enumerate(zip(left, right, strict=False)) if one != other), min(len(left), len(right)))
+
+
 def closest(name: str, names: Iterable[str]) -> str | None:
     """The name of ``names`` that ``name`` is most likely a slip for; ``None`` where none is near enough.
 
     Near enough is one slip in a name of up to four letters, two in one of up to eight, three in a longer one. Letter case and
     the difference between ``-`` and ``_`` count as one slip together. Of several, the nearest and then alphabetically first. A name that
     says something else (:func:`differs_in_meaning`) is never near, nor one with another word: in ``min_height`` and ``scan_height`` most
-    letters are the same, and no word is a slip for the other.
+    letters are the same, and no word is a slip for the other. Where more than :data:`MOST_COMPARED` look alike at first sight, none is.
     """
     if not name:
         return None
@@ -67,6 +80,7 @@ def closest(name: str, names: Iterable[str]) -> str | None:
     bare = folded(name)
     letters = frozenset(name)
     best: tuple[int, str] | None = None
+    compared = 0
     for candidate in names:
         if candidate == name or not candidate:
             continue
@@ -75,7 +89,10 @@ def closest(name: str, names: Iterable[str]) -> str | None:
         elif abs(len(candidate) - len(name)) > limit or len(letters.difference(candidate)) > limit:
             continue  # one slip changes the length by one and takes away one letter at most
         else:
-            apart = distance(name, candidate, limit)
+            compared += 1
+            if compared > MOST_COMPARED:
+                return None
+            apart = distance(name, candidate, limit if best is None else best[0])
         if (
             apart <= limit
             and apart < len(candidate)
@@ -112,16 +129,21 @@ def one_slip(name: str, names: Iterable[str]) -> str | None:
 
     A name that says something else (:func:`differs_in_meaning`) is no slip.
     """
+    near = slips(name, names)
+    return near.pop() if len(near) == 1 else None
+
+
+def slips(name: str, names: Iterable[str]) -> set[str]:
+    """All names of ``names`` that are exactly one slip away, as :func:`one_slip` has it."""
     bare = folded(name)
     letters = frozenset(name)
-    near = {
+    return {
         other
         for other in names
         if other != name
         and (folded(other) == bare or (len(letters.difference(other)) <= 1 and distance(name, other, 1) == 1))
         and not differs_in_meaning(name, other)
     }
-    return near.pop() if len(near) == 1 else None
 
 
 def surely(name: str, names: Iterable[str]) -> str | None:

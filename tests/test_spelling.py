@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
 
-from launchlint.spelling import closest, differs_in_meaning, one_slip, surely, switched_off
+from launchlint.spelling import MOST_COMPARED, closest, differs_in_meaning, distance, one_slip, surely, switched_off
 
 TAGS = ("arg", "group", "include", "machine", "node", "test", "param", "rosparam", "remap", "env")
 ATTRIBUTES = ("pkg", "type", "name", "ns", "args", "if", "unless", "launch-prefix")
@@ -117,3 +119,29 @@ def test_tags_that_are_switched_off(name: str, tag: str | None) -> None:
 )
 def test_attributes_that_are_switched_off(name: str, attribute: str | None) -> None:
     assert switched_off(name, ATTRIBUTES) == attribute
+
+
+def test_distances_are_those_of_the_textbook() -> None:
+    """Whatever is cut off first, and wherever it is given up: insert, delete, replace, swap neighbours, by the whole table."""
+    words = ["".join(letters) for length in range(5) for letters in product("ab_", repeat=length)]
+    for left, right in product(words, words[::3]):
+        assert min(distance(left, right, 2), 3) == min(textbook(left, right), 3), (left, right)
+
+
+def textbook(left: str, right: str) -> int:
+    """The restricted Damerau-Levenshtein distance, all of the table."""
+    table = {(row, -1): row + 1 for row in range(-1, len(left))} | {(-1, column): column + 1 for column in range(-1, len(right))}
+    for row, column in product(range(len(left)), range(len(right))):
+        least = min(
+            table[row - 1, column] + 1, table[row, column - 1] + 1, table[row - 1, column - 1] + (left[row] != right[column])
+        )  # fmt: skip
+        if row and column and left[row] == right[column - 1] and left[row - 1] == right[column]:
+            least = min(least, table[row - 2, column - 2] + 1)
+        table[row, column] = least
+    return table[len(left) - 1, len(right) - 1]
+
+
+def test_among_too_many_names_that_look_alike_none_is_near() -> None:
+    names = [f"abcd_{number:05}_efgh" for number in range(MOST_COMPARED + 1)]
+    assert closest("abcd_00007_efhg", names[:100]) == "abcd_00007_efgh"
+    assert closest("abcd_00007_efhg", names) is None

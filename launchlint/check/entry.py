@@ -10,6 +10,7 @@ from itertools import islice
 from typing import NamedTuple
 
 from launchlint.check.file import INTERNAL_ERROR, FileResult, check_file, check_parameters, internal_error, is_left_over, run_rule, tell
+from launchlint.check.listing import Listing
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.stops import put_right, put_right_later, said_of, stops_everybody
 from launchlint.check.verdict import judged, plainly
@@ -264,8 +265,9 @@ class EntryChecker:
         if is_left_over(launch.dialect, request.file, self.packages):
             return
         before: Problem | None = None
+        listing = Listing()
         for problem in launch.problems:
-            for finding in tell(problem, view, self.options.rules):
+            for finding in tell(problem, view, self.options.rules, listing):
                 said = put_right(finding, problem, before, launch, request.arguments)
                 yield self._at_home(said, evaluation, assumed=problem.assumed)
             if before is None and stops_everybody(problem, view):
@@ -274,13 +276,14 @@ class EntryChecker:
         for rule in self.launch_rules:
             if launch.dialect not in rule.dialects:
                 continue
-            for found in run_rule(rule, view, launch.entry.path):
+            for found in listing.listed(run_rule(rule, view, launch.entry.path)):
                 if isinstance(found, Fine):
                     yield found
                 else:
                     yield self._at_home(said_of(put_right_later(found, before), switched), evaluation, assumed=False)
         if self.graph_rules and (launch.nodes or launch.tests or launch.parameter_settings):
-            yield from self._graph_findings(evaluation, request)
+            yield from self._graph_findings(evaluation, request, listing)
+        yield from (self._at_home(each, evaluation, assumed=False) for each in listing.left_out(self.options.rules))
 
     @property
     def _connected_before(self) -> Earlier:
@@ -296,7 +299,7 @@ class EntryChecker:
 
         return connect(evaluation.launch, self.library, self._connected_before)
 
-    def _graph_findings(self, evaluation: Evaluation, request: EntryRequest) -> Iterator[Finding | Fine]:
+    def _graph_findings(self, evaluation: Evaluation, request: EntryRequest, listing: Listing) -> Iterator[Finding | Fine]:
         from launchlint.rules.view import GraphView, tried
 
         graph = self.connected(evaluation)
@@ -308,7 +311,7 @@ class EntryChecker:
         for rule in self.graph_rules:
             if evaluation.launch.dialect not in rule.dialects:
                 continue
-            for found in run_rule(rule, view, evaluation.launch.entry.path):
+            for found in listing.listed(run_rule(rule, view, evaluation.launch.entry.path)):
                 yield found if isinstance(found, Fine) else self._at_home(said_of(found, switched), evaluation, assumed=False)
 
     def _at_home(self, finding: Finding, evaluation: Evaluation, *, assumed: bool) -> Finding:

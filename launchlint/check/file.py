@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from launchlint.check.listing import Listing
 from launchlint.finding import Finding, Location
 from launchlint.model import ROS1
 from launchlint.problem import Problem
@@ -64,13 +65,15 @@ def check_file(view: FileView, rules: tuple[Entry, ...]) -> FileResult:
         rules = tuple(rule for rule in rules if rule.id in SAID_OF_LEFT_OVERS)
     selected = frozenset(rule.id for rule in rules)
     findings: list[Guarded] = []
+    listing = Listing()
     for problem in view.dialect.validate(document):
-        findings += [Guarded(finding, _guard(view, finding.location)) for finding in tell(problem, view, selected)]
+        findings += [Guarded(finding, _guard(view, finding.location)) for finding in tell(problem, view, selected, listing)]
     if document.launch is not None or view.dialect.name != ROS1:
         for rule in rules:
             if rule.view == "file" and view.dialect.name in rule.dialects:
-                told = run_rule(rule, view, document.source.path)
+                told = listing.listed(run_rule(rule, view, document.source.path))
                 findings += [Guarded(found, _guard(view, found.location)) for found in told if isinstance(found, Finding)]
+    findings += [Guarded(finding, None) for finding in listing.left_out(selected)]
     suppressions: tuple[Suppression, ...] = ()
     if "launchlint" in document.source.text:
         from launchlint.suppression import read
@@ -93,16 +96,16 @@ def check_parameters(source: Source, dialect: DialectName) -> FileResult:
     return FileResult(source.path, (), tuple(read(source, remarks(source))), None, dialect=dialect, launches=False)
 
 
-def tell(problem: Problem, view: object, selected: frozenset[str]) -> Iterator[Finding]:
-    """What the rules for this kind of problem say about it, those that speak of the dialect of ``view``."""
+def tell(problem: Problem, view: object, selected: frozenset[str], listing: Listing | None = None) -> Iterator[Finding]:
+    """What the rules for this kind of problem say about it, those that speak of the dialect of ``view``; of each as much as is listed."""
     told = view.told if isinstance(view, LaunchView) else {}
     dialect = view.dialect.name if isinstance(view, (FileView, LaunchView)) else ROS1
     for rule in speaking_of(type(problem)):
-        if rule.id in selected and dialect in rule.dialects:
+        if rule.id in selected and dialect in rule.dialects and not (listing is not None and listing.is_full(rule.id)):
             key = (id(problem), rule.id)
             if key not in told:
                 told[key] = _told(rule, problem, view)
-            yield from told[key]
+            yield from told[key] if listing is None else listing.listed(told[key])
 
 
 def _told(rule: Entry, problem: Problem, view: object) -> tuple[Finding, ...]:

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, MoreParameters, NodeEffect, PrivateParameter
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE, canonical
 from launchlint.evaluate.problems import DuplicateNode, MachineConflict, UnknownMachine
+from launchlint.evaluate.steering import steering
 from launchlint.model import (
     Argument,
     Branch,
@@ -207,7 +208,7 @@ class _Assembly:
         self.includes.append(include)
         respelled = {remap.key for remap in call.remaps}
         step = IncludeStep(call.include.origin.place, inherited.step)
-        passed = {name: frozenset().union(*(steer.get(read, frozenset()) for read in reads)) for name, reads in call.argument_reads.items()}
+        passed = {name: steering(steer.get(read, ()) for read in reads) for name, reads in call.argument_reads.items()}
         inner = _Inherited(
             step,
             place.scope(call.scope),
@@ -224,7 +225,7 @@ class _Assembly:
         self.walk(call.block, call.include.file, inner)
 
     def _branch(self, effect: LocalBranch, place: _Placing, block: Block, steer: Mapping[str, frozenset[str]]) -> None:
-        steered: frozenset[str] = frozenset().union(*(steer.get(name, frozenset()) for name in effect.reads))
+        steered = steering(steer.get(name, ()) for name in effect.reads)
         self.branches.append(
             Branch(
                 place.origin(effect.origin),
@@ -371,7 +372,7 @@ def _steering(block: Block, inherited: _Inherited) -> dict[str, frozenset[str]]:
     for name, reads in block.argument_reads.items():
         if name in inherited.steer and inherited.step is not None:
             continue
-        steer[name] = steer.get(name, frozenset()).union(*(steer.get(read, frozenset()) for read in reads))
+        steer[name] = steer.get(name, frozenset()) | steering(steer.get(read, ()) for read in reads)
     return steer
 
 

@@ -433,11 +433,12 @@ class FileEvaluation:
 
     def traced(self, work: Callable[[], T]) -> tuple[T, frozenset[str]]:
         """The result of ``work`` and the args it read; ``$`` stands for anything outside the launch files, such as the environment."""
-        reads, self.reads = self.reads, set()
+        before, self.reads = self.reads, set()
         try:
             return work(), frozenset(self.reads)
         finally:
-            self.reads |= reads
+            before |= self.reads
+            self.reads = before
 
     def value_and_default(self, element: Element, context: Context) -> tuple[tuple[Value | None, Value | None], frozenset[str]]:
         """What the ``value`` and ``default`` of an ``<arg>`` resolve to, and the args that were read for them."""

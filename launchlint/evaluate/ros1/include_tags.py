@@ -81,7 +81,7 @@ def include(file: FileEvaluation, element: Element, context: Context, default_ma
     lost = _check_arguments(file, element, document, block, explicit, pass_all=pass_all)
     call = Call(
         entry._replace(file=name, source=document.source), block, tuple(context.remaps_in_force()), tuple(environment),
-        tuple(context.private), reads, scope, file.conditions, lost,
+        tuple(context.private.values()), reads, scope, file.conditions, lost,
     )  # fmt: skip
     file.effect(call)
     for parameter in block.leaked:
@@ -194,6 +194,7 @@ def _check_arguments(
     path = document.source.path
     lost = bool(block.refused_overrides)
     undeclared = tuple(name for name in explicit if name not in block.declared and name not in block.refused_overrides)
+    known, target, passed = tuple(sorted(block.open_arguments)), document.source.file, tuple(sorted(explicit))
     for name, place in explicit.items():
         if name in block.refused_overrides:
             fixed = ((block.refused_overrides[name], "its value is fixed here"),)
@@ -201,7 +202,6 @@ def _check_arguments(
         elif name not in block.declared and not block.assumed_declarations:
             lost = True
             kind = PassAllHidesTypo if pass_all else IncludeUndeclaredArg
-            known, target = tuple(sorted(block.open_arguments)), document.source.file
             file.record(
                 kind(origin=Origin(place), refused=not pass_all, name=name, file=path, known=known, target=target, undeclared=undeclared)
             )
@@ -215,7 +215,7 @@ def _check_arguments(
         file.record(
             IncludeMissingArg(
                 origin=file.at(element.attributes["file"].value_span), refused=True, related=related,
-                name=name, file=path, passed=tuple(sorted(explicit)), target=document.source.file, pass_all=pass_all,
+                name=name, file=path, passed=passed, target=target, pass_all=pass_all,
             )
         )  # fmt: skip
     return lost

@@ -83,7 +83,7 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
     block.entered.add(key)
     block.angles = progress.angles
     if entering.private_above:
-        block.leaked = list(context.private)
+        block.leaked = list(context.private.values())
     if block.cycle_floor >= place:
         block.cycle_floor = NO_CYCLE
     # A block whose include cycle leads back to a file above it would be another one below other files.

@@ -10,7 +10,7 @@ from launchlint.evaluate.names import as_namespace, join
 from launchlint.evaluate.problems import InvalidNodeName, RemapReplaced
 from launchlint.evaluate.ros1.file import FileEvaluation
 from launchlint.evaluate.ros1.parameter_tags import private_param, rosparam
-from launchlint.evaluate.ros1.scope import Context, overlay
+from launchlint.evaluate.ros1.scope import Context, PrivateParameters, overlay
 from launchlint.evaluate.ros1.scope_tags import check_quotes, env, remap, scope_namespace
 from launchlint.model import Condition, EnvironmentSetting, Node, Remap, Role, Unknown
 from launchlint.source import Origin
@@ -93,7 +93,7 @@ def node(file: FileEvaluation, element: Element, context: Context, default_machi
         time_limit=time_limit,
         retry=retry,
     )
-    file.effect(NodeEffect(item, tuple(context.private), tuple(own_private), private_namespace))
+    file.effect(NodeEffect(item, tuple(context.private.values()), tuple(own_private), private_namespace))
     file.block.node_count += 1
     context.reach(1)
     context.nodes_above.append(item.origin.place)
@@ -171,7 +171,7 @@ def _children(
     inside = Context(context.namespace, context)
     inside.arguments = context.arguments
     own_environment: list[EnvironmentSetting] = list(context.environment)
-    own_private: list[PrivateParameter] = []
+    own_private: PrivateParameters = {}
     conditions: dict[str, frozenset[Condition]] = {}
     for tag, child in file.children(element, context, CHILD_TAGS, any_case=True):
         if tag == "remap":
@@ -192,7 +192,7 @@ def _children(
             private_param(file, child, values, own_private)
         else:
             rosparam(file, child, values, values.namespace, in_node=True)
-    return overlay(context.remaps_in_force(), own.remaps), own_environment, own_private
+    return overlay(context.remaps_in_force(), list(own.remaps.values())), own_environment, list(own_private.values())
 
 
 def _check_name(

@@ -19,7 +19,7 @@ from launchlint.evaluate.problems import (
     YamlDuplicateKey,
 )
 from launchlint.evaluate.ros1.file import FileEvaluation
-from launchlint.evaluate.ros1.scope import Context, set_private
+from launchlint.evaluate.ros1.scope import Context, PrivateParameters, set_private
 from launchlint.evaluate.ros1.scope_tags import check_quotes
 from launchlint.evaluate.ros1.substitution import resolve
 from launchlint.evaluate.ros1.typed_values import PARAMETER_TYPES, convert_value
@@ -62,7 +62,7 @@ def param(file: FileEvaluation, element: Element, context: Context, namespace: s
         file.effect(_setting(file, canonical(join(namespace, name)), value, element, "param"))
 
 
-def private_param(file: FileEvaluation, element: Element, values: Context, own: list[PrivateParameter]) -> None:
+def private_param(file: FileEvaluation, element: Element, values: Context, own: PrivateParameters) -> None:
     """A ``<param>`` inside a node: private to it, whatever its name looks like."""
     read = _read(file, element, values)
     if read is None:

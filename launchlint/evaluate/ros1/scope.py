@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TypeAlias
 
 from launchlint.evaluate.block import PrivateParameter, Value
 from launchlint.late import late
@@ -10,6 +11,8 @@ from launchlint.model import Condition, EnvironmentSetting, Remap, Scope, Unknow
 from launchlint.source import Origin, Place
 from launchlint.syntax.tree import Element
 
+PrivateParameters: TypeAlias = dict[str, PrivateParameter]
+"""The ``~params`` that are set, by key, in the order in which they were set last."""
 _WORD = late(r"[\w./-]+")
 """As the name of an arg is written in a condition."""
 _MOST_ASKED = 12
@@ -77,7 +80,7 @@ class Context:
     def __init__(self, namespace: str, parent: Context | None) -> None:
         self.namespace = namespace
         self.parent = parent
-        self.remaps: list[Remap] = []
+        self.remaps: dict[object, Remap] = {}
         self.settings: list[ActiveSetting] = []
         self.nodes_above: list[Place] = []
         self.lenient = False
@@ -85,14 +88,14 @@ class Context:
         self.declared: dict[str, Place] = {}
         self.anonymous: dict[str, str] = {}
         self.environment: list[EnvironmentSetting] = []
-        self.private: list[PrivateParameter] = []
+        self.private: PrivateParameters = {}
         self.scope: Scope | None = None
         if parent is not None:
             self.arguments = dict(parent.arguments)
             self.declared = dict(parent.declared)
             self.anonymous = dict(parent.anonymous)
             self.environment = list(parent.environment)
-            self.private = list(parent.private)
+            self.private = dict(parent.private)
             self.scope = parent.scope
 
     def has_value(self, name: str) -> bool:
@@ -101,15 +104,14 @@ class Context:
 
     def add_remap(self, remap: Remap) -> Remap | None:
         """Add ``remap``; a rule of this very scope with the same spelling is replaced and returned."""
-        replaced = next((old for old in self.remaps if old.key == remap.key), None)
-        if replaced is not None:
-            self.remaps.remove(replaced)
-        self.remaps.append(remap)
+        replaced = self.remaps.pop(remap.key, None)
+        self.remaps[remap.key] = remap
         return replaced
 
     def remaps_in_force(self) -> list[Remap]:
         """The remaps of this file that act here, in the order roslaunch passes them (LoaderContext.remap_args)."""
-        return list(self.remaps) if self.parent is None else overlay(self.parent.remaps_in_force(), self.remaps)
+        own = list(self.remaps.values())
+        return own if self.parent is None else overlay(self.parent.remaps_in_force(), own)
 
     def set_private(self, parameter: PrivateParameter) -> PrivateParameter | None:
         """Set a ``~param`` for the nodes that follow; the earlier one of the same key is replaced and returned."""
@@ -137,15 +139,11 @@ def overlay(outer: list[Remap], inner: list[Remap]) -> list[Remap]:
     return [remap for remap in outer if remap.key not in respelled] + inner
 
 
-def set_private(parameters: list[PrivateParameter], parameter: PrivateParameter) -> PrivateParameter | None:
-    """Put ``parameter`` at the end of the list and take out, and return, the earlier one of the same key."""
-    for index, old in enumerate(parameters):
-        if old.key == parameter.key:
-            del parameters[index]
-            parameters.append(parameter)
-            return old
-    parameters.append(parameter)
-    return None
+def set_private(parameters: PrivateParameters, parameter: PrivateParameter) -> PrivateParameter | None:
+    """Put ``parameter`` last and take out, and return, the earlier one of the same key."""
+    replaced = parameters.pop(parameter.key, None)
+    parameters[parameter.key] = parameter
+    return replaced
 
 
 def asked_of(elements: Sequence[Element], context: Context, reads: set[str]) -> Iterator[tuple[str, str]]:

@@ -18,6 +18,7 @@ from launchlint.evaluate.ros2.listing import Lister, Listings
 from launchlint.evaluate.ros2.performing import Failure, Performer, Rules
 from launchlint.evaluate.ros2.substitutions import PERFORM
 from launchlint.evaluate.session import Read
+from launchlint.evaluate.steering import steering
 from launchlint.model import Branch, Condition, Declaration, Executable, Include, Node, Scope, Unknown, shown_text
 from launchlint.problem import Problem
 from launchlint.source import IncludeStep, Origin, Place
@@ -326,13 +327,14 @@ class Walk:
         if literal is not None:
             return Known(literal, frozenset(), False)
         performer = self.performer
-        steer, outside = performer.steer, performer.outside
+        before, outside = performer.steer, performer.outside
         performer.steer, performer.outside = set(), False
         try:
             value = work(text)
-            return Known(value, frozenset(performer.steer), performer.outside)
+            return Known(value, steering((performer.steer,)), performer.outside)
         finally:
-            performer.steer |= steer
+            before |= performer.steer
+            performer.steer = before
             performer.outside |= outside
 
     # -- actions -----------------------------------------------------------------------------------------------

@@ -1,7 +1,8 @@
-"""A launch file is too large to be evaluated to its end.
+"""A launch file is too large to be checked to its end.
 
 Files that include each other many times over can amount to more elements than any robot has. launchlint gives up
-after 400,000 of them in one configuration, so that it always ends.
+after 400,000 of them in one configuration, so that it always ends. Of one rule 1,000 findings are listed for a launch file and as many
+for each of its configurations; where there are more, this says at which place the list ends.
 
 ## Why it matters
 
@@ -40,6 +41,17 @@ from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
 
 RULE = Rule("LL216", "evaluation-bound", Severity.WARNING)
+
+
+def left_out(finding: Finding, most: int) -> Finding:
+    """Say that ``finding`` is the first of its rule that is not listed, since ``most`` are."""
+    return RULE.at_location(
+        finding.location,
+        f"more than {most:,} findings of {finding.rule} {finding.name}: from here on they are not listed",
+        severity=Severity.INFO,
+        help="put right what is listed, and check again",
+        topic=finding.rule,
+    )
 
 
 def tell(problem: EvaluationBound, view: object) -> Iterator[Finding]:

@@ -53,11 +53,13 @@ roslaunch refuses the whole launch. It is also how a mistyped arg shows.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import lru_cache
+from itertools import islice
 
 from launchlint.evaluate.problems import IncludeUndeclaredArg, UndeclaredArg
 from launchlint.finding import Finding, Severity
+from launchlint.plural import listed
 from launchlint.rules.edits import LOADS, passed_under, spot
 from launchlint.rules.judging.broken_call import MOVE, broken_call
 from launchlint.rules.rule import Rule
@@ -68,7 +70,10 @@ from launchlint.spelling import closest, did_you_mean
 RULE = Rule("LL403", "include-undeclared-arg", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
 
 _TO_THE_TOP = "to the top level of the included file, without a condition"
+_DOES_NOT_COUNT = "declared in a group or under a false condition: that does not count"
 _MOST_NAMED = 8
+_MOST_LISTED = 40
+"""Names of args that are taken, and of args that are not, in one finding: more than anybody writes by hand."""
 _STOPS = "roslaunch stops with"
 _near = lru_cache(maxsize=256)(closest)  # the same is asked in every configuration
 
@@ -78,20 +83,23 @@ def tell(problem: IncludeUndeclaredArg, view: LaunchView) -> Iterator[Finding]:
     name, file, known = problem.name, problem.file, problem.known
     undeclared: tuple[str, ...] = problem.undeclared
     several = len(undeclared) > 1
-    elsewhere = {each: place for each in undeclared if (place := _declared_elsewhere(each, file, view)) is not None}
+    if name not in undeclared[:_MOST_LISTED]:
+        return  # told with the others
+    declared = view.once(_Declared).anywhere(file)
+    elsewhere = {each: declared[each] for each in undeclared if each in declared}
     has = ", ".join(known[:_MOST_NAMED]) + (" …" if len(known) > _MOST_NAMED else "")
-    listed = ", ".join(undeclared)
-    notes = [f"roslaunch stops with: unused args [{listed}] for include of [{file}]"]
+    names = listed(undeclared, _MOST_LISTED)
+    notes = [f"roslaunch stops with: unused args [{names}] for include of [{file}]"]
     unset = _unset_in(problem.place, view)
     if unset:
         notes = [f"roslaunch stops even before that, since {unset} is not declared either; once it is, with{notes[0].removeprefix(_STOPS)}"]
     notes.append(f"{file} takes: {has}" if known else f"{file} takes no args")
     yield RULE.at(
         problem.origin,
-        f"{file} does not declare the {'args' if several else 'arg'} {listed}",
+        f"{file} does not declare the {'args' if several else 'arg'} {names}",
         label=f"{name} is passed here" if several else "passed here",
-        shared_cause=broken_call(file, listed),
-        related=tuple((place, "declared in a group or under a false condition: that does not count") for place in elsewhere.values()),
+        shared_cause=broken_call(file, ", ".join(undeclared)),
+        related=tuple((place, _DOES_NOT_COUNT) for place in islice(elsewhere.values(), _MOST_LISTED)),
         notes=tuple(notes),
         help=_help(undeclared, known, tuple(elsewhere)),
         fix=None if name in elsewhere else passed_under(view, problem.place, name, _near(name, known), "" if several else f"{LOADS}, and "),
@@ -123,19 +131,29 @@ def _help(undeclared: tuple[str, ...], known: tuple[str, ...], elsewhere: tuple[
         if elsewhere:
             return f"{MOVE}its declaration {_TO_THE_TOP}"
         return did_you_mean(undeclared[0], known) or "remove it here, or declare it there"
-    near = {name: other for name in undeclared if name not in elsewhere and (other := _near(name, known)) is not None}
-    advice = [f"{MOVE}the declarations of {', '.join(elsewhere)} {_TO_THE_TOP}"] if elsewhere else []
+    unknown = (name for name in undeclared if name not in elsewhere)
+    near = {name: other for name in islice(unknown, _MOST_LISTED) if (other := _near(name, known)) is not None}
+    advice = [f"{MOVE}the declarations of {listed(elsewhere, _MOST_LISTED)} {_TO_THE_TOP}"] if elsewhere else []
     advice += [f"is {other} meant by {name}?" for name, other in near.items()]
     if len(elsewhere) + len(near) < len(undeclared):
         advice.append("remove the others here, or declare them there" if advice else "remove them here, or declare them there")
     return "; ".join(advice).replace("?;", "?")
 
 
-def _declared_elsewhere(name: str, file: str, view: LaunchView) -> Place | None:
-    """Where the included file does hold an ``<arg>`` of this name after all."""
-    document = view.documents.get(file)
-    if document is None:
-        return None
-    named = (each for each in document.elements if each.tag == "arg" and each.get("name") == name)
-    own = next((each for each in named if each.parent is not None and each.parent.tag.lower() != "include"), None)
-    return None if own is None else document.place(own.attributes["name"].value_span)
+class _Declared:
+    """Where the files of a launch hold an ``<arg>`` that no include passes, wherever in the file it stands."""
+
+    def __init__(self, view: LaunchView) -> None:
+        self._documents = view.documents
+        self._places: dict[str, dict[str, Place]] = {}
+
+    def anywhere(self, file: str) -> Mapping[str, Place]:
+        """The first ``<arg>`` of each name."""
+        if file not in self._places:
+            found = self._places[file] = {}
+            document = self._documents.get(file)
+            for each in () if document is None else document.elements:
+                named = each.attributes.get("name") if each.tag == "arg" else None
+                if document is not None and named is not None and each.parent is not None and each.parent.tag.lower() != "include":
+                    found.setdefault(named.value, document.place(named.value_span))
+        return self._places[file]

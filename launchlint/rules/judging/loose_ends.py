@@ -24,8 +24,8 @@ from launchlint.rules.view import GraphView
 
 _MOST_CANDIDATES = 40
 """Names of one type that a loose end is compared with."""
-_MOST_COMPARISONS = 20_000
-"""In a launch with more loose ends than people can read of, only the first are looked at."""
+_MOST_COMPARISONS = 50_000
+"""Ends that loose ends are compared with. In a launch with more than people can read of, only the first are looked at."""
 _GENERIC = ("std_msgs/", "std_srvs/")
 """Types that say nothing of what is meant."""
 _TO_REMAP = late(r"\{remap:([^{}|]+)\}")
@@ -119,7 +119,7 @@ class LooseEnds:
         candidates = self._candidates(end.kind, not offers, end.type)
         if not candidates or len(candidates) > _MOST_CANDIDATES or not instance.certain or self._compared > _MOST_COMPARISONS:
             return None
-        self._compared += len(candidates)
+        self._compared += sum(len(each.uses if offers else each.offers) for each in candidates)
         ranked: dict[str, Others] = {}
         for channel in candidates:
             ends = [

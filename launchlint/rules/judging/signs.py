@@ -24,6 +24,8 @@ from launchlint.source import Place
 
 _MOST_NODES = 2_000
 """Of longer chains nothing is said."""
+_OWN_AND_OTHER = 2
+"""Nodes of which one at least is another than a given one."""
 Role = tuple[str, str, str]
 """Program, role and the name in its code."""
 
@@ -34,6 +36,13 @@ class _Stray(NamedTuple):
     source: str
     target: str
     place: str
+
+
+class _Alike(NamedTuple):
+    """One end of all nodes of a program: the first two, of two nodes, and up to two nodes in which no remap leads it to somebody."""
+
+    first: list[Endpoint]
+    left: set[str]
 
 
 class Signs:
@@ -72,10 +81,11 @@ class Signs:
         """What it says of a name that no remap acts on, while one does in all other nodes of the program, and makes them meet somebody."""
         if end.applied:
             return ""
-        others = [each for each in self._alike.get(self._role(end), ()) if each.node != end.node]
-        if not others or not all(each.applied and self._meets(each) for each in others):
+        alike = self._alike.get(self._role(end))
+        other = None if alike is None else next((each for each in alike.first if each.node != end.node), None)
+        if alike is None or other is None or not alike.left <= {end.node}:
             return ""
-        return f"{others[0].node} is the same program and has its {end.declared} remapped to {others[0].name}"
+        return f"{other.node} is the same program and has its {end.declared} remapped to {other.name}"
 
     def are_one_chain(self, givers: list[Endpoint], takers: list[Endpoint]) -> bool:
         """Whether what ``givers`` give follows from what ``takers`` hear, by messages of the same type alone: then it is for others."""
@@ -100,12 +110,17 @@ class Signs:
         return frozenset(found)
 
     @cached_property
-    def _alike(self) -> dict[Role, list[Endpoint]]:
-        found: dict[Role, list[Endpoint]] = {}
+    def _alike(self) -> dict[Role, _Alike]:
+        found: dict[Role, _Alike] = {}
         for instance in self._graph.instances:
             for each in instance.endpoints:
-                if each.certain and not each.is_plumbing:
-                    found.setdefault(self._role(each), []).append(each)
+                if not each.certain or each.is_plumbing:
+                    continue
+                alike = found.setdefault(self._role(each), _Alike([], set()))
+                if all(each.node != other.node for other in alike.first) and len(alike.first) < _OWN_AND_OTHER:
+                    alike.first.append(each)
+                if len(alike.left) < _OWN_AND_OTHER and not (each.applied and self._meets(each)):
+                    alike.left.add(each.node)
         return found
 
     def _role(self, end: Endpoint) -> Role:

@@ -32,6 +32,7 @@ The nodelet waits for its manager for ever: no error, no output, no topics.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
@@ -40,7 +41,7 @@ from launchlint.model import Node
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Origin
-from launchlint.spelling import closest, one_slip
+from launchlint.spelling import closest, one_slip, slips
 from launchlint.words import split_words
 
 RULE = Rule("LL308", "nodelet-manager-missing", Severity.ERROR)
@@ -57,21 +58,25 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
     names = {clean(node.full_name) for node in launch.nodes if node.name}
     managers = {clean(node.full_name) for node in launch.nodes if _is_manager(node)}
     here = (f"the managers here are {', '.join(sorted(managers)[:6])}",) if managers else ()
-    wanted = [_full(node, manager) for node, manager in loading]
+    wanted = Counter(_full(node, manager) for node, manager in loading)
+    nobody = wanted.keys() - names
+    near: dict[str, set[str]] = {}
     for node, manager in loading:
         place = node.places.get("arguments", node.origin.place)
         full = _full(node, manager)
         if full in names:
             yield RULE.fine(place)
             continue
+        if full not in near:
+            near[full] = slips(full, names)
         unsure = not launch.complete or not known or not node.knows("namespace") or any(condition.assumed for condition in node.conditions)
-        if not launch.complete and one_slip(full, names - {node.full_name}) is None:
+        if not launch.complete and _slip(near[full], node) is None:
             yield RULE.fine(place)  # a file that is not here may start it
         if unsure or manager.startswith("~") or _is_remapped(node, full):
             continue
-        slip = one_slip(full, names - {node.full_name})
+        slip = _slip(near[full], node)
         # Or the managers that other nodelets name agree, and this one differs in a letter.
-        sibling = None if slip or wanted.count(full) > 1 else one_slip(full, {other for other in wanted if other not in names})
+        sibling = None if slip or wanted[full] > 1 else one_slip(full, nobody)
         yield RULE.at(
             Origin(place, node.origin.step),
             f"no node is called {full}, the manager of this nodelet",
@@ -80,6 +85,12 @@ def check(view: LaunchView) -> Iterator[Finding | Fine]:
             notes=(*here, "the nodelet waits for its manager for ever"),
             help=_help(full, slip or sibling or _near(full, managers)),
         )
+
+
+def _slip(near: set[str], node: Node) -> str | None:
+    """The only other node of those whose names are ``near``."""
+    others = near - {node.full_name}
+    return others.pop() if len(others) == 1 else None
 
 
 def _load(node: Node) -> str | None:
