@@ -93,6 +93,7 @@ class Machine:
         self.foreign = foreign or Foreign()
         self.plugins = plugins
         self.instance: Instance | None = None
+        self.is_loaded = False  # into the process of a nodelet manager
         self.root = root
         self.names = Names(declarations, self.foreign)
         self.facts: dict[str, Fact] = {}

@@ -82,6 +82,7 @@ def cpp_program(
     for problem in problems:
         machine.doubt_all(problem, first, 1)
     try:
+        machine.is_loaded = entry is not None and not of_ros2
         if entry is None:
             _main(machine, first)
         else:

@@ -247,3 +247,22 @@ def test_what_was_found_is_read(tmp_path: Path) -> None:
         tmp_path, in_main('std::string found;\nros::param::search("rate", found);\nint rate;\nros::param::get(found, rate);')
     )
     assert "params ~rate int 5" in [spelled(fact) for fact in facts]
+
+
+def test_private_names_of_the_process_are_those_of_a_manager_that_a_nodelet_does_not_know(tmp_path: Path) -> None:
+    facts, doubts = program(
+        tmp_path,
+        """
+        class N : public nodelet::Nodelet {
+          void onInit() {
+            ros::NodeHandle own("~"), below("~/camera");
+            first_ = own.advertise<std_msgs::String>("manager", 1);
+            second_ = below.advertise<std_msgs::String>("image", 1);
+            third_ = getPrivateNodeHandle().advertise<std_msgs::String>("nodelet", 1);
+          }
+        };
+        """,
+        entry="N",
+    )
+    assert [each.name for each in facts] == ["{any}/camera/image", "{any}/manager", "~nodelet"]
+    assert {each.category for each in doubts} == {"publishers"}

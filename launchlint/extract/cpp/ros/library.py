@@ -50,8 +50,15 @@ def _handle(asked: Call) -> Value:
         for inner, name in given:
             if isinstance(space, Handle):
                 text = UNKNOWN_SPACE if name is UNKNOWN else template(name)
+                if text.startswith("~") and asked.machine.is_loaded:
+                    text = below(_private(asked).namespace, text[1:].lstrip("/"))
                 found.append((outer or inner, Handle(below(space.namespace, text))))
     return either(found)
+
+
+def _private(asked: Call) -> Handle:
+    """``NodeHandle("~")``: private names of the process. That of a nodelet is its manager, which other names tell; which, is not known."""
+    return Handle(UNKNOWN_SPACE) if asked.machine.is_loaded else _PRIVATE
 
 
 def _handle_at(asked: Call, position: int) -> Value:
@@ -128,7 +135,8 @@ def _action(role: str) -> Does[[Call], Value]:
 
 
 def _reconfigure(asked: Call) -> Value:
-    handle = next((each.value for each in asked.arguments if any(isinstance(one, Handle) for _, one in choices(each.value))), _PRIVATE)
+    given = (each.value for each in asked.arguments if any(isinstance(one, Handle) for _, one in choices(each.value)))
+    handle = next(given, _private(asked))
     machine, node, frame = asked.machine, asked.node, asked.frame
     more = {"latched": True}
     machine.fact(
