@@ -278,6 +278,7 @@ def _base(machine: Machine, this: Thing, base: Type, given: Sequence[Argument], 
         this.fields["<handle>"] = machine.cell(value)
         if value.node is not None:
             machine.objects.append(this)
+            machine.unseen.nodes.append(this)
     elif isinstance(value, Thing):
         this.fields.update(value.fields)
 

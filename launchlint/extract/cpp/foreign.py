@@ -14,7 +14,7 @@ from launchlint.workspace.public_packages import public_names
 
 _MESSAGES = re.compile(r"(?:msgs?|srvs|actions|messages|interfaces)$")
 _GENERATED = re.compile(r"^(?:ui_|moc_)|\.pb$|_(?:version|export)$")
-_LIBRARIES = ("boost", "Eigen")
+_LIBRARIES = ("boost", "Eigen", "tbb")
 _SHORTEST_PREFIX = 6
 _QT = re.compile(r"Q[A-Z]\w*")
 

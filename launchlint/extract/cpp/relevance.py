@@ -69,6 +69,12 @@ def _is_given(handle: Mention) -> bool:
     return handle.follow not in (".", "->")
 
 
+def _is_of(type_: Type, last: str, owners: frozenset[str]) -> bool:
+    """Whether a type is the class ``last`` of one of some namespaces, or of none."""
+    space = type_.name.rpartition("::")[0].rpartition("::")[2]
+    return type_.last == last and (not space or space in owners)
+
+
 def _tells(mention: Mention) -> bool:
     """Whether a word that tells stands where it does: a function (``param``) where it is called or its address is taken."""
     word = mention.word
@@ -140,17 +146,33 @@ class Relevance:
                 self._making(declared.name)
         for word in self._handles:
             for function, mention in self._mentioned.get(word, ()):
-                if _is_given(mention):
+                if _is_given(mention) and not self._is_another(function, word):
                     self._found(function)
         methods = {each.last for each in functions if each.owner}
         for word in told:
             for function, mention in self._mentioned.get(word, ()):
-                if mention.joint == "::" and mention.before and mention.before not in self._tables.owners.get(word, (mention.before,)):
+                if word in self._tables.owners and not self._is_owned(function, mention):
                     continue
                 if word in strange or (_tells(mention) and not (word in methods and self._is_of_program(function, mention))):
                     self._found(function)
             if word[0].isupper() and word not in _SILENT_MEMBERS:
                 self._held(word)
+
+    def _is_owned(self, function: Function, mention: Mention) -> bool:
+        """Whether a word that other libraries have, too, stands behind a namespace of ROS, or behind none."""
+        owners = self._tables.owners[mention.word]
+        if mention.joint == "<":
+            own = _mentions(function.text)
+            return any(each.joint == "<" and each.before == mention.before for owner in owners for each in own.get(owner, ()))
+        return mention.joint != "::" or not mention.before or mention.before in owners
+
+    def _is_another(self, function: Function, word: str) -> bool:
+        """Whether a word that is a node handle elsewhere is a member of another type in the class of a function."""
+        if not function.owner or function.owner not in self._declarations.classes or any(each.name == word for each in function.parameters):
+            return False
+        chain = (self._declarations.classes[function.owner], *self._names.bases(function.owner))
+        field = next((each.fields[word] for each in chain if word in each.fields), None)
+        return field is not None and not self._is_handle(field.type)
 
     def _is_handle(self, type_: Type) -> bool:
         return self._tables.is_handle(type_) or any(self._tables.is_handle(each) for each in type_.arguments)
@@ -210,7 +232,10 @@ class Relevance:
 
     def _held(self, last: str) -> None:
         """Classes with a member of a class of this name."""
+        owners = self._tables.owners.get(last)
         for holder in self._holders.get(last, ()):
+            if owners is not None and not any(_is_of(field.type, last, owners) for field in holder.fields.values()):
+                continue
             for each in self._declarations.functions.get(f"{holder.name}::{holder.name.rpartition('::')[2]}", ()):
                 if each.body is not None:
                     self._found(each)

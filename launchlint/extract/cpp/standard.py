@@ -43,6 +43,7 @@ _BINDERS = frozenset(("boost::bind", "std::bind", "bind", "boost::mem_fn", "std:
 _NUMBERS = frozenset(("int", "double", "float", "bool", "size_t", "std::size_t", "uint32_t", "uint8_t", "unsigned"))
 CHANGING = frozenset(("push_back", "emplace_back", "insert", "append", "resize", "clear", "assign", "emplace", "push_front", "str"))
 """Members that change a container or a text."""
+_BRACES = re.compile(r"\{\{(\d{0,3})(:[^{}]*)?\}\}")
 _OF_PARAMETERS = frozenset("as_string as_int as_double as_bool get_value get get_parameter_value".split())
 """Members of rclcpp::Parameter that give its value."""
 _MOST_ITEMS = 200
@@ -142,15 +143,30 @@ def _printed(asked: Call, position: int) -> Value:
 
 def _formatted(asked: Call, position: int) -> Value:
     """The format at ``position`` with the arguments behind it filled in."""
-    from launchlint.extract.cpp.operators import filled
+    from launchlint.extract.cpp.operators import LONGEST_TEXT, filled
 
     text = asked.value(position)
     if not isinstance(text, Text):
         return UNKNOWN
+    if "{{" in text.template and asked.name.endswith("ormat"):
+        given = [template(each.value) for each in asked.arguments[position + 1 :]]
+        return Text(_in_braces(text.template, given)) if sum(map(len, given)) + len(text.template) <= LONGEST_TEXT else UNKNOWN
     done = text.template
     for each in asked.arguments[position + 1 : position + 12]:
         done = filled(done, template(each.value))
     return Text(done)
+
+
+def _in_braces(text: str, given: list[str]) -> str:
+    """A text in which ``{}``, ``{0}`` and ``{:x}`` stand for arguments, as std::format fills them in."""
+    rest = iter(given)
+
+    def one(match: re.Match[str]) -> str:
+        number, specification = match[1], match[2]
+        value = next(rest, "{any}") if not number else given[int(number)] if int(number) < len(given) else "{any}"
+        return "{any}" if specification else value
+
+    return _BRACES.sub(one, text)
 
 
 def method(value: Value, asked: Call, cell: Cell | None) -> Value:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Machine
 
 _MOST_SLOTS = 200
+_MOST_OBJECTS = 20
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _SLOT = re.compile(r"on_\w+_\w+")
 _OF_QT = re.compile(r"Q[A-Z]\w*")
@@ -38,6 +39,8 @@ class Unseen:
         self.made: dict[Class, Thing] = {}
         self.blind: dict[str, None] = {}
         """Members that were called of an object that is not known."""
+        self.nodes: list[Thing] = []
+        """Objects that are nodes of ROS 2."""
         self.contained: dict[Class, None] = {}
         """Classes of which a container makes objects by itself."""
         self._taken: dict[object, Callable | Closure] = {}
@@ -82,12 +85,13 @@ class Unseen:
         for declared, thing in list(self.made.items()):
             base = self.foreign_base(declared)
             for each in self._called_by(declared, base) if base else ():
-                machine.later(Callable((each,), thing), "message", (f"{base} calls {each.last}",))
+                for one in self._others(declared, thing):
+                    machine.later(Callable((each,), one), "message", (f"{base} calls {each.last}",))
         for name in self.blind:
             for each in self._by_name().get(name, ()):
-                owner = self._of(each)
-                if owner is not None and each not in self.visited and self.tells(each):
-                    machine.later(Callable((each,), owner), "message", (f"{each.last} of {each.owner} is called",))
+                for owner in () if each in self.visited else self._of(each):
+                    if self.tells(each):
+                        machine.later(Callable((each,), owner), "message", (f"{each.last} of {each.owner} is called",))
         for declared in self.contained:
             if declared not in self.made:
                 self._make(declared)
@@ -104,12 +108,16 @@ class Unseen:
             place = Node("declaration", b"", 0, 0)
             classes.make(machine, declared, Type(declared.name), [], place, Frame(declared.path, declared.scope, None, {}))
 
-    def _of(self, function: Function) -> Thing | None:
-        """An object that has a member function."""
+    def _of(self, function: Function) -> list[Thing]:
+        """An object that has a member function; all of them where they are nodes, each of which has names of its own."""
         for declared, thing in self.made.items():
             if declared.name == function.owner or any(each.name == function.owner for each in self.machine.names.bases(declared.name)):
-                return thing
-        return None
+                return self._others(declared, thing)
+        return []
+
+    def _others(self, declared: Class, thing: Thing) -> list[Thing]:
+        """An object, and the others of its class that are nodes as it is."""
+        return [thing, *(each for each in self.nodes if each is not thing and each.declared is declared)][:_MOST_OBJECTS]
 
     def tells(self, function: Function) -> bool:
         """Whether a function that was not followed, or one that it calls and that was not either, makes names of ROS."""

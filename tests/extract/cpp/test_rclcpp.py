@@ -215,7 +215,8 @@ INTERFACES = {
     "frames": (
         (
             "tf_ = std::make_shared<tf2_ros::Buffer>(get_clock()); l_ = std::make_shared<tf2_ros::TransformListener>(*tf_);"
-            " b_ = std::make_unique<tf2_ros::TransformBroadcaster>(*this); s_ = std::make_unique<tf2_ros::StaticTransformBroadcaster>(this);"
+            " b_ = std::make_unique<tf2_ros::TransformBroadcaster>(*this);"
+            " s_ = std::make_unique<tf2_ros::StaticTransformBroadcaster>(this);"
         ),
         """
         publishers /tf tf2_msgs/msg/TFMessage reliable/volatile/keep_last/100

@@ -184,6 +184,16 @@ def _image_filter_subscribe(this: Thing, asked: Call) -> Value:
     return UNKNOWN
 
 
+def _interfaces(asked: Call) -> Value:
+    """``RequiredInterfaces(node)``: stands for the node."""
+    return asked.value(0)
+
+
+def _nothing_yet(does: Does[[Call], Value], name: str) -> Does[[Call], Value]:
+    """An object that is made with all it needs, or with nothing."""
+    return lambda asked: does(asked) if asked.arguments else thing(asked, name)
+
+
 def _info_manager(asked: Call) -> Value:
     """``CameraInfoManager(node, name, url, namespace)``: a service beside the images."""
     space = asked.value(3) if len(asked.arguments) > 3 and isinstance(asked.value(3), (Text, Either)) else Text("~")
@@ -303,6 +313,23 @@ MAKERS: dict[str, Does[[Call], Value]] = {
     "image_transport::ImageTransport": _transport,
     "image_transport::TransportHints": _hints,
     "image_transport::SubscriberFilter": _image_filter,
+    "image_transport::Publisher": _nothing_yet(_create_image_publisher, "image_transport::Publisher"),
+    "image_transport::CameraPublisher": _nothing_yet(_create_camera_publisher, "image_transport::Publisher"),
+    "image_transport::Subscriber": _nothing_yet(_create_image_subscription, "image_transport::Subscriber"),
+    "image_transport::CameraSubscriber": _nothing_yet(_create_camera_subscription, "image_transport::Subscriber"),
+    **dict.fromkeys(
+        (
+            f"{name}::RequiredInterfaces"
+            for name in (
+                "image_transport",
+                "tf2_ros::TransformBroadcaster",
+                "tf2_ros::StaticTransformBroadcaster",
+                "tf2_ros::TransformListener",
+                "message_filters",
+            )
+        ),
+        _interfaces,
+    ),
     "camera_info_manager::CameraInfoManager": _info_manager,
     "message_filters::Subscriber": _filter,
     "diagnostic_updater::Updater": _updater,
