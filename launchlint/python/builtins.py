@@ -99,6 +99,8 @@ def _of_unknown(run: Expressions, name: str, positional: Sequence[Value]) -> Val
     first = positional[0] if positional else MISSING
     if name in ("str", "format") and len(positional) == 1:
         return run.as_text(first)
+    if name == "next":
+        return run.unknown()
     if isinstance(first, Seq) and first.kind == "iterator":
         run.risks += 1
         return Seq([], False)  # its items may have been taken

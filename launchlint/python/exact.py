@@ -22,6 +22,7 @@ from launchlint.python.values import (
     Bound,
     Choice,
     Class,
+    External,
     Failure,
     Instance,
     Scope,
@@ -222,13 +223,20 @@ class Exact(Definitions):
             value = self.call(value, [], {}, node, scope)
         if node.cause is not None:
             self.evaluate(node.cause, scope)
-        raise Raised(value) if isinstance(value, (Failure, Instance)) else Ended
+        if not isinstance(value, (Failure, Instance)):
+            raise Ended
+        raised = Raised(value, stated=True)
+        raised.where.append((node, scope))
+        raise raised
 
     def assert_exactly(self, node: ast.Assert, scope: Scope) -> int:
         """``assert``."""
         known = self.truth(self.evaluate(node.test, scope))
         if known is False:
-            raise failure("AssertionError", *([] if node.msg is None else [self.evaluate(node.msg, scope)]))
+            said = () if node.msg is None else (self.evaluate(node.msg, scope),)
+            raised = Raised(Failure(External("builtins.AssertionError"), said), stated=True)
+            raised.where.append((node, scope))
+            raise raised
         self.risks += known is None
         return GOES_ON
 

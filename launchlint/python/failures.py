@@ -7,6 +7,12 @@ import builtins
 from launchlint.python.memory import Ended
 from launchlint.python.values import Class, External, Failure, Instance, Seq, Value, alternatives
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    import ast
+
+    from launchlint.python.values import Scope
+
 _BASES = {
     "ament_index_python.packages.PackageNotFoundError": "builtins.KeyError",
     "ament_index_python.PackageNotFoundError": "builtins.KeyError",
@@ -23,11 +29,19 @@ _BASES = {
 
 
 class Raised(Ended):
-    """The followed program raises an exception: a :class:`Failure`, or an object of a followed class."""
+    """The followed program raises an exception: a :class:`Failure`, or an object of a followed class.
 
-    def __init__(self, value: Value) -> None:
+    ``stated``: it says so itself, by ``raise`` or ``assert``. ``where`` is the innermost piece of the program that raises it, with its
+    scope, where that is known; ``asked`` what was asked for and is not there: the name of a substitution that asks for the same, and its
+    word.
+    """
+
+    def __init__(self, value: Value, *, stated: bool = False, asked: tuple[str, str] | None = None) -> None:
         super().__init__(said(value))
         self.value = value
+        self.stated = stated
+        self.asked = asked
+        self.where: list[tuple[ast.AST, Scope]] = []
 
 
 def failure(kind: str, *arguments: Value) -> Raised:

@@ -271,8 +271,13 @@ class ToTheLetter(Ways):
 
     def _item_of_some(self, value: Seq, index: int | slice) -> Value:
         """An item of a list of which some may not be there: those before them stand where they stand."""
-        self.risks += 1
         items = value.items
+        if isinstance(index, slice):
+            sure = next((at for at, each in enumerate(items) if is_maybe(each)), len(items))
+            start: int = index.start or 0
+            known = value.kind in ("list", "tuple") and index.stop is None and index.step is None and 0 <= start <= sure
+            return Seq(items[start:], value.complete, kind=value.kind) if known and self.exact else UNKNOWN
+        self.risks += 1
         if not isinstance(index, int) or index < 0 or value.kind not in ("list", "tuple") or not value.complete or not self.exact:
             return UNKNOWN
         return items[index] if len(items) > index and not any(map(is_maybe, items[: index + 1])) else UNKNOWN

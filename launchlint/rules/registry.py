@@ -349,6 +349,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL946", "not-in-libexec", "nodes.not_in_libexec", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL947", "remap-kills-node", "ros2.remap_kills_node", ERROR, dialects=(ROS2,), ros2=("RemapDies",)),
     Entry("LL948", "absolute-remap-misses", "ros2.absolute_remap_misses", WARNING, view="graph", dialects=(ROS2,)),
+    Entry("LL949", "stops-with-error", "python.stops_with_error", ERROR, dialects=(ROS2,), ros2=("StopsWithError",)),
 )
 
 REDIRECTS: Mapping[str, str] = {}

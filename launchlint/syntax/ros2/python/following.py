@@ -5,12 +5,15 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Sequence
 
+from launchlint.python.failures import Raised
 from launchlint.python.memory import ENDED, Ended
 from launchlint.python.values import (
     COMPLETE,
     MISSING,
     UNKNOWN,
     Choice,
+    External,
+    Failure,
     Function,
     Handle,
     Instance,
@@ -80,7 +83,12 @@ class Following(Noticing):
     def evaluate(self, node: ast.expr | None, scope: Scope) -> Value:
         """The value of an expression; one that is not known says where that began."""
         before = self._unknowns
-        value = super().evaluate(node, scope)
+        try:
+            value = super().evaluate(node, scope)
+        except Raised as raised:
+            if node is not None and (not raised.where or raised.where[-1][1].module is not scope.module):
+                raised.where.append((node, scope))
+            raise
         if not isinstance(value, Unknown) or node is None:
             return value
         if value is UNKNOWN:
@@ -108,6 +116,8 @@ class Following(Noticing):
 
     def item(self, value: Value, index: Value) -> Value:
         """``value[index]``; one that is not there ends the program."""
+        if value is self.known.environment and isinstance(index, str) and index not in value.entries and value.is_sure:
+            raise Raised(Failure(External("builtins.KeyError"), (index,)), asked=("env", index))
         if isinstance(value, Handle) and not isinstance(index, Choice):
             found = self.known.running.item(value, index)
             return self.fails("KeyError", index) if found is MISSING else found

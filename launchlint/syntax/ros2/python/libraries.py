@@ -6,10 +6,13 @@ Source: the constructors in ``nav2_common.launch``.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import lru_cache
 
-from launchlint.python.values import MORE, Handle, Unknown, Value
-from launchlint.source import Place
+from launchlint.problem import Problem
+from launchlint.python.values import MORE, Handle, Map, Unknown, Value
+from launchlint.source import Origin, Place
+from launchlint.syntax.ros2.python.problems import NotASubstitution
 
 _CLASSES = """
 nav2_common.launch.LaunchConfigAsBool name
@@ -36,6 +39,18 @@ def _canonical(name: str) -> str:
 def is_of_library(name: str) -> bool:
     """Whether a class of a full name is known here."""
     return _canonical(name) in _signatures()
+
+
+def wrong_rewrites(value: Value, place: Place) -> Iterator[Problem]:
+    """Values that are written into a file and are no texts: None, as of a variable of the environment that is not set."""
+    if not isinstance(value, Handle):
+        return
+    for role in ("param_rewrites", "key_rewrites", "value_rewrites", "replacements"):
+        given = value.state.get(role)
+        if isinstance(given, Map) and any(each is None for each in given.entries.values()):
+            yield NotASubstitution(
+                origin=Origin(place), refused=True, callee=value.kind, argument=role, found="None", item=True, written="", declared=""
+            )
 
 
 def made(name: str, positional: list[Value], keywords: dict[str, Value], place: Place) -> Value:

@@ -11,7 +11,7 @@ from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action, Component, Pair, Process, Remap, Substitution, Text, unknown
 from launchlint.syntax.ros2.python.conditions import condition
 from launchlint.syntax.ros2.python.parameters import extra_arguments, parameters, set_value
-from launchlint.syntax.ros2.python.texts import Texts, pairs, why
+from launchlint.syntax.ros2.python.texts import TO_LAUNCH, Texts, pairs, why
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -66,6 +66,8 @@ class Maker:
 
     def _actions(self, value: Value, place: Place) -> tuple[Action, ...]:
         found: list[Action] = []
+        if isinstance(value, Instance):
+            value = value.attributes.get(TO_LAUNCH, value)
         if isinstance(value, Seq):
             for each in value.items:
                 found += self.actions(each, place)

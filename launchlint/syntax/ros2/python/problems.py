@@ -142,6 +142,18 @@ class NoDescription(Problem):
     what: str
 
 
+class StopsWithError(Problem):
+    """The file itself ends with an exception, of the class ``error``, that says ``what``; ``stated``: it raises that itself.
+
+    ``called``: it comes when launch calls a function of the file, not when the file is loaded.
+    """
+
+    error: str
+    what: str
+    stated: bool
+    called: bool
+
+
 class ExecutedTwice(Problem):
     """One object, a ``callee`` (by the name of its tag), that launch is to start twice: it stops at the second time."""
 

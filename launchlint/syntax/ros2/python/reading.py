@@ -7,6 +7,7 @@ import os
 from collections.abc import Iterator
 
 from launchlint.problem import Problem
+from launchlint.python.failures import Raised
 from launchlint.python.memory import Ended, Exhausted
 from launchlint.python.source import Source as Parsed
 from launchlint.python.source import SourceError
@@ -14,6 +15,7 @@ from launchlint.python.values import Choice, Function, Handle
 from launchlint.source import Place, Source, Span
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action, Description
+from launchlint.syntax.ros2.python.ending import actions_of
 from launchlint.syntax.ros2.python.entry import ENTRY, gives, needs_arguments, takes_arguments, unreadable, without_entry
 from launchlint.syntax.ros2.python.following import Following
 from launchlint.syntax.ros2.python.imports import wrong_imports
@@ -64,7 +66,11 @@ def read(data: bytes, path: str, file: str, outside: Outside, package: str = "")
     except Ended as ended:
         if isinstance(ended, Ending):
             run.record(ended.problem)
-        actions = (described.Open(f"it ends with an error{f': {ended}' if str(ended) else ''}", everything),)
+        stops = actions_of(ended, run, everything, called=False) if isinstance(ended, Raised) else ()
+        actions = (
+            *stops,
+            described.Open(f"it ends with an error{f': {ended}' if str(ended) else ''}", everything),
+        )
     except (Exhausted, RecursionError, SourceError):
         actions = (described.Open("it is too much to be followed", everything),)
     return _reading(source, actions, tuple(run.problems))
@@ -93,6 +99,8 @@ def _actions(run: Following, source: Source, outside: Outside, parsed: Parsed) -
     run.known.texts.gives = caller.gives
     main.scope.variables.update({"__name__": "launch_file", "__file__": source.file})
     if run.execute(parsed.tree.body, main.scope):
+        if isinstance(run.raised, Raised):
+            raise run.raised
         return (described.Open("it ends before its last statement", everything),)
     function = main.scope.variables.get(ENTRY)
     if not isinstance(function, Function):

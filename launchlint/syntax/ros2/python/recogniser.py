@@ -16,6 +16,7 @@ from launchlint.python.values import (
     MISSING,
     UNKNOWN,
     UNORDERED,
+    Class,
     External,
     Failure,
     Handle,
@@ -38,7 +39,7 @@ from launchlint.syntax.ros2.python.files import FILE, XACRO, Files
 from launchlint.syntax.ros2.python.paths import PATH, Paths, is_path, path, spelled
 from launchlint.syntax.ros2.python.running import CONFIGURATIONS, CONTEXT, VARIABLES, Running
 from launchlint.syntax.ros2.python.tables import Signature, is_of_launch, signature
-from launchlint.syntax.ros2.python.texts import SUBSTITUTIONS, Texts, is_own_substitution, is_substitution
+from launchlint.syntax.ros2.python.texts import SUBSTITUTIONS, TO_LAUNCH, Texts, is_own_substitution, is_substitution
 from launchlint.yaml.tree import Reader
 from launchlint.yaml.values import load
 
@@ -59,6 +60,8 @@ _COPIES = ("copy.copy", "copy.deepcopy", "collections.OrderedDict")
 _MADE_LATER = ("GroupAction",)
 """Classes that keep the list they are given, so that it can be changed afterwards; the others make a copy."""
 _DEEPEST = 20
+_BEHAVIOUR = frozenset(("execute", "visit", "perform", "evaluate", "get_sub_entities", "handle", "describe_sub_entities"))
+"""Methods with which a class does something else than the class of launch that it is made of."""
 _IN_ANY_ORDER = ("actions", "initial_entities", "entities", "composable_node_descriptions")
 """Arguments that are lists of what stands side by side."""
 PACKAGES, EVENT = "packages", "event"
@@ -119,7 +122,10 @@ class LaunchRecogniser:
         if known is not None:
             return self._object(known, Given(known, positional, keywords, node, lambda each: self._place(each, scope)))
         if libraries.is_of_library(name):
-            return libraries.made(name, [snapshot(each) for each in positional], keywords, place)
+            made = libraries.made(name, [snapshot(each) for each in positional], keywords, place)
+            for problem in libraries.wrong_rewrites(made, place):
+                self._run.record(problem)
+            return made
         if name in _SHARE or name in _PREFIX:
             return self._directory(name in _SHARE, positional, keywords, place)
         if name in _SHARE_PATH:
@@ -222,7 +228,8 @@ class LaunchRecogniser:
             return Unknown("which package it is, is not known", place)
         directory = self._outside.share(package)
         if directory is None:
-            raise Raised(Failure(External("ament_index_python.packages.PackageNotFoundError"), (f"the package {package} is not here",)))
+            missing = Failure(External("ament_index_python.packages.PackageNotFoundError"), (f"the package {package} is not here",))
+            raise Raised(missing, asked=("find-pkg-share", package))
         if not shared:
             return f"/opt/ros/{self._outside.distro}"
         self.shares[directory] = package
@@ -298,8 +305,14 @@ class LaunchRecogniser:
     def inherited(
         self, base: str, instance: Instance, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope
     ) -> None:
-        """Objects of classes that are made of classes of launch are not known for what they are to launch."""
-        self._run.escape([*positional, *keywords.values()], "start")
+        """What an object of a class made of a class of launch is to launch, is kept with it, unless it does something of its own."""
+        known = signature(base, self._outside.distro)
+        own = (each for each in instance.type.order if isinstance(each, Class))
+        if known is None or any(_BEHAVIOUR & each.attributes.keys() for each in own):
+            self._run.escape([*positional, *keywords.values()], "start")
+            return
+        given = Given(known, positional, keywords, node, lambda each: self._place(each, scope))
+        self._run.store(instance.attributes, TO_LAUNCH, self._object(known, given))
 
     def inherited_method(
         self, name: str, instance: Value, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope

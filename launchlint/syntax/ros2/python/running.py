@@ -6,6 +6,7 @@ import ast
 
 from launchlint.model import StandIn
 from launchlint.model import Unknown as NotKnown
+from launchlint.python.failures import Raised
 from launchlint.python.memory import Ended, Exhausted, Log, taken_back
 from launchlint.python.values import MISSING, Handle, Instance, Map, Scope, Seq, Unknown, Value
 from launchlint.source import Place
@@ -13,6 +14,7 @@ from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action
 from launchlint.syntax.ros2.live import Stopped
 from launchlint.syntax.ros2.python.conditions import condition_of
+from launchlint.syntax.ros2.python.ending import actions_of
 from launchlint.syntax.ros2.python.texts import Texts, is_own_substitution, is_substitution
 
 TYPE_CHECKING = False
@@ -182,7 +184,11 @@ class Caller:
             found = [described.Fails(problem, problem.place) for problem in run.noticed(before) if problem.refused]
             if found:
                 return tuple(found)
-            return (described.Open(f"the function ends with an error{f': {ended}' if str(ended) else ''}", place),)
+            stops = actions_of(ended, run, place, called=True) if isinstance(ended, Raised) else ()
+            return (
+                *stops,
+                described.Open(f"the function ends with an error{f': {ended}' if str(ended) else ''}", place),
+            )
         except (Exhausted, RecursionError):
             return (described.Open("the function is too much to be followed", place),)
         finally:

@@ -43,6 +43,8 @@ _BASES = ("launch.Substitution", "launch.substitution.Substitution")
 LIBRARY = frozenset(("LaunchConfigAsBool", "RewrittenYaml", "ReplaceString", "HasNodeParams"))
 """Those of nav2_common."""
 SUBSTITUTIONS = frozenset((*_PLAIN, *LIBRARY, "TextSubstitution", "PathJoinSubstitution", "PythonExpression"))
+TO_LAUNCH = "\0to launch"
+"""Among the attributes of an object of a class of the program: what it is to launch, as an object of the class of launch it is made of."""
 PATH_JOIN = "path-join"
 """What stands for PathJoinSubstitution: its parts are joined as by os.path.join when all of them are performed."""
 SHARE = "find-pkg-share"

@@ -149,3 +149,46 @@ def test_the_command_line_that_gives_arguments(tmp_path: Path, asked: Asked) -> 
     one, other = map(json.loads, asked[1].readouterr().out.splitlines())
     assert one["nodes"][0]["arguments"] == ["a:=1"]
     assert other["nodes"][0]["arguments"] == ["a:=2"]
+
+
+@pytest.mark.parametrize(
+    ("body", "rule"),
+    [
+        ("raise RuntimeError('not today')", "LL949"),
+        ("return LaunchDescription([node(arguments=[{'a': 'b'}['c']])])", "LL949"),
+        ("return LaunchDescription([node(arguments=[open(share + '/none.txt').read()])])", "LL949"),
+        ("return LaunchDescription([node(arguments=[get_package_share_directory('nobody')])])", "LL210"),
+        ("return LaunchDescription([node(arguments=[os.environ['NOT_SET_ANYWHERE']])])", "LL209"),
+        ("def f(context):\n    assert False, 'no'\nreturn LaunchDescription([OpaqueFunction(function=f)])", "LL949"),
+        (
+            "return LaunchDescription([RewrittenYaml(source_file=params, param_rewrites={'a': os.environ.get('NOT_SET_ANYWHERE')})])",
+            "LL922",
+        ),
+    ],
+)
+def test_a_program_that_ends_with_an_exception_for_certain(body: str, rule: str, tmp_path: Path, asked: Asked) -> None:
+    found = started(tmp_path, body, asked)
+    assert (found["verdict"], found["error"]["rule"]) == ("error", rule)
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "if os.getcwd() == '/x':\n    raise RuntimeError('not today')\nreturn LaunchDescription([])",
+        "try:\n    os.environ['NOT_SET_ANYWHERE']\nexcept KeyError:\n    pass\nreturn LaunchDescription([])",
+    ],
+)
+def test_a_program_that_may_end_with_an_exception(body: str, tmp_path: Path, asked: Asked) -> None:
+    assert started(tmp_path, body, asked)["error"] is None
+
+
+def test_an_object_of_a_class_that_is_made_of_one_of_launch(tmp_path: Path, asked: Asked) -> None:
+    body = (
+        "class Flag(DeclareLaunchArgument):\n"
+        "    def __init__(self, name, *, default=False):\n"
+        "        super().__init__(name, default_value=str(default), choices=['True', 'False'])\n"
+        "return LaunchDescription([Flag('deep'), node(arguments=[LaunchConfiguration('deep')])])"
+    )
+    found = started(tmp_path, body, asked)
+    assert found["args"][0]["value"] == "False"
+    assert found["nodes"][0]["arguments"] == ["False"]

@@ -1,0 +1,67 @@
+"""The launch file is a program that ends with an exception, whenever somebody starts it: it raises one, or looks for what is not there.
+
+`launchlint` follows the program without running it, and tells this only where every way through it ends so. A program that refuses some
+values of its arguments does so on purpose: it is told only of what happens without arguments.
+
+## Why it matters
+
+ros2 launch stops before anything is started.
+
+## Example
+
+```python launch/robot.launch.py
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+ROBOTS = {'small': 'talker', 'large': 'listener'}
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='demo_nodes_cpp', executable=ROBOTS['medium'])])
+```
+
+## Use instead
+
+```python launch/robot.launch.py
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+ROBOTS = {'small': 'talker', 'large': 'listener'}
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='demo_nodes_cpp', executable=ROBOTS['large'])])
+```
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from launchlint.finding import Finding, Severity
+from launchlint.rules.judging.python_text import level, shown
+from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
+from launchlint.syntax.ros2.python.problems import StopsWithError
+
+RULE = Rule("LL949", "stops-with-error", Severity.ERROR, roslaunch="refuses")
+_LACKING = frozenset(("FileNotFoundError", "IsADirectoryError", "NotADirectoryError"))
+"""What a build may mend that puts files where there are none in the sources."""
+
+
+def tell(problem: StopsWithError, view: LaunchView) -> Iterator[Finding]:
+    """Say which exception it is. A file that is not here may be made by a build."""
+    if problem.called and view.launch.given:
+        return
+    what = f"{problem.error}: {shown(problem.what)}" if problem.what else problem.error
+    when = "a function of this launch file ends" if problem.called else "this launch file ends"
+    severity = Severity.WARNING if problem.error in _LACKING and not problem.stated else level(problem)
+    yield RULE.at(
+        problem.origin,
+        f"{when} with an exception: {what}",
+        severity=severity,
+        label="raised here" if problem.stated and not problem.related else "here",
+        related=problem.related,
+        notes=("ros2 launch stops there" if problem.called else "ros2 launch stops before anything is started",),
+        cause=f"{problem.place.source.path} {problem.place.span.start} {what}",
+    )
