@@ -59,6 +59,9 @@ def said(value: Value) -> str:
     type_ = value.type if isinstance(value, (Failure, Instance)) else value
     name = type_.name.removeprefix("builtins.") if isinstance(type_, (External, Class)) else "an exception"
     arguments = value.arguments if isinstance(value, Failure) else ()
+    given = value.attributes.get("args") if isinstance(value, Instance) else None
+    if isinstance(given, Seq):
+        arguments = tuple(given.items)
     return f"{name}: {arguments[0]}" if arguments and isinstance(arguments[0], (str, int, float)) else name
 
 

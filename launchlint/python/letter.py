@@ -274,7 +274,7 @@ class ToTheLetter(Ways):
         items = value.items
         if isinstance(index, slice):
             sure = next((at for at, each in enumerate(items) if is_maybe(each)), len(items))
-            start: int = index.start or 0
+            start: int = index.start if isinstance(index.start, int) else 0
             known = value.kind in ("list", "tuple") and index.stop is None and index.step is None and 0 <= start <= sure
             return Seq(items[start:], value.complete, kind=value.kind) if known and self.exact else UNKNOWN
         self.risks += 1
