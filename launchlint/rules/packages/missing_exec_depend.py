@@ -22,7 +22,8 @@ several packages of one name, of which LL703 tells, the first is told of. Beside
 counts; where there is no other, it is an info: rosbuild installs nothing.
 
 In packages for ROS 2 these are the packages of nodes and components and those in `$(find-pkg-share …)`; in Python those of `Node` and
-`FindPackageShare`.
+`FindPackageShare`. Launch files that are called tests, or lie in a directory or a package that is, may have theirs among the test
+dependencies.
 
 ## Why it matters
 
@@ -127,6 +128,7 @@ _CONTROLLERS = "ros_controllers.launch"
 
 RULE = Rule("LL701", "missing-exec-depend", Severity.WARNING, roslaunch="reports", fixable="safe")
 
+_OF_TESTS = late(r"(?:^|[/_.-])tests?(?:[/_.-]|$)")
 _FIND = late(r"\bfind\(\s*['\"]([^'\"]*)['\"]\s*\)")
 """As an expression asks for a package."""
 
@@ -155,7 +157,7 @@ def check(view: FileView) -> Iterator[Finding]:
     if not wanted:
         return
     declared = set(home.run_dependencies)
-    is_test = _is_test(document, home)
+    is_test = _is_test_of_ros2(document, home) if ros2 else _is_test(document, home)
     if is_test:
         declared |= home.test_dependencies
     missing = [name for name in wanted if name not in declared and not _is_commented_out(name, manifest)]
@@ -439,6 +441,12 @@ def _is_test(document: Document, home: Package) -> bool:
     if path.endswith((".test", ".test.xml")) or re.search(r"/tests?/", path) is not None:
         return True
     return any(each.tag == "test" for each in document.elements)
+
+
+def _is_test_of_ros2(document: Document, home: Package) -> bool:
+    """Whether only tests load the file: by its name, that of a directory or of its package, or since it runs tests itself."""
+    path = f"{home.name}/{posixpath.relpath(document.source.file, home.directory)}"
+    return _OF_TESTS.search(path) is not None or "launch_testing" in document.source.text
 
 
 def _with_what_they_declare(names: set[str], packages: Packages, near: str) -> set[str]:
