@@ -104,8 +104,12 @@ def masked(place: Place) -> Location:
 
 
 def _everything(view: FileView) -> Iterator[object]:
-    description = view.document.description
-    return iter(()) if description is None else everything(description)
+    """What stands in the file itself: of one in Python a function of another file may have made some of what it describes."""
+    document = view.document
+    for each in () if document.description is None else everything(document.description):
+        place = getattr(each, "place", None)
+        if not isinstance(place, Place) or place.source.path == document.source.path:
+            yield each
 
 
 def _name(text: Text) -> str:
