@@ -278,7 +278,7 @@ class ToTheLetter(Ways):
             known = value.kind in ("list", "tuple") and index.stop is None and index.step is None and 0 <= start <= sure
             return Seq(items[start:], value.complete, kind=value.kind) if known and self.exact else UNKNOWN
         self.risks += 1
-        if not isinstance(index, int) or index < 0 or value.kind not in ("list", "tuple") or not value.complete or not self.exact:
+        if index < 0 or value.kind not in ("list", "tuple") or not value.complete or not self.exact:
             return UNKNOWN
         return items[index] if len(items) > index and not any(map(is_maybe, items[: index + 1])) else UNKNOWN
 
