@@ -411,4 +411,4 @@ def _broken_calls(problems: tuple[Problem, ...]) -> Iterator[BrokenCall]:
             if not problem.pass_all:  # else it may come from the command line
                 yield BrokenCall(problem.file, problem.name, True, Location.of(problem.place))
         elif isinstance(problem, IncludeUndeclaredArg) and problem.name == problem.undeclared[0]:
-            yield BrokenCall(problem.file, ", ".join(problem.undeclared), False, Location.of(problem.place))
+            yield BrokenCall(problem.file, ", ".join(problem.undeclared), False, Location.of(problem.place), tuple(problem.known))

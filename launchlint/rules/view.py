@@ -195,13 +195,15 @@ class BaseView(NamedTuple):
 class BrokenCall(NamedTuple):
     """An include that passes (``missing`` false) args its target does not declare, or does not pass one it requires.
 
-    ``name`` is that of the arg, or the names of all that it should not pass, as roslaunch lists them (``a, b``).
+    ``name`` is that of the arg, or the names of all that it should not pass, as roslaunch lists them (``a, b``). ``known`` are the args
+    that the target of such ones declares.
     """
 
     target: str
     name: str
     missing: bool
     location: Location
+    known: tuple[str, ...] = ()
 
 
 class EntrySummary(NamedTuple):

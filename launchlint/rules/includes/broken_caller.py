@@ -82,12 +82,14 @@ def check(view: RunView) -> Iterator[Finding]:
     """Yield one finding for each arg of a file that several includes get wrong."""
     roots: dict[str, Location] = {}
     calls: dict[tuple[str, str, bool], dict[tuple[str, int], Location]] = {}
+    known: dict[str, tuple[str, ...]] = {}
     included = {path for entry in view.entries for path in entry.included if path != entry.path}
     for entry in view.entries:
         roots.update(entry.roots)
         if entry.needs_caller and entry.path in included:
             continue  # what it lacks when started alone, its callers give
         for call in entry.broken_calls:
+            known[call.target] = known.get(call.target) or call.known
             calls.setdefault((call.target, call.name, call.missing), {})[call.location.path, call.location.start] = call.location
     for (target, name, missing), callers in sorted(calls.items()):
         root = roots.get(target)
@@ -109,7 +111,7 @@ def check(view: RunView) -> Iterator[Finding]:
             help=f"give {name} a default here, or pass it there" if missing else f"declare {name} here, or stop passing {it} there",
             element=f"{target} {name}",
             topic=f"{name} {'missing' if missing else 'undeclared'}",
-            cause=broken_call(target, name),
+            cause=broken_call(target, name, () if missing else known[target]),
         )
 
 

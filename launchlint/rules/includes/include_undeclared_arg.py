@@ -98,7 +98,7 @@ def tell(problem: IncludeUndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         problem.origin,
         f"{file} does not declare the {'args' if several else 'arg'} {names}",
         label=f"{name} is passed here" if several else "passed here",
-        shared_cause=broken_call(file, ", ".join(undeclared)),
+        shared_cause=broken_call(file, ", ".join(undeclared), known),
         related=tuple((place, _DOES_NOT_COUNT) for place in islice(elsewhere.values(), _MOST_LISTED)),
         notes=tuple(notes),
         help=_help(undeclared, known, tuple(elsewhere)),

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 
-def broken_call(target: str, name: str) -> str:
+_SOME, _MOST = 2, 30
+"""Args by which copies of a launch file are recognised."""
+
+
+def broken_call(target: str, name: str, known: Sequence[str] = ()) -> str:
     """The cause that LL403, LL404 and LL407 share: the arg ``name`` of the launch file ``target``, and not who gets it wrong.
 
     Of args that are passed and not declared it is all that one include passes (``a, b``): roslaunch refuses them together, and callers
-    that are copies of each other pass the same.
+    that are copies of each other pass the same. Targets that declare the same two or more args (``known``) are taken for copies of each
+    other as well, of which there is one for each robot.
     """
-    return f"call {target} {name}"
+    return f"call {','.join(sorted(known)) if _SOME <= len(known) <= _MOST else target} {name}"
 
 
 MOVE = "move "

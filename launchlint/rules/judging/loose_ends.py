@@ -174,7 +174,8 @@ class LooseEnds:
         elif not found and len(loose) == 1 and self._are_only_loose_ends(end):
             ends = loose[0][1]
             signs_of = [signs.odd_one_out(each) for each in (end, *ends)]
-            if not offers and signs.is_waiting_private(end) and all(self._are_together(end, each) for each in ends):
+            related = end.type.partition("/")[0] not in STANDARD or loose[0][0] not in [each[0] for each in ranked.get("", ())]
+            if not offers and related and signs.is_waiting_private(end) and all(self._are_together(end, each) for each in ends):
                 signs_of.append(_PRIVATE.format(end.declared))
             if len(everything) == 1 and not doubts:
                 signs_of += (signs.parting_remap(end, each) for each in ends)

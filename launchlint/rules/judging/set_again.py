@@ -39,13 +39,22 @@ def set_again(launch: Launch) -> Iterator[SetAgain]:
         last[setting.name] = setting
         if earlier is None or not (is_known(earlier.value) and is_known(setting.value)) or earlier.origin.place.key in scoped:
             continue
+        if _are_equal_numbers(earlier.value, setting.value):
+            continue
         if is_certain(earlier) and is_certain(setting) and set(setting.conditions) <= set(earlier.conditions):
             yield SetAgain(setting.name, earlier.origin, setting.origin, earlier.value, setting.value, (earlier, setting))
     yield from _in_one_scope(launch)
     for problem in launch.noticed(ParamReplaced):
         if problem.always and not problem.assumed and is_known(problem.old) and is_known(problem.new):
+            if _are_equal_numbers(problem.old, problem.new):
+                continue
             first = Origin(problem.related[0][0], problem.origin.step)
             yield SetAgain(problem.name, first, problem.origin, problem.old, problem.new)
+
+
+def _are_equal_numbers(old: object, new: object) -> bool:
+    """Whether 1 is set after 1.0, or the reverse: roscpp and rospy take the one for the other."""
+    return {type(old), type(new)} == {int, float} and old == new
 
 
 def _in_one_scope(launch: Launch) -> Iterator[SetAgain]:

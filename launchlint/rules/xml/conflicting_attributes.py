@@ -114,6 +114,9 @@ def tell(problem: ConflictingAttributes | ParameterForm, view: object) -> Iterat
         advice = "keep one of them" if attributes else 'add value="…" (or textfile, binfile, command)'
     else:
         message, stops, advice = (words.format(tag=tag) for words in WORDS[reason])
+    at = spot(view, problem.place)
+    if reason == "param-sources" and not attributes and at is not None and "default" in at.element.attributes:
+        advice = 'write value="…" instead of default="…", which only <arg> has'
     args = list(parse(problem.place.text).names("arg")) if reason == "empty-ns" else []
     if args:
         names = args[0] if len(args) == 1 else f"{', '.join(args[:-1])} or {args[-1]}"
@@ -131,6 +134,7 @@ def tell(problem: ConflictingAttributes | ParameterForm, view: object) -> Iterat
         notes=notes,
         help=advice,
         topic=reason,
+        cause=f"{problem.place.source.path} {advice}" if reason == "param-sources" and not attributes else "",
         fix=_fix(problem, view),
     )
 

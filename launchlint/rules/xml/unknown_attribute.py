@@ -66,6 +66,8 @@ RULE = Rule("LL104", "unknown-attribute", Severity.WARNING, roslaunch="reports",
 _ROSMON = "rosmon-"
 _OF_ROSMON = ("enable-coredumps",)
 """What rosmon reads beside the attributes that begin with its name (rosmon_core, LaunchConfig::parseNode)."""
+_VALUES = frozenset(("value", "textfile", "binfile", "command"))
+"""What gives a `<param>` its value."""
 
 
 def tell(problem: UnknownAttribute | UnreadAttribute, view: object) -> Iterator[Finding]:
@@ -88,6 +90,8 @@ def tell(problem: UnknownAttribute | UnreadAttribute, view: object) -> Iterator[
     at = spot(view, problem.place)
     if at is not None and name_instead(at.element) == name:
         return  # LL105 tells what is meant
+    if at is not None and (tag, name) == ("param", "default") and _VALUES.isdisjoint(at.element.attributes):
+        return  # LL110 does
     off = None if owners else _switched_off(tag, name, problem.known)
     if off is not None:
         yield RULE.at(
