@@ -342,6 +342,7 @@ RULES: tuple[Entry, ...] = (
     Entry("LL938", "unknown-component", "ros2.unknown_component", ERROR, view="graph", dialects=(ROS2,)),
     Entry("LL939", "condition-ignored", "ros2.condition_ignored", WARNING, view="launch", dialects=(ROS2,)),
     Entry("LL940", "lifecycle-manager-names-nobody", "ros2.lifecycle_manager_names_nobody", ERROR, view="graph", dialects=(ROS2,)),
+    Entry("LL941", "controller-not-configured", "ros2.controller_not_configured", ERROR, view="launch", dialects=(ROS2,)),
     Entry("LL942", "qos-incompatible", "ros2.qos_incompatible", ERROR, view="graph", dialects=(ROS2,)),
     Entry("LL943", "sim-time-patchy", "ros2.sim_time_patchy", WARNING, view="launch", dialects=(ROS2,)),
     Entry("LL944", "anonymous-gets-named-params", "ros2.anonymous_gets_named_params", WARNING, dialects=(ROS2,), ros2=("NamedForUnnamed",)),
