@@ -56,6 +56,7 @@ _PLACED = ("-n", "--namespace")
 _WITH_VALUE = ("--controller-manager-timeout", "--switch-timeout", "--service-call-timeout")
 _ALONE = ("--load-only", "--stopped", "--inactive", "-u", "--unload-on-kill", "--activate-as-group")
 _MOST_NAMES = 6
+_MOST_TOLD = 20
 
 
 def check(view: LaunchView) -> Iterator[Finding]:
@@ -70,7 +71,7 @@ def check(view: LaunchView) -> Iterator[Finding]:
         if asked is None or not known:
             continue
         assumed = any(each.assumed for each in (*node.conditions, *(each for manager in managers for each in manager.conditions)))
-        for name in asked[1]:
+        for name in asked[1][:_MOST_TOLD]:
             if name not in known:
                 near = closest(name, known)
                 yield RULE.at(
