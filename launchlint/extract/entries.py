@@ -29,6 +29,7 @@ class _Middleware(NamedTuple):
     everywhere: Mapping[str, tuple[str, ...]]
     action_topics: Mapping[str, Mapping[str, tuple[str, ...]]]
     wider: Mapping[frozenset[str], str]
+    any_type: str
 
 
 _NAME = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*|~|/", re.ASCII)
@@ -63,6 +64,7 @@ ROS1 = _Middleware(
         "": {},
     },
     {frozenset(("int", "double")): "double"},
+    "*",
 )
 ROS2 = _Middleware(
     _NAME,
@@ -76,6 +78,7 @@ ROS2 = _Middleware(
     },
     {"server": {}, "client": {}, "": {}},
     {},
+    "",
 )
 
 
@@ -251,7 +254,7 @@ def _value_type(facts: Sequence[Fact], middleware: _Middleware) -> str:
     types = frozenset(fact.value_type for fact in facts if fact.value_type)
     if types in middleware.wider:
         return middleware.wider[types]
-    return next(iter(types)) if len(types) == 1 else "*" if types else ""
+    return next(iter(types)) if len(types) == 1 else middleware.any_type if types else ""
 
 
 def _condition(facts: Sequence[Fact]) -> dict[str, Any] | None:

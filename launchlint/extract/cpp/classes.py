@@ -237,6 +237,8 @@ def _members(
                 continue
         elif field.initial is not None:
             value = initial_value(machine, field, frame)
+        elif (outside := machine.declarations.variables.get(joined(declared.name, name))) is not None and outside.initial is not None:
+            value = initial_value(machine, outside, Frame(outside.path, declared.name, None, {}))  # a static member
         elif field.pointer or field.array:
             value = UNKNOWN
             if field.array and not field.pointer:

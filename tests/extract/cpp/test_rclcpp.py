@@ -201,6 +201,27 @@ INTERFACES = {
         params ~i string_array declared
         """,
     ),
+    "policies as numbers, and by their names": (
+        (
+            'int number = RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT; number = declare_parameter("number", number);'
+            ' create_publisher<std_msgs::msg::String>("a", rclcpp::QoS(1).reliability((rmw_qos_reliability_policy_t)number));'
+            ' auto word = rmw_qos_durability_policy_from_str(declare_parameter("word", "volatile").c_str());'
+            ' create_publisher<std_msgs::msg::String>("b", rclcpp::QoS(1).durability(word));'
+        ),
+        """
+        params ~number integer default=2 declared
+        params ~word string default='volatile' declared
+        publishers a std_msgs/msg/String volatile/keep_last/1
+        publishers b std_msgs/msg/String reliable/{param:~word|volatile}/keep_last/1
+        """,
+    ),
+    "a text that is filled in": (
+        'declare_parameter(fmt::format("a.{}.{}", "b", name), 1); create_client<std_srvs::srv::Trigger>(std::format("{1}/{0}", "x", "y"));',
+        """
+        clients y/x std_srvs/srv/Trigger
+        params ~a.b.{any} integer default=1 declared
+        """,
+    ),
     "a sub-node": (
         (
             'auto sub = create_sub_node("left"); sub->create_publisher<std_msgs::msg::String>("a", 1);'
@@ -300,6 +321,31 @@ int main(int argc, char ** argv) {{
     variant, unresolved = variant_of(facts, doubts, "", ROS2, nodes)
     assert (variant["node"], variant["namespace"], variant["undeclared"], unresolved) == ("first", "/ns", True, 0)
     assert [each.get("node") for each in variant["publishers"]] == [None, "second"]
+
+
+def test_every_object_that_is_a_node_has_its_names(tmp_path: Path) -> None:
+    facts, doubts, nodes = follow(
+        tmp_path,
+        f"""{HEAD}
+struct Client : rclcpp::Node {{
+  static const std::string kEnd;
+  Client(const std::string & name, const std::string & of) : Node(name), of_(of) {{}}
+  void init() {{ create_client<std_srvs::srv::Trigger>(of_ + kEnd); }}
+  std::string of_;
+}};
+const std::string Client::kEnd = "/go";
+int main() {{
+  std::map<std::string, std::shared_ptr<Client>> all;
+  all["a"] = std::make_shared<Client>("a_client", "a");
+  all["b"] = std::make_shared<Client>("b_client", "b");
+  for (auto & each : all) {{ each.second->init(); }}
+  spin(all["a"]);
+}}
+""",
+    )
+    assert [(each.name, each.node) for each in facts] == [("a/go", ""), ("b/go", "2")]
+    assert doubts == ()
+    assert [each.name for each in nodes] == ["a_client", "b_client"]
 
 
 LIFECYCLE = f"""{HEAD}#include "rclcpp_lifecycle/lifecycle_node.hpp"

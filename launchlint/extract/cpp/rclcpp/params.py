@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable as Does
 
 from launchlint.extract.cpp.naming import finished
+from launchlint.extract.cpp.rclcpp.qos import as_number
 from launchlint.extract.cpp.ros import params
 from launchlint.extract.cpp.spelled_type import DOUBLES, INTEGERS, LISTS, TEXTS, UNTYPED, Type, parse_type
 from launchlint.extract.cpp.values import UNKNOWN, Cell, Handle, Items, Number, Text, Thing, Value, choices, either, node_of, plain
@@ -89,6 +90,7 @@ def declared(asked: Call, node: Value, name: Value, default: Value, descriptor: 
     """Note a declared param; its value."""
     if isinstance(default, Thing) and default.type.name == _DESCRIPTOR:
         default, descriptor, given = UNKNOWN, default, False
+    default = as_number(default)
     explicit = asked.types[0] if asked.types else UNTYPED
     cell = asked.cell(1)
     kind = _type_held(default)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 QOS = Type("rclcpp::QoS")
 """The type of all profiles here, whatever they are called."""
+_POLICY = Type("rmw_qos_policy_t")
 _DURATION = Type("rclcpp::Duration")
 _MOST = 1_000_000
 
@@ -54,6 +55,13 @@ _POLICIES: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "history": ("HISTORY", "HistoryPolicy", ("keep_last", "keep_all", "system_default")),
     "liveliness": ("LIVELINESS", "LivelinessPolicy", ("automatic", "manual_by_topic", "system_default", "best_available")),
 }
+_NUMBERS: dict[str, tuple[str, ...]] = {
+    "reliability": ("system_default", "reliable", "best_effort", "unknown", "best_available"),
+    "durability": ("system_default", "transient_local", "volatile", "unknown", "best_available"),
+    "history": ("system_default", "keep_last", "keep_all", "unknown"),
+    "liveliness": ("system_default", "automatic", "manual_by_node", "manual_by_topic", "unknown", "best_available"),
+}
+"""The policies in the order of their enumerators (rmw/types.h)."""
 _SETS: dict[str, tuple[str, str]] = {
     "reliable": ("reliability", "reliable"),
     "best_effort": ("reliability", "best_effort"),
@@ -80,8 +88,29 @@ def profile(qos: Qos) -> Thing:
     thing = Thing(QOS, None, 0)
     for key, value in zip(qos._fields, qos, strict=True):
         if value is not None and key != "overrides":
-            thing.fields[key] = Cell(Number(value) if isinstance(value, (int, float)) else Text(value))
+            thing.fields[key] = Cell(Number(value) if isinstance(value, (int, float)) else _policy(Text(value), _number(key, value)))
     return thing
+
+
+def _policy(word: Value, number: int | None = None) -> Thing:
+    """A policy, by its word and the number that it is in C++."""
+    thing = Thing(_POLICY, None, 0)
+    thing.fields["<word>"] = Cell(word)
+    if number is not None:
+        thing.fields["<number>"] = Cell(Number(number))
+    return thing
+
+
+def _number(key: str, word: str) -> int | None:
+    numbers = _NUMBERS.get(key, ())
+    return numbers.index(word) if word in numbers else None
+
+
+def as_number(value: Value) -> Value:
+    """A policy as the number that it is where somebody takes it for one; other values are what they are."""
+    if isinstance(value, Thing) and value.type == _POLICY:
+        return value.fields["<number>"].value if "<number>" in value.fields else UNKNOWN
+    return value
 
 
 def copied(thing: Thing) -> Thing:
@@ -152,7 +181,7 @@ def _set(name: str) -> Does[[Thing, Call], Value]:
     key, word = _SETS[name]
 
     def method(this: Thing, asked: Call) -> Value:
-        _write(this, asked, key, Text(word))
+        _write(this, asked, key, _policy(Text(word)))
         return this
 
     return method
@@ -171,7 +200,7 @@ def _take(name: str) -> Does[[Thing, Call], Value]:
 
 def _keep(this: Thing, asked: Call) -> Value:
     """``keep_last(depth)``."""
-    _write(this, asked, "history", Text("keep_last"))
+    _write(this, asked, "history", _policy(Text("keep_last")))
     _write(this, asked, "depth", asked.value(0))
     return this
 
@@ -193,8 +222,8 @@ def _from_rmw(asked: Call) -> Value:
 
 
 def _word(asked: Call) -> Value:
-    """``rmw_qos_reliability_policy_from_str(text)``: the word itself."""
-    return asked.value(0)
+    """``rmw_qos_reliability_policy_from_str(text)``: the policy that the text calls by its name."""
+    return _policy(asked.value(0))
 
 
 # -- times ----------------------------------------------------------------------------------------------------------------
@@ -246,9 +275,10 @@ def _said(key: str, value: Value) -> str | int | float | None:
     if key in ("deadline", "lifespan", "lease"):
         seconds = value.fields.get("<seconds>") if isinstance(value, Thing) else None
         return seconds.value.value if seconds is not None and isinstance(seconds.value, Number) else None
-    if not isinstance(value, Text):
+    word = value.fields.get("<word>") if isinstance(value, Thing) and value.type == _POLICY else None
+    if word is None or not isinstance(word.value, Text):
         return None
-    return value.template if value.template in _POLICIES[key][2] or value.param else None
+    return word.value.template if word.value.template in _POLICIES[key][2] or word.value.param else None
 
 
 def _amount(value: Value) -> int | str | None:
@@ -293,12 +323,12 @@ FUNCTIONS: dict[str, Does[[Call], Value | None]] = {
 
 def _constants() -> dict[str, Does[[], Value]]:
     found: dict[str, Does[[], Value]] = {name: (lambda qos=qos: profile(qos)) for name, qos in PROFILES.items()}  # type: ignore[misc]
-    for macro, class_, words in _POLICIES.values():
+    for key, (macro, class_, words) in _POLICIES.items():
         for word in words:
             camel = "".join(part.title() for part in word.split("_"))
-            text = Text(word)
+            number = _number(key, word)
             for name in (f"RMW_QOS_POLICY_{macro}_{word.upper()}", f"rclcpp::{class_}::{camel}"):
-                found[name] = lambda text=text: text  # type: ignore[misc]
+                found[name] = lambda word=word, number=number: _policy(Text(word), number)  # type: ignore[misc]
     return found
 
 

@@ -128,10 +128,16 @@ def function(asked: Call) -> Value | None:
         full = f"{resolved.name}::{name.rpartition('::')[2]}"
         if full in known:
             return known[full](asked._replace(types=asked.types or resolved.arguments))
+    elif f"rclcpp::{name}" in known and name not in asked.machine.declarations.functions and _is_given_node(asked):
+        return known[f"rclcpp::{name}"](asked)  # found without its namespace because of what it is given: spin(node)
     for used in asked.machine.declarations.used:
         if f"{used}::{name}" in known and used.startswith(asked.machine.tables.spaces):
             return known[f"{used}::{name}"](asked)
     return None
+
+
+def _is_given_node(asked: Call) -> bool:
+    return any(held.node is not None for each in asked.arguments if (held := node_of(each.value)) is not None)
 
 
 def handle_method(handle: Handle, asked: Call) -> Value | None:

@@ -1,0 +1,83 @@
+"""Which programs and components a package of ament has, and what each of them is made of."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from launchlint.extract.package import extract
+from launchlint.extract.plan import plan
+from launchlint.library.validate import faults
+
+NODE = """#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+namespace demo {{
+class {name} : public rclcpp::Node {{
+ public:
+  explicit {name}(const rclcpp::NodeOptions & options) : Node("{topic}", options) {{
+    create_publisher<std_msgs::msg::String>("{topic}", 1);
+  }}
+}};
+}}
+RCLCPP_COMPONENTS_REGISTER_NODE(demo::{name})
+"""
+MAIN = """#include "rclcpp/rclcpp.hpp"
+int main() { rclcpp::Node node("plain"); node.declare_parameter("rate", 1.0); }
+"""
+CMAKE = """
+cmake_minimum_required(VERSION 3.8)
+project(demo)
+find_package(ament_cmake_auto REQUIRED)
+find_package(std_msgs REQUIRED)
+function(demo_library plugin executable)
+  cmake_parse_arguments(ARG "" "" "FILES;DEPENDENCIES" ${ARGN})
+  add_library(${executable}_library SHARED ${ARG_FILES})
+  target_link_libraries(${executable}_library ${ARG_DEPENDENCIES})
+  rclcpp_components_register_node(${executable}_library PLUGIN "${plugin}" EXECUTABLE ${executable})
+endfunction()
+demo_library("demo::First" first FILES src/first.cpp DEPENDENCIES ${std_msgs_TARGETS})
+ament_auto_add_library(both SHARED DIRECTORY src/both)
+rclcpp_components_register_nodes(both "demo::Second")
+add_executable(plain src/plain.cpp)
+ament_target_dependencies(plain rclcpp)
+install(TARGETS plain DESTINATION lib/${PROJECT_NAME})
+ament_auto_package()
+"""
+
+
+def _package(root: Path) -> Path:
+    (root / "src/both").mkdir(parents=True)
+    (root / "package.xml").write_text(
+        '<package format="3"><name>demo</name><version>1.0.0</version><description>d</description><maintainer email="a@b.c">a</maintainer>'
+        "<license>MIT</license><export><build_type>ament_cmake</build_type></export></package>"
+    )
+    (root / "CMakeLists.txt").write_text(CMAKE)
+    (root / "src/first.cpp").write_text(NODE.format(name="First", topic="first"))
+    (root / "src/both/second.cpp").write_text(NODE.format(name="Second", topic="second"))
+    (root / "src/both/third.cpp").write_text(NODE.format(name="Third", topic="third"))
+    (root / "src/plain.cpp").write_text(MAIN)
+    return root
+
+
+def test_programs_and_components(tmp_path: Path) -> None:
+    planned = plan([str(_package(tmp_path))])
+    told = [(task.kind, task.name, task.client, task.entry, [Path(path).name for path in task.sources]) for task in planned.tasks]
+    assert told == [
+        ("executables", "plain", "rclcpp", "", ["plain.cpp"]),
+        ("components", "demo::First", "component", "demo::First", ["first.cpp"]),
+        ("executables", "first", "rclcpp", "demo::First", ["first.cpp"]),
+        ("components", "demo::Second", "component", "demo::Second", ["second.cpp"]),
+        ("components", "demo::Third", "component", "demo::Third", ["third.cpp"]),
+    ]
+    assert planned.skipped == ()
+    assert planned.complete == frozenset(("demo",))
+
+
+def test_the_library_of_a_package(tmp_path: Path) -> None:
+    document = extract([str(_package(tmp_path))]).document
+    assert faults(document) == []
+    package = document["packages"]["demo"]
+    assert (document["version"], package["middleware"], package["complete"]) == (2, "ros2", ["components"])
+    first = package["components"]["demo::First"]["variants"]["default"]
+    assert first["node"] == "first"
+    assert [(each["name"], each["type"], each["qos"]["depth"]) for each in first["publishers"]] == [("first", "std_msgs/msg/String", 1)]
+    assert package["executables"]["plain"]["variants"]["default"]["params"][0]["name"] == "~rate"
