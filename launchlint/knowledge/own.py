@@ -123,7 +123,7 @@ class OwnSources:
 
     def digest(self, key: Key) -> str:
         """Another one where what is known of a program may be another; empty where it is not known yet and would have to be read."""
-        home = self.home(key[0])
+        home = self.first(key[0])  # which middleware it is of, its manifest says, which what was read hangs on
         return "" if home is None else self._programs.digest(key, home)
 
     def home(self, name: str) -> Home | None:
