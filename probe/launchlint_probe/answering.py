@@ -94,7 +94,7 @@ class Answers:
     def finish_goals(self, subscriptions: Dict[Tuple[str, str], Subscription]) -> bool:
         """Answer the goals that the node has sent: each has succeeded. Returns whether there were any."""
         found = False
-        for (_, name), each in list(subscriptions.items()):
+        for (_, name), each in list(subscriptions.copy().items()):
             base, _, last = name.rpartition("/")
             kind = each.header.get("type", "")
             if last != "goal" or not kind.endswith("ActionGoal") or not each.message or each.message in self._answered:
@@ -120,7 +120,9 @@ class Answers:
         """The clock, and what the servers of the node's actions publish."""
         facts = self._recorder.facts
         heard = {name for _, name in list(facts.subscribers)}
-        goals = [name for (_, name), (kind, _) in list(facts.publishers.items()) if name.endswith("/goal") and kind.endswith("ActionGoal")]
+        goals = [
+            name for (_, name), (kind, _) in list(facts.publishers.copy().items()) if name.endswith("/goal") and kind.endswith("ActionGoal")
+        ]
         ends = {"{}/{}".format(name.rpartition("/")[0], end) for name in goals for end in _ACTION_ENDS}
         return heard & (ends | {CLOCK})
 
@@ -173,7 +175,7 @@ class Answers:
         topic = header["topic"]
         kind = header.get("type", "*")
         if kind == "*":
-            kind = next((each for (_, name), (each, _) in list(self._recorder.facts.subscribers.items()) if name == topic), "*")
+            kind = next((each for (_, name), (each, _) in list(self._recorder.facts.subscribers.copy().items()) if name == topic), "*")
         md5 = header.get("md5sum", "*")
         if md5 == "*":
             md5 = self._definitions.md5(kind) or "*"

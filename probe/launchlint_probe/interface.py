@@ -105,7 +105,7 @@ def per_node(facts: Facts) -> List[Entry]:
     """
     found: Dict[str, Dict[str, List[Entry]]] = {}
     for category, table in (("publishers", facts.publishers), ("subscribers", facts.subscribers), ("services", facts.services)):
-        for (caller, name), (kind, _) in list(table.items()):
+        for (caller, name), (kind, _) in list(table.copy().items()):
             if is_infrastructure(name) or is_infrastructure(caller) or caller == "/rosout":
                 continue
             entry = {"name": spelled(name)}

@@ -113,12 +113,12 @@ class Recorder:
         """Say to all who hear a topic, now and later, that somebody publishes it."""
         self.offered[topic] = api
         publishers = self.publishers(topic)
-        for listener in sorted({known for (_, name), (_, known) in list(self.facts.subscribers.items()) if name == topic}):
+        for listener in sorted({known for (_, name), (_, known) in list(self.facts.subscribers.copy().items()) if name == topic}):
             _in_background(_update, listener, topic, publishers)
 
     def publishers(self, topic: str) -> List[str]:
         """The APIs of those who publish a topic."""
-        own = {api for (_, name), (_, api) in list(self.facts.publishers.items()) if name == topic}
+        own = {api for (_, name), (_, api) in list(self.facts.publishers.copy().items()) if name == topic}
         return sorted(own | ({self.offered[topic]} if topic in self.offered else set()))
 
     # -- parameters ---------------------------------------------------------------------------------------------
@@ -215,7 +215,7 @@ class _Api(SimpleXMLRPCDispatcher):
         """Record a publisher; subscribers are told, as the master does."""
         topic = absolute(topic, caller)
         self._add(self._facts.publishers, caller, topic, kind, api)
-        listeners = [known for (_, name), (_, known) in list(self._facts.subscribers.items()) if name == topic]
+        listeners = [known for (_, name), (_, known) in list(self._facts.subscribers.copy().items()) if name == topic]
         publishers = self._recorder.publishers(topic)
         for listener in listeners:
             _in_background(_update, listener, topic, publishers)
@@ -240,7 +240,7 @@ class _Api(SimpleXMLRPCDispatcher):
         """Record that somebody wants to call a service."""
         service = absolute(service, caller)
         self._facts.add(self._facts.lookups, service, caller)
-        for (_, name), (service_api, _) in list(self._facts.services.items()):
+        for (_, name), (service_api, _) in list(self._facts.services.copy().items()):
             if name == service:
                 return SUCCESS, "found", service_api
         if service in self._recorder.served:
@@ -254,13 +254,16 @@ class _Api(SimpleXMLRPCDispatcher):
 
     def published_topics(self, caller: str, subgraph: str = "") -> Answer:
         """Topics and their types."""
-        listed = {(name, kind) for (_, name), (kind, _) in list(self._facts.publishers.items())}
-        listed |= {(name, kind) for (_, name), (kind, _) in list(self._facts.subscribers.items()) if name in self._recorder.offered}
+        listed = {(name, kind) for (_, name), (kind, _) in list(self._facts.publishers.copy().items())}
+        listed |= {(name, kind) for (_, name), (kind, _) in list(self._facts.subscribers.copy().items()) if name in self._recorder.offered}
         return SUCCESS, "current topics", [list(each) for each in sorted(listed)]
 
     def topic_types(self, caller: str) -> Answer:
         """As published_topics, with what is only subscribed."""
-        listed = {name: kind for (_, name), (kind, _) in [*list(self._facts.subscribers.items()), *list(self._facts.publishers.items())]}
+        listed = {
+            name: kind
+            for (_, name), (kind, _) in [*list(self._facts.subscribers.copy().items()), *list(self._facts.publishers.copy().items())]
+        }
         return SUCCESS, "current types", [[name, listed[name]] for name in sorted(listed)]
 
     def system_state(self, caller: str) -> Answer:

@@ -184,7 +184,7 @@ class _Session:
         seen = watch.run()
         services = {
             name: service_header(api, name)
-            for (_, name), (api, _) in list(facts.services.items())[:MOST_WOKEN]
+            for (_, name), (api, _) in list(facts.services.copy().items())[:MOST_WOKEN]
             if not is_infrastructure(name) and not seen.reached
         }
         harvest = self._harvest(watch, seen, services)

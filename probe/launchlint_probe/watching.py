@@ -160,7 +160,7 @@ class Watch:
         """The publishers that have not been listened to. To /rosout nobody needs to listen."""
         return [
             (api, name)
-            for (_, name), (_, api) in list(self._recorder.facts.publishers.items())
+            for (_, name), (_, api) in list(self._recorder.facts.publishers.copy().items())
             if (api, name) not in self.subscriptions and not name.startswith("/rosout")
         ]
 

@@ -481,3 +481,22 @@ def test_a_namespace_that_is_read_in_is_not_the_empty_one_that_it_was_before(tmp
         """,
     )
     assert [each.name for each in facts] == ["{any}/in"]
+
+
+def test_a_namespace_that_is_set_somewhere_is_not_the_empty_one(tmp_path: Path) -> None:
+    facts, _ = program(
+        tmp_path,
+        """
+        struct Config : public Elsewhere {
+          void fromParams() { space = namespaceOfParams(); }
+          std::string space;
+        };
+        int main(int argc, char** argv) {
+          Config config;
+          setUp(config);
+          ros::NodeHandle nh(config.space);
+          ros::Subscriber sub = nh.subscribe<std_msgs::String>("in", 1, heard);
+        }
+        """,
+    )
+    assert [each.name for each in facts] == ["{any}/in"]

@@ -43,7 +43,9 @@ def _handle(asked: Call) -> Value:
     else:
         spaces, names = (("", _DEFAULT),), first
     given = choices(names)
-    if any(each is UNKNOWN for _, each in given):  # an empty text is what it was before it was set
+    if any(each.cell is not None and each.cell.changing and each.value == Text("") for each in asked.arguments):
+        given = (("", UNKNOWN),)  # it is set somewhere
+    elif any(each is UNKNOWN for _, each in given):  # an empty text is what it was before it was set
         given = tuple((condition, each) for condition, each in given if each != Text(""))
     found: list[tuple[str, Value]] = []
     for outer, space in spaces:
