@@ -17,6 +17,10 @@ from launchlint.python.text import ANY, joined, template
 from launchlint.python.values import MISSING, UNKNOWN, Handle, Seq, Value
 from launchlint.workspace import looking
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.extract.python.ros2.run import Ros2Run
+
 LISTENER = ".ParamListener"
 _MAKES = b"generate_parameter_module"
 _MOST_DIRECTORIES = 300
@@ -80,8 +84,16 @@ def _struct(description: Description, start: str) -> Handle:
 
 
 def _description(made: Call, package: str, space: str) -> Description | None:
-    """What the package has for the class called ``space``."""
-    for directory, name in made.run.finder.packages.items():
+    """What the package has for the class called ``space``, looked for once."""
+    run: Ros2Run = made.run  # type: ignore[assignment]
+    key = (package, space)
+    if key not in run.descriptions:
+        run.descriptions[key] = _found(run, package, space)
+    return run.descriptions[key]
+
+
+def _found(run: Ros2Run, package: str, space: str) -> Description | None:
+    for directory, name in run.finder.packages.items():
         if name != package or not any(
             _MAKES in (looking.content(os.path.join(directory, each)) or b"") for each in ("setup.py", "CMakeLists.txt")
         ):

@@ -17,6 +17,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     import ast
 
+    from launchlint.extract.described_params import Description
+
 _TRANSITIONS = {
     "on_configure": "configured",
     "on_activate": "active",
@@ -41,6 +43,7 @@ class Ros2Run(Run):
         super().__init__(root, package, finder, beside)
         self.nodes = nodes.Nodes()
         self.exists = ""
+        self.descriptions: dict[tuple[str, str], Description | None] = {}
 
     @property
     def made(self) -> tuple[Made, ...]:
