@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from launchlint.python.failures import failure
 from launchlint.python.values import MORE, Function, Value
+from launchlint.python.walking import children, walk
 
 _GENERATES = "generates"
 _OTHERS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
@@ -52,7 +53,7 @@ def own_nodes(node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) -> Iter
         each = waiting.pop()
         yield each
         if not isinstance(each, _OTHERS):
-            waiting += ast.iter_child_nodes(each)
+            waiting += children(each)
 
 
 _OWN = "own"
@@ -84,7 +85,7 @@ def _only_in_loops(node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) ->
         for each in own_nodes(node)
         if isinstance(each, (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp))
         for loop in each.generators
-        for name in ast.walk(loop.target)
+        for name in walk(loop.target)
         if isinstance(name, ast.Name)
     }
     written = (each for each in own_nodes(node) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store))

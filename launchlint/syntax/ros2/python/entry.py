@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from launchlint.problem import Problem
 from launchlint.python.values import Class, Function, Handle, Instance, Map, Seq, Value
+from launchlint.python.walking import walk
 from launchlint.source import Origin, Place, Source, Span
 from launchlint.syntax.ros2.python.arguments import spelled
 from launchlint.syntax.ros2.python.problems import NoDescription
@@ -39,7 +40,7 @@ def without_entry(tree: ast.Module, source: Source) -> Problem | None:
     """
     if any(isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)) and each.decorator_list for each in tree.body):
         return None
-    for node in ast.walk(tree):
+    for node in walk(tree):
         if isinstance(node, ast.ImportFrom) and any(alias.name == "*" for alias in node.names):
             if not is_of_launch(node.module or ""):
                 return None

@@ -10,6 +10,7 @@ import ast
 from collections.abc import Callable, Iterator
 
 from launchlint.problem import Problem
+from launchlint.python.walking import children, walk
 from launchlint.source import Origin, Place
 from launchlint.syntax.ros2.python.problems import RunsAtLoad
 
@@ -45,7 +46,7 @@ def runs_at_load(tree: ast.Module, place: Callable[[ast.AST], Place]) -> Iterato
     """What is done at load, in the order of the text."""
     names = _imported(tree)
     routines: dict[str, list[Routine]] = {}
-    for node in ast.walk(tree):
+    for node in walk(tree):
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             routines.setdefault(node.name, []).append(node)
         elif isinstance(node, ast.ClassDef):
@@ -72,7 +73,7 @@ def runs_at_load(tree: ast.Module, place: Callable[[ast.AST], Place]) -> Iterato
 def _imported(tree: ast.Module) -> dict[str, str]:
     """Names that imports bring, with the full ones."""
     found: dict[str, str] = {}
-    for node in ast.walk(tree):
+    for node in walk(tree):
         if isinstance(node, ast.Import):
             found.update({alias.asname: alias.name for alias in node.names if alias.asname})
         elif isinstance(node, ast.ImportFrom) and not node.level:
@@ -89,7 +90,7 @@ def _calls(body: list[ast.stmt]) -> Iterator[ast.Call]:
             continue
         if isinstance(node, ast.Call):
             yield node
-        waiting += reversed(list(ast.iter_child_nodes(node)))
+        waiting += reversed(children(node))
 
 
 def _is_script(test: ast.expr) -> bool:

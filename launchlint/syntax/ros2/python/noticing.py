@@ -9,6 +9,7 @@ from launchlint.problem import Problem
 from launchlint.python.interpreter import Interpreter
 from launchlint.python.recogniser import Recogniser
 from launchlint.python.values import Handle, Scope, Value
+from launchlint.python.walking import walk
 from launchlint.source import Origin, Place
 from launchlint.syntax.ros2.python.problems import ConfigurationAsPythonValue
 from launchlint.syntax.ros2.python.texts import SUBSTITUTIONS
@@ -61,7 +62,7 @@ class Noticing(Interpreter):
     def look_at(self, tree: ast.Module) -> None:
         """Notice how a module uses what may turn out to be substitutions, and where it catches errors."""
         self._uses.update(uses(tree))
-        tries = (node for node in ast.walk(tree) if isinstance(node, ast.Try))
+        tries = (node for node in walk(tree) if isinstance(node, ast.Try))
         self._catching.update(id(node.body) for node in tries if any(_catches(handler.type) for handler in node.handlers))
 
     def evaluate(self, node: ast.expr | None, scope: Scope) -> Value:
@@ -96,4 +97,4 @@ def _catches(type_: ast.expr | None) -> bool:
     """Whether a handler catches what launch raises."""
     if type_ is None:
         return True
-    return any(isinstance(each, (ast.Name, ast.Attribute)) and ast.unparse(each).endswith(_CATCHES_ALL) for each in ast.walk(type_))
+    return any(isinstance(each, (ast.Name, ast.Attribute)) and ast.unparse(each).endswith(_CATCHES_ALL) for each in walk(type_))

@@ -10,6 +10,7 @@ import ast
 from collections.abc import Callable, Iterator, Mapping
 
 from launchlint.problem import Problem
+from launchlint.python.walking import walk
 from launchlint.source import Origin, Place
 from launchlint.syntax.ros2.python.problems import ConfigurationAsPythonValue
 from launchlint.syntax.ros2.python.uses import uses
@@ -31,12 +32,12 @@ def performed_as_boolean(tree: ast.Module, place: Callable[[ast.AST], Place]) ->
     tested = {key: whole for key, (use, whole) in uses(tree).items() if use == "test"}
     made = _assigned(tree)
     found: dict[tuple[int, int], Problem] = {}
-    for routine in ast.walk(tree):
+    for routine in walk(tree):
         if not isinstance(routine, (ast.FunctionDef, ast.AsyncFunctionDef)):
             continue
         held = {**made, **_assigned(routine)}
         texts = _performed(routine, held)
-        for node in ast.walk(routine):
+        for node in walk(routine):
             against = _against_boolean(node)
             whole = tested.get(id(node)) if against is None else against
             side = node if against is None else against.left
@@ -50,7 +51,7 @@ def performed_as_boolean(tree: ast.Module, place: Callable[[ast.AST], Place]) ->
 
 def _declared(tree: ast.Module) -> Iterator[str]:
     """The args that are declared with a boolean word as their default."""
-    for node in ast.walk(tree):
+    for node in walk(tree):
         if not (isinstance(node, ast.Call) and _word(node.func) == "DeclareLaunchArgument"):
             continue
         given = {each.arg: each.value for each in node.keywords}
@@ -68,7 +69,7 @@ def _assigned(around: ast.AST) -> dict[str, str]:
     """Variables that hold a LaunchConfiguration, with its name; none that holds something else, too."""
     found: dict[str, str] = {}
     other: set[str] = set()
-    for node in ast.walk(around):
+    for node in walk(around):
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
             name = _named(node.value)
             target = node.targets[0].id
@@ -101,11 +102,11 @@ def _performed(routine: Routine, made: Mapping[str, str]) -> dict[str, str]:
     """Variables of a function that hold such a text, and nothing else."""
     found: dict[str, str] = {}
     other: set[str] = set()
-    for node in ast.walk(routine):
+    for node in walk(routine):
         targets = node.targets if isinstance(node, ast.Assign) else [node.target] if isinstance(node, (ast.AugAssign, ast.For)) else []
         for target in targets:
             name = _configuration(node.value, made) if isinstance(node, ast.Assign) else ""
-            for each in ast.walk(target):
+            for each in walk(target):
                 if isinstance(each, ast.Name):
                     if name and each is target:
                         found[each.id] = name

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Callable, Iterator
 
 from launchlint.problem import Problem
+from launchlint.python.walking import walk
 from launchlint.source import Origin, Place
 from launchlint.syntax.ros2.python.problems import NeverAdded
 
@@ -21,10 +22,10 @@ _LOOKING = frozenset(("locals", "vars", "eval", "exec"))
 def never_added(tree: ast.Module, place: Callable[[ast.AST], Place]) -> Iterator[Problem]:
     """Each variable of a function that holds nothing but such an action, and that nothing reads."""
     made = _imported(tree)
-    for routine in ast.walk(tree):
+    for routine in walk(tree):
         if not isinstance(routine, ast.FunctionDef):
             continue
-        inside = list(ast.walk(routine))
+        inside = list(walk(routine))
         names = [node for node in inside if isinstance(node, ast.Name)]
         read = {node.id for node in names if not isinstance(node.ctx, ast.Store)}
         shared = {name for node in inside if isinstance(node, (ast.Global, ast.Nonlocal)) for name in node.names}
@@ -54,7 +55,7 @@ def never_added(tree: ast.Module, place: Callable[[ast.AST], Place]) -> Iterator
 def _imported(tree: ast.Module) -> dict[str, str]:
     """Names that are imported from launch and launch_ros, with those that they have there."""
     found: dict[str, str] = {}
-    for node in ast.walk(tree):
+    for node in walk(tree):
         if isinstance(node, ast.ImportFrom) and (node.module or "").partition(".")[0] in ("launch", "launch_ros"):
             found.update({alias.asname or alias.name: alias.name for alias in node.names})
     return found

@@ -8,6 +8,8 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
+from launchlint.python.walking import walk
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.syntax.ros2.python.problems import Use
@@ -21,7 +23,7 @@ _NUMBERS = frozenset(("int", "float"))
 def uses(tree: ast.Module) -> dict[int, tuple[Use, ast.expr]]:
     """Expressions of a module, by identity: how each is used, and the whole expression in which that is done."""
     found: dict[int, tuple[Use, ast.expr]] = {}
-    for node in ast.walk(tree):
+    for node in walk(tree):
         for use, each, whole in _uses(node):
             found.setdefault(id(each), (use, whole))
     return found
