@@ -84,6 +84,7 @@ def _too_early(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
     if below is None:
         return
     name, alone = problem.name, problem.origin.step is None
+    in_python = problem.place.source.path.endswith(".py")  # where one place may read several names, in a loop
     yield RULE.at(
         problem.origin,
         f"{name} is read above its declaration",
@@ -93,7 +94,7 @@ def _too_early(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         notes=(f"ros2 launch stops here with: launch configuration '{name}' does not exist{', unless it is given' if alone else ''}",),
         help=f"move the declaration of {name} up, above this",
         topic=name,
-        cause=f"{problem.place.source.path} {name}",
+        cause=f"{problem.place.source.path} {problem.place.span.start if in_python else name}",
     )
 
 

@@ -68,7 +68,7 @@ from launchlint.rules.judging.one_interface import taken_beside
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import FileView, LaunchView, of_ros2
 from launchlint.rules.wording import words_at, words_of
-from launchlint.source import Origin, Place, Span
+from launchlint.source import Origin, Place, Source, Span
 from launchlint.spelling import closest, distance, folded, is_part
 from launchlint.syntax.ros1.substitutions import expression_in, parts_of, slip
 from launchlint.syntax.tree import Comment, Document, Element
@@ -156,7 +156,7 @@ def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
     if ON_PURPOSE.search(problem.description):
         return
     name, place = problem.name, problem.place
-    idle = NOTHING_ELSE if problem.alone else "only a comment reads it" if f"$(var {name})" in place.source.text else ""
+    idle = NOTHING_ELSE if problem.alone else "only a comment reads it" if _is_in_comment(place.source, name) else ""
     beside = (
         ""
         if idle
@@ -178,6 +178,13 @@ def tell(problem: ArgUnused, view: LaunchView) -> Iterator[Finding]:
         topic=name,
         cause=_cause_of_all(problem, view, idle),
     )
+
+
+def _is_in_comment(source: Source, name: str) -> bool:
+    """Whether what reads the arg is commented out: nothing reads it that is not."""
+    if not source.path.endswith(".py"):
+        return f"$(var {name})" in source.text
+    return re.search(rf"""#[^\n]*\bLaunchConfiguration\(\s*(?:variable_name\s*=\s*)?["']{re.escape(name)}["']""", source.text) is not None
 
 
 def _is_used_by_program(text: str, name: str) -> bool:

@@ -151,7 +151,7 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
         advice = f"did you mean {shown(others[0], root_of(source))}?"
     elif not relative and file and (near := near_launch_file(file, {posixpath.abspath(source.file), *view.included_by.get(source, ())})):
         advice = f"did you mean {near}?"
-    left = leads_out(file, view.packages)
+    left = leads_out(file, problem.place, view.packages)
     if left:
         notes.append(where(left))
     elsewhere = left or (relative and source.path.endswith(".py"))  # people start such files from the workspace they are made for

@@ -167,7 +167,7 @@ def check(view: FileView) -> Iterator[Finding]:
     missing = [name for name in missing if name not in declared and (packages.has(name) or name in public_names())]
     if not missing or packages.is_hidden(home.directory) or first_of_name(home, packages).directory != home.directory:
         return
-    if _is_put_aside_in_ros2(home, packages):
+    if _is_not_built(home, packages):
         return
     if contents(packages).installs(home).leaves_out(posixpath.abspath(file)):
         return
@@ -223,13 +223,15 @@ def _is_extra(file: str, home: Package, packages: Packages) -> bool:
     return all(_GENERATED_EXTRA.fullmatch(posixpath.basename(each)) for each in naming(name, home, packages))
 
 
-def _is_put_aside_in_ros2(home: Package, packages: Packages) -> bool:
-    """Whether the package is one of ROS 1 that a workspace of ROS 2 keeps and does not build."""
+def _is_not_built(home: Package, packages: Packages) -> bool:
+    """Whether nobody builds the package: a workspace of ROS 2 keeps it and ignores it, or it lies below another package."""
     directory = home.directory
     while is_inside(directory, packages.workspaces):
         if any(is_file(posixpath.join(directory, name)) for name in _NOT_IN_COLCON):
             return True
         directory = posixpath.dirname(directory)
+        if is_inside(f"{directory}/package.xml", packages.workspaces) and is_file(f"{directory}/package.xml"):
+            return True
     return False
 
 

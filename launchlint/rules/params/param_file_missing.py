@@ -117,7 +117,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         notes.append("an arg says which file, so that this one may stand for any")
     elif path and (problem.relative or problem.elsewhere) and not left_over_in(problem.file, view):
         severity = Severity.WARNING
-    left = leads_out(problem.file, view.packages) if missing and view.dialect.name == ROS2 else ""
+    left = leads_out(problem.file, problem.place, view.packages) if missing and view.dialect.name == ROS2 else ""
     if left:
         severity = Severity.INFO
         notes.append(where(left))
