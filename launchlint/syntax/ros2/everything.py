@@ -12,11 +12,16 @@ if TYPE_CHECKING:
 
 
 def everything(description: Description) -> Iterator[object]:
-    """Actions, conditions, params, remaps, texts and substitutions in the order in which they are written: each before what is in it."""
+    """Actions, conditions, params, remaps, texts and substitutions in the order in which they are written: each before what is in it.
+
+    What a program has put into several places comes once: what it holds may stand in all of them, and be more than anybody could count.
+    """
     waiting: list[object] = [description]
+    met: set[int] = set()
     while waiting:
         each = waiting.pop()
-        if isinstance(each, tuple) and not isinstance(each, Place):
+        if isinstance(each, tuple) and not isinstance(each, Place) and id(each) not in met:
+            met.add(id(each))
             if type(each) is not tuple:
                 yield each
             waiting.extend(reversed(each))
