@@ -110,7 +110,7 @@ def _with_params(node: Node, known: _Known, name: str) -> Node:
 
 
 def _instance(node: Node, name: str, containers: Mapping[str, str], parameters: NodeParameters, known: _Known) -> Instance:
-    certain = node.knows("namespace") and not any(condition.assumed for condition in node.conditions)
+    certain = node.knows("namespace") and not node.fatal and not any(condition.assumed for condition in node.conditions)
     unknown_remaps = [each.patterns for each in node.open_remaps if each.patterns is not None]
     namer = RclNamer(known.namespace, name, node.remaps, unknown_remaps, node.own, is_named=bool(node.name))
     part = Interface([], [], {}, [], has_template=False)

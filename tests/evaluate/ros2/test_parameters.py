@@ -27,7 +27,7 @@ def contents(*given: ParameterSource, asks: Asked | None = None) -> list[Any]:
 def starts(passed: list[Passed], asks: Asked, name: str | None = "n", namespace: str | None = None) -> dict[str, Any]:
     result = started((), None, name, namespace, passed, (), asks)
     assert result.refused is None, result.refused
-    return {key: value for key, (_, value) in (result.parameters or {}).items()}
+    return {key: value.data for key, value in (result.parameters or {}).items()}
 
 
 @pytest.mark.parametrize(
@@ -153,9 +153,19 @@ def test_a_node_that_rcl_refuses() -> None:
     assert result.refused.reason == "a name cannot hold '-'"
 
 
-def test_without_a_name_from_launch_nothing_is_known_of_the_params() -> None:
+def test_without_a_name_from_launch_params_for_all_are_known_and_others_under_a_name() -> None:
     asks = Asked()
-    assert started((), None, None, None, node_parameters((plain("v", 1),), (), None, asks), (), asks)[:2] == (None, None)
+    everybody = started((), None, None, None, node_parameters((plain("v", 1),), (), None, asks), (), asks)
+    assert (starts_with(everybody.parameters), everybody.refused) == ({"v": 1}, None)
+    asks = Asked(files={"p.yaml": "/n:\n  ros__parameters: {a: 5}\n"})
+    somebody = started((), None, None, None, node_parameters((file("/w/p.yaml"),), (), None, asks), (), asks)
+    assert somebody.parameters is None
+    assert somebody.called is not None
+    assert [starts_with(somebody.called(name)) for name in ("/n", "/other")] == [{"a": 5}, {}]
+
+
+def starts_with(parameters: Any) -> dict[str, Any]:
+    return {name: value.data for name, value in parameters.items()}
 
 
 def components(*given: ParameterSource, asks: Asked, name: str = "n", namespace: str | None = None) -> dict[str, Any]:
