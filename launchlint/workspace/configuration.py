@@ -50,7 +50,7 @@ class Configuration(NamedTuple):
         args: name of a profile → arguments that every entry is evaluated with, once per profile.
         env: environment variables that launch files see, over those of the process.
         packages: ``complete`` where every package the robot has can be seen here, ``partial`` where not; ``None``: found by itself.
-        distro: the distribution of ROS 2 that launch files of it are for; ``None``: that of the environment.
+        distro: the distribution of ROS 2 that launch files of it are for; ``None``: that of the environment, else as its files say.
         extract: whether the sources of the workspaces' own nodes are read.
         line_width: characters of a line that the formatter fills with a start tag, before each attribute gets a line of its own.
         indent: blanks per level that the formatter writes.
