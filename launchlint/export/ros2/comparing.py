@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 _WRITTEN = str.maketrans("", "", "'\"\\")
 _KINDS = {"equals": "if", "not-equals": "unless"}
-_OF_PLACES = ("origin", "places", "scope", "environment", "patterns")
+_OF_PLACES = ("origin", "places", "scope", "environment", "patterns", "own_origins", "own_as")
 
 
 def normal(actions: Sequence[Action | Text]) -> list[object]:
