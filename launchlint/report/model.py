@@ -129,6 +129,7 @@ def table(launch: Launch, verdict: Verdict) -> str:
         lines += [f"whether {verdict.launcher} loads this file cannot be told here: {visible(verdict.why)}; what can be known of it:", ""]
     if verdict.elsewhere:
         lines += [visible(verdict.with_args), ""]
+    lines += _programs(launch)
     own: dict[str, list[ParameterSetting]] = {}
     rest: list[ParameterSetting] = []
     private = {node.full_name + "/": node.full_name for node in (*launch.nodes, *launch.tests)}
@@ -155,12 +156,27 @@ def table(launch: Launch, verdict: Verdict) -> str:
     return "\n".join(lines)
 
 
+def _programs(launch: Launch) -> list[str]:
+    """What of the launch files in Python is not known, and why."""
+    lines: list[str] = []
+    for file in launch.followed:
+        if file.state == "resolved":
+            continue
+        lines.append(f"{visible(file.source.path)} is known {'not at all' if file.state == 'not' else 'in part'} without running it:")
+        numbered = ((place.source.position(place.span.start).line, reason) for place, reason in file.reasons)
+        lines += [f"  line {line}: {visible(reason)}" for line, reason in dict.fromkeys(numbered)]
+    return [*lines, ""] if lines else []
+
+
 def _slashes(name: str) -> list[int]:
     return [at for at in range(len(name) - 1, 0, -1) if name[at] == "/"]
 
 
 def _node_lines(node: Node, parameters: list[ParameterSetting], known: Mapping[str, ParameterSetting]) -> list[str]:
     flags = [word for word, on in (("required", node.required), ("respawn", node.respawn)) if on]
+    maybe = next((str(each.text) for each in node.conditions if each.attribute == "maybe"), None)
+    if maybe is not None:
+        flags.append(f"maybe: {maybe}")
     if node.machine:
         flags.append(f"on {node.machine}")
     program = f"{node.package}/{node.executable}" if node.plugin is None else node.plugin

@@ -76,7 +76,8 @@ def _counts(topology: Topology) -> str:
     if len(topology.configurations) > 1:
         said.append(f"{len(topology.configurations)} configurations")
     if not topology.complete:
-        said.append("an include could not be followed, so there may be more")
+        what = "not everything could be followed" if topology.entry.endswith(".py") else "an include could not be followed"
+        said.append(f"{what}, so there may be more")
     return "; ".join(said)
 
 

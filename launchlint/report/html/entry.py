@@ -11,6 +11,7 @@ from launchlint.report.html.material import EntryMaterial
 from launchlint.report.html.places import Places
 from launchlint.report.html.plain import Plain
 from launchlint.report.html.union import REMOVED, Marked, Union, alone, united
+from launchlint.sight import Sight
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -44,6 +45,7 @@ def entry_data(
         "connections": entry.connections(),
         "params": entry.params(),
         "findings": list(material.findings),
+        **_programs(material.sight, plain),
         **_mark(REMOVED if gone else "added" if compared and material.before is None else ""),
     }
 
@@ -63,6 +65,19 @@ def mend(learn: Mapping[str, str], probe: str, plain: Plain) -> dict[str, str]:
     where = f"{listed} {are} not in the workspace: put the sources there, or name their directory with --workspace"
     advice = f"{where}, and launchlint reads {them} by itself"
     return {"command": probe if "probe" in learn.values() else "", "advice": advice if absent else ""}
+
+
+def _programs(sight: Sight, plain: Plain) -> dict[str, Any]:
+    """The launch files in Python that are not known as a whole, with the reasons; nothing where there are none."""
+    open_ = [each for each in sight.followed if each.state != "resolved"]
+    if not open_:
+        return {}
+    return {
+        "python": [
+            {"file": plain.text(each.path), "state": each.state, "reasons": [[line, plain.text(why)] for line, why in each.reasons]}
+            for each in open_
+        ]
+    }
 
 
 def _nothing(material: EntryMaterial) -> Topology:

@@ -4051,10 +4051,17 @@ ${end.mark}`;
       entry.verdict === "refused" && element2("p", { class: "refused" }, badge2("refused", "error"), ` ${entry.launcher} does not load it: ${entry.why}`),
       entry.verdict === "cannot be told" && element2("p", {}, badge2("cannot be told", "warning"), ` whether ${entry.launcher} loads it: ${entry.why}`),
       entry.withArgs !== "" && element2("p", { class: "refused" }, badge2("refused with other args", "error"), ` ${entry.withArgs.replace(/^refused /, "")}`),
-      !entry.complete && element2("p", { class: "note" }, "An include could not be followed, so there may be more nodes than are shown."),
+      !entry.complete && element2("p", { class: "note" }, `${entry.python ? "Not everything could be followed" : "An include could not be followed"}, so there may be more nodes than are shown.`),
       ...page.model.data.notices.map((each) => element2("p", { class: "note" }, each)),
       ...changesBlocks(page, model),
       entry.findings.length > 0 ? block("What is wrong", findingList(page, entry.findings)) : block("What is wrong", element2("p", {}, "Nothing was found. Mistakes that only show while the robot runs are not looked for.")),
+      ...(entry.python ?? []).map(
+        (each) => block(
+          `Python, known ${each.state === "not" ? "not at all" : "in part"}: ${each.file}`,
+          element2("p", {}, "It is read and not run. Not known without running it:"),
+          list(each.reasons.map(([line4, why2]) => `line ${line4}: ${why2}`))
+        )
+      ),
       ...entry.nodes.length > 0 ? connectedBlocks(page, model, configuration) : [nothingBlock()]
     ];
   }

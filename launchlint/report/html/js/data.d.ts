@@ -66,6 +66,8 @@ export interface Entry {
   configurations: string[];
   /** Whether every include could be followed. */
   complete: boolean;
+  /** Launch files in Python that are not known as a whole, with the reasons, each behind its line; absent where there are none. */
+  python?: { file: string; state: "partly" | "not"; reasons: [number, string][] }[];
   sight: Sight;
   mend: Mend;
   containers: Container[];

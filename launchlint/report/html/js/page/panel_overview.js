@@ -27,12 +27,19 @@ export function overviewPanel(page, model) {
       element("p", {}, badge("cannot be told", "warning"), ` whether ${entry.launcher} loads it: ${entry.why}`),
     entry.withArgs !== "" &&
       element("p", { class: "refused" }, badge("refused with other args", "error"), ` ${entry.withArgs.replace(/^refused /, "")}`),
-    !entry.complete && element("p", { class: "note" }, "An include could not be followed, so there may be more nodes than are shown."),
+    !entry.complete && element("p", { class: "note" }, `${entry.python ? "Not everything could be followed" : "An include could not be followed"}, so there may be more nodes than are shown.`),
     ...page.model.data.notices.map((each) => element("p", { class: "note" }, each)),
     ...changesBlocks(page, model),
     entry.findings.length > 0
       ? block("What is wrong", findingList(page, entry.findings))
       : block("What is wrong", element("p", {}, "Nothing was found. Mistakes that only show while the robot runs are not looked for.")),
+    ...(entry.python ?? []).map((each) =>
+      block(
+        `Python, known ${each.state === "not" ? "not at all" : "in part"}: ${each.file}`,
+        element("p", {}, "It is read and not run. Not known without running it:"),
+        list(each.reasons.map(([line, why]) => `line ${line}: ${why}`)),
+      ),
+    ),
     ...(entry.nodes.length > 0 ? connectedBlocks(page, model, configuration) : [nothingBlock()]),
   ];
 }
