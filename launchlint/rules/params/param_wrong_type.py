@@ -172,7 +172,7 @@ def _judge(setting: ParameterSetting, instance: Instance, readings: list[Reading
         or (isinstance(value, (str, int)) and str(value).strip().lower() in _words_for(default))
     )
     # What is not known to be true when it is not set is false, as the value says.
-    means_default = means_default or (one == "bool" and not known and str(value).strip().lower() in _NOTHING)
+    means_default = means_default or (one == "bool" and not known and not isinstance(value, str) and value == 0)
     return RULE.at(
         setting.origin,
         f"{instance.program} reads {reading.declared} as {_WORDS[one]}, and {shown(value)} is {_WORDS[type_]}: {instead}",
