@@ -106,6 +106,8 @@ class Texts:
         """A list of texts; one that is not known stands for those that are not."""
         if value is None:
             return ()
+        if isinstance(value, str):  # each letter is an item, as Python goes through a text
+            return tuple(Text((each,), place) for each in value)
         if not isinstance(value, Seq):
             return (unknown(why(value, "it is no list"), place),)
         more = () if value.complete else (unknown("not all items of the list are known", place),)
