@@ -4,7 +4,8 @@
 (``--checkouts DIRECTORY`` takes the clones ``DIRECTORY/owner/name`` in place of the network), reads it as ``launchlint extract`` does,
 together with those that it is to be read beside, and writes what it finds into ``launchlint/library/bundled``. ``--probed FILE`` adds a
 library that ``launchlint probe`` made; ``--no-sources`` does nothing else. What the script wrote earlier is taken out first, so the same
-list and the same probes always give the same files.
+list and the same probes always give the same files. ``--ros2`` does the same for ROS 2: ``scripts/library_sources_ros2.yaml``, and the
+directory ``ros2`` beside the files of ROS 1.
 
 Nothing is executed but git. What a person wrote wins: source code adds nothing to a program that somebody has read and described. A probe
 adds its evidence to such a program, and the MD5 sums it has seen; the names that the description lacks are printed, for a person to see to.
@@ -26,14 +27,16 @@ from typing import Any, NamedTuple
 
 from library_repositories import Place, Wanted, read_list, unpack
 from library_second_look import open_what_was_missed
-from library_shelf import TABLES, Program, Shelf, entries_of
+from library_shelf import Program, Shelf, entries_of
 
 from launchlint.check.run import default_directory
 from launchlint.errors import LaunchlintError
 from launchlint.extract.package import extract
 from launchlint.library.file import parse, read
 from launchlint.library.format import CATEGORIES
-from launchlint.library.shipped import DIRECTORY
+from launchlint.library.shipped import DIRECTORY, ROS2_SHELF
+from launchlint.library.terms import KINDS, TABLES
+from launchlint.model import ROS1, ROS2, DialectName
 from launchlint.workspace.packages import Packages
 from launchlint.workspace.public_packages import public_names
 
@@ -42,6 +45,7 @@ HERE = Path(__file__).resolve().parent
 MORE_PARAMS = "read from source code by a program, which may miss some"
 _QUOTED = re.compile(r"(?<=before it runs): .*?(?= \([\w./+-]+:\d+\)|$)")
 """The source text in a reason why names are not known."""
+_TESTS = frozenset(("test", "tests"))
 _GROUP = "repositories"
 """The directory with the repositories that are read together; evidence begins with its name."""
 
@@ -61,7 +65,7 @@ def read_sources(group: Sequence[Wanted], place: Place) -> Found:
         root = Path(directory) / _GROUP
         unpack(wanted, place, root / wanted.name)
         own = packages_in(root)
-        names = sorted(name for name in own if name not in wanted.skip and (name in wanted.packages or name in public_names()))
+        names = sorted(name for name in own if name not in wanted.skip and is_taken(name, wanted))
         if not names:
             return found
         for each in group[1:]:
@@ -77,16 +81,31 @@ def read_sources(group: Sequence[Wanted], place: Place) -> Found:
             return (places[source] / path).read_text(encoding="utf-8", errors="replace")
 
         for package in names:
-            for table in TABLES:
+            if known.get(package, {}).get("middleware", ROS1) != wanted.middleware:
+                continue
+            for table in TABLES[wanted.middleware]:
                 programs = {
                     name: located(in_own_words(program), group)
-                    for name, program in known.get(package, {}).get(table, {}).items()
-                    if not wanted.skip.intersection((name, f"{package}/{name}")) and any(entries_of(program))
+                    for name, program in known[package].get(table, {}).items()
+                    if not wanted.skip.intersection((name, f"{package}/{name}"))
+                    and any(entries_of(program))
+                    and not (wanted.middleware == ROS2 and is_of_tests(program))
                 }
                 for program in programs.values():
                     open_what_was_missed(program, text_of)
                 found.packages.setdefault(package, {})[table] = programs
     return found
+
+
+def is_taken(name: str, wanted: Wanted) -> bool:
+    """Whether a package of a repository is worth knowing: it is listed, or its name means the same to everybody."""
+    return name in wanted.packages or (not wanted.packages if wanted.middleware == ROS2 else name in public_names())
+
+
+def is_of_tests(program: Program) -> bool:
+    """Whether all that is known of a program stands in files of tests: no launch file of others starts it."""
+    places = [evidence["at"].partition(":")[2] for _, entry in entries_of(program) for evidence in entry["evidence"]]
+    return all(_TESTS.intersection(place.split("/")[:-1]) for place in places)
 
 
 def packages_in(directory: Path) -> dict[str, Path]:
@@ -164,7 +183,7 @@ def read_probe(path: Path) -> dict[str, Any]:
     """The packages of a library that a probe made; its evidence names the version that ran."""
     packages: dict[str, Any] = parse(read(str(path)), str(path))["packages"]
     for package, known in packages.items():
-        for table in TABLES:
+        for table in KINDS:
             for program in known.get(table, {}).values():
                 program.pop("hash", None)
                 for _, entry in entries_of(program):
@@ -186,7 +205,8 @@ def read_all(groups: Sequence[Sequence[Wanted]], place: Place, jobs: int) -> Ite
 def main() -> int:
     """Grow the library; return the exit status."""
     parser = argparse.ArgumentParser(description="Grow the bundled library from public source code and from probes.")
-    parser.add_argument("--list", type=Path, default=HERE / "library_sources.yaml", help="the repositories (default: library_sources.yaml)")
+    parser.add_argument("--ros2", action="store_true", help="grow the files of ROS 2")
+    parser.add_argument("--list", type=Path, help="the repositories (default: library_sources.yaml, library_sources_ros2.yaml for ROS 2)")
     parser.add_argument("--checkouts", type=Path, help="a directory with owner/name for each repository, in place of the network")
     parser.add_argument("--only", action="append", metavar="OWNER/NAME", help="read this repository anew and leave the others as they are")
     parser.add_argument("--no-sources", action="store_true", help="read no repository; leave what was read earlier as it is")
@@ -194,13 +214,14 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=2, help="processes (default: 2)")
     parser.add_argument("--directory", type=Path, default=Path(DIRECTORY), help="where the files are (default: the package's own)")
     options = parser.parse_args()
-    shelf = Shelf(options.directory)
+    middleware: DialectName = ROS2 if options.ros2 else ROS1
+    shelf = Shelf(options.directory / ROS2_SHELF if options.ros2 else options.directory, middleware)
     place = Place(options.checkouts, str(Path(default_directory()) / "probe"))
     if options.probed:
         shelf.take_out("dynamic")
     try:
         if not options.no_sources:
-            listed = read_list(options.list)
+            listed = read_list(options.list or HERE / ("library_sources_ros2.yaml" if options.ros2 else "library_sources.yaml"), middleware)
             only = frozenset(options.only or listed)
             shelf.take_out("static", only if options.only else None)
             groups = [

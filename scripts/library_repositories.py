@@ -10,6 +10,7 @@ from typing import NamedTuple
 import yaml
 
 from launchlint.errors import UsageError
+from launchlint.model import ROS1, DialectName
 from launchlint.probe.configuration import Repository
 from launchlint.probe.sources import Tree, fetch, members
 
@@ -27,6 +28,7 @@ class Wanted(NamedTuple):
     packages: tuple[str, ...]
     skip: frozenset[str]
     beside: tuple[str, ...]
+    middleware: DialectName = ROS1
 
     @property
     def id(self) -> str:
@@ -46,8 +48,8 @@ class Place(NamedTuple):
     cache: str
 
 
-def read_list(path: Path) -> dict[str, Wanted]:
-    """The repositories of the list by name, in its order: of a program that several have, the first one counts.
+def read_list(path: Path, middleware: DialectName = ROS1) -> dict[str, Wanted]:
+    """The repositories of the list, all of one middleware, by name, in its order: of a program that several have, the first one counts.
 
     Raises:
         UsageError: a repository is to be read beside one that the list does not have.
@@ -55,7 +57,12 @@ def read_list(path: Path) -> dict[str, Wanted]:
     document = yaml.load(path.read_text(encoding="utf-8"), Loader=yaml.BaseLoader)  # a commit may look like a number
     listed = {
         name: Wanted(
-            name, entry["commit"], tuple(entry.get("packages", ())), frozenset(entry.get("skip", ())), tuple(entry.get("beside", ()))
+            name,
+            entry["commit"],
+            tuple(entry.get("packages", ())),
+            frozenset(entry.get("skip", ())),
+            tuple(entry.get("beside", ())),
+            middleware,
         )
         for name, entry in (document or {}).items()
     }

@@ -24,6 +24,11 @@ _CATEGORIES = {
     "ServiceProxy": "clients",
     "SimpleActionClient": "actions",
     "SimpleActionServer": "actions",
+    "create_publisher": "publishers",
+    "create_subscription": "subscribers",
+    "create_service": "services",
+    "create_client": "clients",
+    "create_server": "actions",
 }
 _CALL = re.compile(rf"\b({'|'.join(_CATEGORIES)})\s*(?:<[^;()]{{0,120}}?>)?\s*\(\s*(?:[\w>.*-]{{1,60}}\s*,\s*)?[\"']([~/\w]{{1,200}})[\"']")
 _COMMENT = re.compile(r"\s*(?://|#|\*)")

@@ -7,14 +7,14 @@ from pathlib import Path
 from typing import Any
 
 from launchlint.library.file import parse, read
-from launchlint.library.format import FORMAT, LISTS, VERSION
+from launchlint.library.format import FORMAT, LISTS
 from launchlint.library.merge import merge_programs
 from launchlint.library.shipped import INDEX
 from launchlint.library.template import default_text
+from launchlint.library.terms import TABLES, VERSION, VERSION_2
 from launchlint.library.write import canonical
+from launchlint.model import ROS1, DialectName
 from launchlint.rules.judging.params_read import UNIVERSAL
-
-TABLES = ("executables", "nodelets")
 
 Program = dict[str, Any]
 Packages = Mapping[str, Mapping[str, Any]]
@@ -24,8 +24,10 @@ Packages = Mapping[str, Mapping[str, Any]]
 class Shelf:
     """The library in a directory, one document for each package."""
 
-    def __init__(self, directory: Path) -> None:
+    def __init__(self, directory: Path, middleware: DialectName = ROS1) -> None:
         self._directory = directory
+        self._middleware = middleware
+        self._tables = TABLES[middleware]
         paths = sorted(path for path in directory.glob("*.json") if path.name != INDEX)
         self._documents: dict[str, dict[str, Any]] = {path.stem: parse(read(str(path)), str(path)) for path in paths}
         self._dropped: set[str] = set()
@@ -34,7 +36,7 @@ class Shelf:
         """Remove what evidence of a kind says: all of it, or that of some repositories (``owner/name``)."""
         for document in self._documents.values():
             for package in document["packages"].values():
-                for programs in (package.get(table, {}) for table in TABLES):
+                for programs in (package.get(table, {}) for table in self._tables):
                     for name, program in list(programs.items()):
                         sources = source_ids(program)
                         if repositories is not None and not {source.partition("@")[0] for source in sources} & repositories:
@@ -54,7 +56,7 @@ class Shelf:
         places = {source["id"].partition("@")[0] for source in sources}
         added = 0
         for package, tables in found.items():
-            for table in TABLES:
+            for table in self._tables:
                 known = self._table(package, table)
                 new = {
                     name: merge_programs([known[name], program]) if "dynamic" in kinds_of(known.get(name, {})) else program
@@ -74,7 +76,7 @@ class Shelf:
         seen = 0
         missing: list[str] = []
         for package, tables in found.items():
-            for table in TABLES:
+            for table in self._tables:
                 for name, program in tables.get(table, {}).items():
                     if "variants" not in program:
                         continue
@@ -94,22 +96,25 @@ class Shelf:
         changed = 0
         for package, document in self._documents.items():
             tables = document["packages"][package]
-            for table in TABLES:
+            for table in self._tables:
                 if not tables.get(table, True):
                     del tables[table]
-            used = {source for table in TABLES for program in tables.get(table, {}).values() for source in source_ids(program)}
+            used = {source for table in self._tables for program in tables.get(table, {}).values() for source in source_ids(program)}
             if "sources" in document:
                 kept = [source for source in document["sources"] if source["id"] in used or source["id"] not in self._dropped]
                 document["sources"] = kept
             path = self._directory / f"{package}.json"
-            text = canonical(document) if any(table in tables for table in TABLES) else ""
+            text = canonical(document) if any(table in tables for table in self._tables) else ""
             if text != (path.read_text(encoding="utf-8") if path.exists() else ""):
                 changed += 1
                 path.write_text(text, encoding="utf-8") if text else path.unlink()
         return changed
 
     def _document(self, package: str) -> dict[str, Any]:
-        return self._documents.setdefault(package, {"format": FORMAT, "version": VERSION, "packages": {package: {}}})
+        if self._middleware == ROS1:
+            return self._documents.setdefault(package, {"format": FORMAT, "version": VERSION, "packages": {package: {}}})
+        packages = {package: {"middleware": self._middleware}}
+        return self._documents.setdefault(package, {"format": FORMAT, "version": VERSION_2, "packages": packages})
 
     def _table(self, package: str, table: str) -> dict[str, Program]:
         found: dict[str, Program] = self._document(package)["packages"][package].setdefault(table, {})

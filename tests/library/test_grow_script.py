@@ -87,6 +87,9 @@ class Place:
         document: dict[str, Any] = json.loads((self.bundled / f"{package}.json").read_text())
         return document
 
+    def files_of_ros1(self) -> list[str]:
+        return [path.name for path in self.bundled.glob("*.json")]
+
     def files(self) -> dict[str, str]:
         return {path.name: path.read_text() for path in sorted(self.bundled.iterdir())}
 
@@ -249,3 +252,57 @@ def test_a_commit_that_is_not_there(place: Place) -> None:
         command, cwd=place.directory, capture_output=True, text=True, check=False, env={**os.environ, "PYTHONPATH": str(ROOT)}
     )
     assert (done.returncode, done.stderr) == (2, f"grow_library: clones/team/robots: there is no commit {40 * '0'}\n")
+
+
+NODE_2 = """#!/usr/bin/env python3
+import rclpy
+from std_msgs.msg import String
+
+rclpy.init()
+node = rclpy.create_node("talker")
+node.declare_parameter("rate", 10)
+publisher = node.create_publisher(String, "chatter", 5)
+rclpy.spin(node)
+"""
+MANIFEST_2 = "<package format='3'><name>{}</name><export><build_type>ament_cmake</build_type></export></package>\n"
+CMAKE_2 = """project({})
+find_package(ament_cmake REQUIRED)
+install(PROGRAMS scripts/talker.py test/checker.py DESTINATION lib/${{PROJECT_NAME}})
+ament_package()
+"""
+
+
+def test_packages_of_ros2_are_put_on_a_shelf_of_their_own(place: Place) -> None:
+    """All packages of the list's repositories but those of ROS 1, and no program that only tests start."""
+    name = "turtlesim"
+    commit = place.clone(
+        "team/robots2",
+        {
+            f"{name}/package.xml": MANIFEST_2.format(name),
+            f"{name}/CMakeLists.txt": CMAKE_2.format(name),
+            f"{name}/scripts/talker.py": NODE_2,
+            f"{name}/test/checker.py": NODE_2,
+            "old/package.xml": MANIFEST.format("old"),
+            "old/node.py": NODE,
+        },
+    )
+    (place.directory / "list.yaml").write_text(f"team/robots2: {{commit: {commit}}}\n")
+    (place.bundled / "ros2").mkdir()
+    before = set(place.files_of_ros1())
+    status, output = place.grow("--ros2", "--checkouts", "clones")
+    assert (status, output.splitlines()[0]) == (0, "team/robots2: 1 programs")
+    assert set(place.files_of_ros1()) == before | {"index.json"}
+    assert sorted(path.name for path in (place.bundled / "ros2").iterdir()) == ["index.json", f"{name}.json"]
+    document = json.loads((place.bundled / "ros2" / f"{name}.json").read_text())
+    package = document["packages"][name]
+    assert (document["version"], package["middleware"], list(package["executables"])) == (2, "ros2", ["talker.py"])
+    variant = package["executables"]["talker.py"]["variants"]["default"]
+    (publisher,), (param,) = variant["publishers"], variant["params"]
+    assert (publisher["name"], publisher["type"], publisher["qos"]["depth"], variant["node"]) == (
+        "chatter",
+        "std_msgs/msg/String",
+        5,
+        "talker",
+    )
+    assert (param["name"], param["type"], param["default"]) == ("~rate", "integer", 10)
+    assert publisher["evidence"] == [{"by": "static", "at": f"team/robots2@{commit[:12]}:{name}/scripts/talker.py:8"}]
