@@ -323,6 +323,40 @@ int main(int argc, char ** argv) {{
     assert [each.get("node") for each in variant["publishers"]] == [None, "second"]
 
 
+def test_a_node_that_its_options_move_lies_below_the_first_one(tmp_path: Path) -> None:
+    """As the costmaps of navigation lie in a namespace of their own."""
+    facts, _, nodes = follow(
+        tmp_path,
+        f"""{HEAD}
+struct Inner : rclcpp::Node {{
+  Inner(const std::string & name, const std::string & space)
+  : Node(name, "", rclcpp::NodeOptions().arguments({{
+      "--ros-args", "-r", std::string("__ns:=") + space, "-r", name + ":__node:=" + name}}))
+  {{ create_publisher<std_msgs::msg::String>("map", 1); create_publisher<std_msgs::msg::String>("/all", 1); }}
+}};
+struct Outer : rclcpp::Node {{
+  Outer() : Node("outer")
+  {{
+    std::string own = get_namespace();
+    std::string space = own.back() == '/' ? own + "inner" : own + "/" + "inner";
+    inner_ = std::make_shared<Inner>("inner", space);
+    other_ = std::make_shared<Inner>("other", get_parameter("where").as_string());
+    create_publisher<std_msgs::msg::String>("map", 1);
+  }}
+  std::shared_ptr<Inner> inner_, other_;
+}};
+int main() {{ rclcpp::spin(std::make_shared<Outer>()); }}
+""",
+    )
+    published = sorted((each.name, each.node) for each in facts if each.category == "publishers")
+    assert [(each.key, each.name, each.namespace) for each in nodes] == [
+        ("", "outer", ""),
+        ("2", "inner", "inner"),
+        ("3", "other", "{param:~where}"),
+    ]
+    assert published == [("/all", "2"), ("/all", "3"), ("inner/map", "2"), ("map", ""), ("{param:~where}/map", "3")]
+
+
 def test_every_object_that_is_a_node_has_its_names(tmp_path: Path) -> None:
     facts, doubts, nodes = follow(
         tmp_path,

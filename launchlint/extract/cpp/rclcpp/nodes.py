@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable as Does
 
-from launchlint.extract.cpp.naming import ANY, NODE_NAME, NODE_NAMESPACE, below, finished, template
+from launchlint.extract.cpp.naming import ANY, NODE_NAME, NODE_NAMESPACE, UNKNOWN_SPACE, below, finished, template
 from launchlint.extract.cpp.ros import handle as handles
 from launchlint.extract.cpp.ros import params as names
 from launchlint.extract.cpp.spelled_type import Type
@@ -56,18 +56,24 @@ def made(asked: Call, name: Value, space: Value, options: Value = UNKNOWN, *, li
     machine = asked.machine
     undeclared = any(_flag(options, each) for each in _UNDECLARED)
     called, namespace = _name(name), _namespace(space)
-    called, namespace = _by_arguments(asked, options, called, namespace)
+    called, moved = _by_arguments(asked, options, called)
+    namespace = namespace if moved is None else "" if ANY in moved else moved
     condition = " and ".join(dict.fromkeys(machine.conditions))[:400]
     place = (asked.frame.path, asked.node.line, called)
     known = next((each for each in machine.nodes.values() if (each.path, each.line, each.name) == place), None)
     if known is not None:
-        return Handle("", known.key)
+        return Handle(_beside_first(known.key, moved), known.key)
     key = f"{len(machine.nodes) + 1}" if machine.nodes else ""
     if len(machine.nodes) >= _MOST_NODES:
         machine.doubt_all(f"only {_MOST_NODES} nodes are listed", asked.frame.path, asked.node.line)
         return Handle("", "")
     machine.nodes[key] = Made(key, called, namespace, lifecycle, undeclared, condition, asked.frame.path, asked.node.line)
-    return Handle("", key)
+    return Handle(_beside_first(key, moved), key)
+
+
+def _beside_first(key: str, moved: str | None) -> str:
+    """Where the relative names of a node lie that its options move into the namespace ``moved``, seen from the first one of the program."""
+    return "" if not key or moved is None else UNKNOWN_SPACE if ANY in moved else moved
 
 
 def _is_options(value: Value) -> bool:
@@ -85,24 +91,39 @@ def _namespace(value: Value) -> str:
     return "" if text in ("/", ANY) else text
 
 
-def _by_arguments(asked: Call, options: Value, name: str, space: str) -> tuple[str, str]:
-    """The name and namespace where the options of a node hold arguments: ``--ros-args -r __node:=x``."""
+def _by_arguments(asked: Call, options: Value, name: str) -> tuple[str, str | None]:
+    """The name and namespace where the options of a node hold arguments, ``--ros-args -r __node:=x``; None where these say no namespace.
+
+    They come before those of the command line (rclcpp::NodeOptions), so that launch moves such a node only if the program hands it on.
+    """
     given = _held(options, "arguments")
     if given is UNKNOWN:
-        return name, space
+        return name, None
+    space: str | None = None
     items = given.items if isinstance(given, Items) else ()
-    words = [finished(each.template) if isinstance(each, Text) else ANY for each in items]
-    for word in words:
-        left, sign, right = word.rpartition(":=")
+    for each in items:
+        left, sign, right = _argument(each)
         if left.endswith("__node"):
             name = "" if ANY in right else right
         elif left.endswith("__ns"):
-            space = "" if ANY in right else right
-        elif sign or word == ANY:
+            space = right
+        elif sign or right == ANY:
             asked.machine.doubt_all("a node is made with arguments of its own", asked.frame.path, asked.node.line)
     if not items:
         asked.machine.doubt_all("a node is made with arguments of its own", asked.frame.path, asked.node.line)
     return name, space
+
+
+def _argument(value: Value) -> tuple[str, str, str]:
+    """What stands before ``:=`` in an argument, whether that stands there, and what is behind it, by all its spellings."""
+    found = set()
+    for _, each in choices(value):
+        word, sign, behind = each.template.rpartition(":=") if isinstance(each, Text) else ("", "", ANY)
+        found.add((finished(word), sign, finished(behind)))
+    lefts, signs = {left for left, _, _ in found}, {sign for _, sign, _ in found}
+    if len(lefts) != 1 or len(signs) != 1:
+        return "", "", ANY
+    return (*found.pop()[:2], ANY) if len(found) > 1 else found.pop()
 
 
 def _flag(options: Value, name: str) -> bool:
