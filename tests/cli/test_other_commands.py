@@ -112,7 +112,7 @@ def test_model_of_both_dialects(repository: Path) -> None:
 
 
 def test_a_launch_file_in_python_of_which_nothing_is_known(repository: Path) -> None:
-    write(repository, {"two.launch.py": "def generate_launch_description():\n    return something.else_()\n"})
+    write(repository, {"two.launch.py": "import something\n\n\ndef generate_launch_description():\n    return something.else_()\n"})
     ran = run(repository, "model", "--format", "jsonl", "two.launch.py")
     told = json.loads(ran.output)
     assert (ran.errors, told["verdict"], told["complete"], told["nodes"]) == ("", "unknown", False, [])

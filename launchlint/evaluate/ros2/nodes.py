@@ -123,7 +123,7 @@ def node(walk: Walk, action: described.Node) -> None:
             own=own.own,
             own_origins=own.own_origins,
             own_shared=own.own_shared,
-            own_as=_own_as(fate),
+            own_as=None if fate is None or fate.called is None else _OwnAs(fate.called),
             fatal="" if fate is None or fate.refused is None else fate.refused.reason,
         )
     )  # fmt: skip
@@ -193,10 +193,19 @@ def _started(
     return started(words, ros_words, named.name, named.namespace, sources, pairs, walk.performer)
 
 
-def _own_as(fate: Started | None) -> Callable[[str], OwnParameters] | None:
-    """What it ends up with under a name that launch does not give it."""
-    called = None if fate is None else fate.called
-    return None if called is None else lambda full_name: _own(called(full_name))
+class _OwnAs:
+    """What a node ends up with under a name that launch does not give it. Two of one node say the same, and look the same."""
+
+    __slots__ = ("_called",)
+
+    def __init__(self, called: Callable[[str], Mapping[str, StartValue] | None]) -> None:
+        self._called = called
+
+    def __call__(self, full_name: str) -> OwnParameters:
+        return _own(self._called(full_name))
+
+    def __repr__(self) -> str:
+        return "OwnAs()"
 
 
 def _own(parameters: Mapping[str, StartValue] | None) -> OwnParameters:
