@@ -20,7 +20,7 @@ what is passed stays set. Where a launch file in Python is among what is include
 
 ```xml camera.launch.xml
 <launch>
-  <arg name="frame_rate" default="30"/>
+  <arg name="frame_rate" default="30.0"/>
   <node pkg="usb_cam" exec="usb_cam_node_exe" name="camera">
     <param name="framerate" value="$(var frame_rate)"/>
   </node>
@@ -33,14 +33,14 @@ what is passed stays set. Where a launch file in Python is among what is include
 <launch>
   <push_ros_namespace namespace="front"/>
   <include file="$(dirname)/camera.launch.xml">
-    <arg name="frame_rate" value="15"/>
+    <arg name="frame_rate" value="15.0"/>
   </include>
 </launch>
 ```
 
 ```xml camera.launch.xml
 <launch>
-  <arg name="frame_rate" default="30"/>
+  <arg name="frame_rate" default="30.0"/>
   <node pkg="usb_cam" exec="usb_cam_node_exe" name="camera">
     <param name="framerate" value="$(var frame_rate)"/>
   </node>
