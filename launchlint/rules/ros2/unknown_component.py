@@ -2,7 +2,8 @@
 
 What it does: where the package is here and its CMake files tell all that it registers with `rclcpp_components_register_node` and
 `rclcpp_components_register_nodes`, it compares the `plugin` with that. Where the package is not here the library is asked: a name that is
-near a class that it knows is an error where the library lists all components of the package, else a warning.
+near a class that it knows is an error where the library lists all components of the package, else an info: the class may be called otherwise
+in the release that is used.
 
 ## Why it matters
 
@@ -86,7 +87,7 @@ def check(view: GraphView) -> Iterator[Finding]:
             continue
         near = _near(name, known)
         if near is not None or (complete and here is not None):
-            yield _finding(instance, known, near, complete=complete)
+            yield _finding(instance, known, near, complete=complete, here=here is not None)
 
 
 def _near(name: str, known: Collection[str]) -> str | None:
@@ -96,9 +97,11 @@ def _near(name: str, known: Collection[str]) -> str | None:
     return same[0] if len(same) == 1 else one_slip(name, known) or closest(name, known)
 
 
-def _finding(instance: Instance, known: Collection[str], near: str | None, *, complete: bool) -> Finding:
+def _finding(instance: Instance, known: Collection[str], near: str | None, *, complete: bool, here: bool) -> Finding:
     node = instance.node
-    severity = Severity.ERROR if complete and instance.certain else Severity.WARNING
+    # What a library lists in part is of one release: in another one the class may be called otherwise.
+    severity = Severity.WARNING if complete or here else Severity.INFO
+    severity = Severity.ERROR if complete and instance.certain else severity
     some = sorted(known)
     return RULE.at(
         Origin(node.places.get("executable", node.origin.place), node.origin.step),
