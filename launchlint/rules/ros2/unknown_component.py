@@ -2,8 +2,8 @@
 
 What it does: where the package is here and its CMake files tell all that it registers with `rclcpp_components_register_node` and
 `rclcpp_components_register_nodes`, it compares the `plugin` with that. Where the package is not here the library is asked: a name that is
-near a class that it knows is an error where the library lists all components of the package, else an info: the class may be called otherwise
-in the release that is used.
+near a class that it knows is an error where the library lists all components of the package, else an info: the class may have
+another name in the release that is used.
 
 ## Why it matters
 
