@@ -33,7 +33,7 @@ FLOORS = (
     ("python",),
     ("workspace",),
     ("rcl",),
-    ("atomic", "fingerprint", "garbage", "late", "order", "pool", "spelling", "words", "yaml"),
+    ("atomic", "fingerprint", "garbage", "late", "machinery", "order", "pool", "spelling", "words", "yaml"),
     ("model",),
     ("finding", "problem", "source", "errors", "plural", "sight", "verdict"),
     ("launchlint",),  # launchlint/__init__.py: the version, nothing else

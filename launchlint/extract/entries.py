@@ -6,7 +6,9 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from launchlint import model
 from launchlint.extract.fact import Descriptor, Doubt, Fact, Made, Qos
+from launchlint.machinery import ACTION_TOPICS, EVERYWHERE
 
 CATEGORIES = ("publishers", "subscribers", "services", "clients", "actions", "params")
 LONGEST_NAME = 1_000
@@ -33,36 +35,13 @@ class _Middleware(NamedTuple):
 
 
 _NAME = re.compile(r"[~/]?[A-Za-z0-9_][\w/]*|~|/", re.ASCII)
-_SETTINGS = tuple(
-    f"~{name}"
-    for name in (
-        "describe_parameters",
-        "get_parameter_types",
-        "get_parameters",
-        "list_parameters",
-        "set_parameters",
-        "set_parameters_atomically",
-    )
-)
-_LIFE = tuple(
-    f"~{name}" for name in ("change_state", "get_state", "get_available_states", "get_available_transitions", "get_transition_graph")
-)
 
 ROS1 = _Middleware(
     _NAME,
     _NAME,
     re.compile(r"\*|[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII),
-    {
-        "publishers": ("/rosout",),
-        "subscribers": ("/clock",),
-        "services": ("~get_loggers", "~set_logger_level"),
-        "params": ("/use_sim_time",),
-    },
-    {
-        "server": {"subscribers": ("goal", "cancel"), "publishers": ("status", "feedback", "result")},
-        "client": {"publishers": ("goal", "cancel"), "subscribers": ("status", "feedback", "result")},
-        "": {},
-    },
+    EVERYWHERE[model.ROS1],
+    ACTION_TOPICS,
     {frozenset(("int", "double")): "double"},
     "*",
 )
@@ -70,13 +49,8 @@ ROS2 = _Middleware(
     _NAME,
     re.compile(r"~[^\s~/{}][^\s~{}]*"),
     re.compile(r"\*|[A-Za-z]\w*/[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII),
-    {
-        "publishers": ("/rosout", "/parameter_events", "~transition_event"),
-        "subscribers": ("/clock", "/parameter_events"),
-        "services": (*_SETTINGS, *_LIFE),
-        "params": ("~use_sim_time",),
-    },
-    {"server": {}, "client": {}, "": {}},
+    EVERYWHERE[model.ROS2],
+    {},
     {},
     "",
 )
@@ -135,7 +109,7 @@ def _of_nodes(nodes: Sequence[Made]) -> dict[str, Any]:
 def _without_action_topics(groups: dict[str, dict[tuple[str, ...], list[Fact]]], middleware: _Middleware) -> None:
     """The topics of an action follow from it and are not listed."""
     for name, role, *_ in groups["actions"]:
-        for category, endings in middleware.action_topics[role].items():
+        for category, endings in middleware.action_topics.get(role, {}).items():
             for key in [each for each in groups[category] if each[0] in [f"{name}/{ending}" for ending in endings]]:
                 del groups[category][key]
 

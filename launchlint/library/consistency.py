@@ -14,6 +14,7 @@ from launchlint.library.format import KINDS, LISTS
 from launchlint.library.lookup import LONGEST_LIKE, table_of
 from launchlint.library.template import Slot, Template, is_template, parse
 from launchlint.library.validate import MOST_PROBLEMS, Fault, Path
+from launchlint.machinery import ACTION_TOPICS, EVERYWHERE
 from launchlint.model import ROS1, ROS2
 from launchlint.spelling import did_you_mean
 
@@ -23,30 +24,6 @@ if TYPE_CHECKING:
 
     FindPackage = Callable[[str, str], Mapping[str, Any] | None]
 
-EVERYWHERE = {
-    "publishers": ("/rosout",),
-    "subscribers": ("/clock",),
-    "services": ("~get_loggers", "~set_logger_level"),
-    "params": ("/use_sim_time",),
-}
-"""Names that every node of ROS 1 has: no library lists them."""
-
-_PARAM_SERVICES = ("describe_parameters", "get_parameter_types", "get_parameters", "list_parameters", "set_parameters")
-_LIFE_SERVICES = ("change_state", "get_state", "get_available_states", "get_available_transitions", "get_transition_graph")
-EVERYWHERE_2 = {
-    "publishers": ("/rosout", "/parameter_events", "~transition_event"),
-    "subscribers": ("/clock", "/parameter_events"),
-    "services": tuple(f"~{name}" for name in (*_PARAM_SERVICES, "set_parameters_atomically", *_LIFE_SERVICES)),
-    "params": ("~use_sim_time",),
-}
-"""Those of every node of ROS 2, or of every one with a lifecycle."""
-
-_ACTION_TOPICS = {
-    ("server", "subscribers"): ("goal", "cancel"),
-    ("server", "publishers"): ("status", "feedback", "result"),
-    ("client", "publishers"): ("goal", "cancel"),
-    ("client", "subscribers"): ("status", "feedback", "result"),
-}
 _WHOM = {ROS1: "the ROS master", ROS2: "other nodes"}
 _LITERAL = re.compile(r"[\w/~]*", re.ASCII)
 _LITERAL_OF_PARAM = re.compile(r"[^\s{}]*")
@@ -104,7 +81,7 @@ def _program(program: Mapping[str, Any], path: Path, middleware: str) -> Iterato
 
 def _entries(category: str, variant: Mapping[str, Any], options: Any, path: Path, middleware: str) -> Iterator[Fault]:
     seen: dict[str, int] = {}
-    everywhere = EVERYWHERE if middleware == ROS1 else EVERYWHERE_2
+    everywhere = EVERYWHERE[middleware]
     derived = _derived(category, variant) if middleware == ROS1 else {}
     for index, entry in enumerate(variant.get(category, ())):
         here = (*path, index)
@@ -134,7 +111,7 @@ def _derived(category: str, variant: Mapping[str, Any]) -> Mapping[str, str]:
     """The names of a category that follow from actions, with the action."""
     found = {}
     for action in variant.get("actions", ()):
-        for topic in _ACTION_TOPICS.get((action["role"], category), ()):
+        for topic in ACTION_TOPICS.get(action["role"], {}).get(category, ()):
             found[f"{action['name'].rstrip('/')}/{topic}"] = action["name"]
     return found
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from launchlint.finding import Finding, Severity
 from launchlint.graph.connections import HUBS, Instance
 from launchlint.graph.names import Applied, kind
+from launchlint.machinery import LIFECYCLE_SERVICES, PARAMETER_SERVICES
 from launchlint.plural import listed
 from launchlint.rules.rule import Fine, Rule
 from launchlint.rules.view import GraphView
@@ -17,20 +18,11 @@ from launchlint.spelling import closest
 _EVERYWHERE = HUBS | {"/parameter_events"}
 _MOST_NAMES = 6
 _OF_NODES = (
-    "describe_parameters",
-    "get_parameter_types",
-    "get_parameters",
-    "list_parameters",
-    "set_parameters",
-    "set_parameters_atomically",
+    *PARAMETER_SERVICES,
+    *LIFECYCLE_SERVICES,
     "get_logger_levels",
     "set_logger_levels",
     "get_type_description",
-    "change_state",
-    "get_state",
-    "get_available_states",
-    "get_available_transitions",
-    "get_transition_graph",
     "transition_event",
 )
 """Private names that rclcpp and rclpy give to nodes."""
