@@ -98,14 +98,15 @@ def check_parameters(source: Source, dialect: DialectName) -> FileResult:
 
 def tell(problem: Problem, view: object, selected: frozenset[str], listing: Listing | None = None) -> Iterator[Finding]:
     """What the rules for this kind of problem say about it, those that speak of the dialect of ``view``; of each as much as is listed."""
+    listing = listing or Listing()
     told = view.told if isinstance(view, LaunchView) else {}
     dialect = view.dialect.name if isinstance(view, (FileView, LaunchView)) else ROS1
     for rule in speaking_of(type(problem)):
-        if rule.id in selected and dialect in rule.dialects and not (listing is not None and listing.is_full(rule.id)):
+        if rule.id in selected and dialect in rule.dialects and not listing.is_full(rule.id):
             key = (id(problem), rule.id)
             if key not in told:
                 told[key] = _told(rule, problem, view)
-            yield from told[key] if listing is None else listing.listed(told[key])
+            yield from listing.listed(told[key])
 
 
 def _told(rule: Entry, problem: Problem, view: object) -> tuple[Finding, ...]:

@@ -204,32 +204,27 @@ def _template(value: str) -> str:
     return ""
 
 
-def _frame(value: str) -> str:
+def _spelled(value: str, pattern: re.Pattern[str], fault: str) -> str:
+    """Why ``value`` is neither a template nor spelled as ``pattern`` has it; empty where it is one of them."""
     if is_template(value):
         return _template(value)
-    return "" if _FRAME.fullmatch(value) else f"{_said(value)} is no frame: it has no blanks, no ~ and no / before it"
+    return "" if pattern.fullmatch(value) else f"{_said(value)} is {fault}"
+
+
+def _frame(value: str) -> str:
+    return _spelled(value, _FRAME, "no frame: it has no blanks, no ~ and no / before it")
 
 
 def _type(value: str) -> str:
-    if is_template(value):
-        return _template(value)
-    return "" if value == "*" or _TYPE.fullmatch(value) else f"{_said(value)} is no type: it is written package/Type"
+    return "" if value == "*" else _spelled(value, _TYPE, "no type: it is written package/Type")
 
 
 def _param_2(value: str) -> str:
-    if is_template(value):
-        return _template(value)
-    return "" if _PARAM_2.fullmatch(value) else f"{_said(value)} is no param: in ROS 2 each is a node's own, and written ~name, ~name.inner"
+    return _spelled(value, _PARAM_2, "no param: in ROS 2 each is a node's own, and written ~name, ~name.inner")
 
 
 def _type_2(value: str) -> str:
-    if is_template(value):
-        return _template(value)
-    return (
-        ""
-        if value == "*" or _TYPE_2.fullmatch(value)
-        else f"{_said(value)} is no type: in ROS 2 it is written package/msg/Type (srv, action)"
-    )
+    return "" if value == "*" else _spelled(value, _TYPE_2, "no type: in ROS 2 it is written package/msg/Type (srv, action)")
 
 
 def _node(value: str) -> str:

@@ -134,6 +134,21 @@ def make(machine: Machine, declared: Class, type_: Type, given: Sequence[Argumen
     return thing
 
 
+def make_loaded(machine: Machine, entry: str, path: str, given: Sequence[Argument]) -> Value:
+    """Make an object of the class that a plugin description or a macro in ``path`` calls ``entry``, as its loader does.
+
+    UNKNOWN where the sources do not have the class, which is a doubt about everything.
+    """
+    name = entry.removeprefix("::")
+    frame = Frame(path, "", None, {})
+    resolved = machine.names.resolve(Type(name), frame)
+    declared = machine.names.declared(resolved)
+    if declared is None:
+        machine.doubt_all(f"the class {name[:200]} was not found in these sources", path, 1)
+        return UNKNOWN
+    return make(machine, declared, resolved, given, Node("declaration", b"", 0, 0), frame)
+
+
 def begin(machine: Machine, thing: Thing, declared: Class, given: Sequence[Argument], node: Node, frame: Frame) -> None:
     """Run the constructor of ``declared`` (the object's class, or a base of it) on an object."""
     constructors = [

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from launchlint.extract.cpp import classes
 from launchlint.extract.cpp.declarations import Class, Function
-from launchlint.extract.cpp.frame import Frame
 from launchlint.extract.cpp.naming import UNKNOWN_SPACE
-from launchlint.extract.cpp.spelled_type import Type
-from launchlint.extract.cpp.syntax import Node
 from launchlint.extract.cpp.values import UNKNOWN, Handle, Thing, Value
 from launchlint.extract.fact import Fact
 
@@ -26,15 +23,9 @@ _STARTS = ("onInit", "init", "initialize", "onInitialize", "Load", "initRT", "in
 
 def start(machine: Machine, entry: str, path: str) -> None:
     """Follow the start of a nodelet: its constructor, ``onInit``, and what a lazy one does when it has listeners."""
-    name = entry.removeprefix("::")
-    frame = Frame(path, "", None, {})
-    resolved = machine.names.resolve(Type(name), frame)
-    declared = machine.names.declared(resolved)
-    if declared is None:
-        machine.doubt_all(f"the class {name[:200]} was not found in these sources", path, 1)
-        return
-    thing = classes.make(machine, declared, resolved, [], Node("declaration", b"", 0, 0), frame)
-    if not isinstance(thing, Thing):
+    thing = classes.make_loaded(machine, entry, path, [])
+    declared = thing.declared if isinstance(thing, Thing) else None
+    if not isinstance(thing, Thing) or declared is None:
         return
     before = machine.when
     for name in _STARTS:
