@@ -16,6 +16,9 @@ PACKAGE = Path(__file__).resolve().parent.parent / "launchlint"
 FLOORS = (
     ("__main__", "action"),
     ("cli",),
+    ("server",),
+    ("ide",),
+    ("project",),
     ("report",),
     ("probe",),
     ("check", "baseline"),

@@ -7,9 +7,10 @@ import sys
 from typing import NamedTuple
 
 from launchlint import __version__
-from launchlint.cli.entries import EntryOptions, leave_others_out, parse_severity, tell, use_color
+from launchlint.cli.entries import parse_severity, tell, use_color
 from launchlint.errors import UsageError
 from launchlint.plural import counted
+from launchlint.project.asked import EntryOptions, leave_others_out
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -77,7 +78,7 @@ def _check(
     from launchlint.check.merge import merge
     from launchlint.check.run import check_entries
     from launchlint.cli.output import Request, entry_lines, report
-    from launchlint.cli.selection import per_file_ignores
+    from launchlint.project.selection import per_file_ignores
 
     per_file = per_file_ignores(entry.configuration, options.root)
     known = None

@@ -9,11 +9,11 @@ from launchlint.check.entry import EntryChecker
 from launchlint.check.graphs import graphs_of, revision, topology_of
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.run import default_directory
-from launchlint.cli.entries import EntryOptions
 from launchlint.errors import UsageError
 from launchlint.graph.difference import Difference, difference
 from launchlint.graph.selection import Selection, select
 from launchlint.graph.topology import EMPTY, Topology, topology
+from launchlint.project.asked import EntryOptions
 
 LAUNCH_NAMES = (".launch", ".test", ".xml")
 """Ends of words that are meant as files, even of deleted ones."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import sys
 
-from launchlint.cli.entries import EntryOptions, tell
+from launchlint.cli.entries import tell
 from launchlint.errors import UsageError
+from launchlint.project.asked import EntryOptions
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -6,8 +6,9 @@ import sys
 
 import click
 
-from launchlint.cli.entries import EntryOptions, tell
+from launchlint.cli.entries import tell
 from launchlint.errors import UsageError
+from launchlint.project.asked import EntryOptions
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

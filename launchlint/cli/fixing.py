@@ -10,10 +10,11 @@ from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.fixing import MOST_ATTEMPTS, Fixing, Refused
 from launchlint.check.ignores import PerFileIgnores
 from launchlint.check.merge import Outcome
-from launchlint.cli.entries import EntryOptions, tell
+from launchlint.cli.entries import tell
 from launchlint.cli.output import Request, report
 from launchlint.errors import UsageError
 from launchlint.plural import counted
+from launchlint.project.asked import EntryOptions
 from launchlint.workspace.manifest import MANIFEST_FILE, PACKAGE_FILE
 from launchlint.workspace.repository import repository_root
 

@@ -8,9 +8,10 @@ from typing import Any, TypeVar
 
 import click
 
-from launchlint.cli.entries import EntryOptions, leave_others_out, tell
+from launchlint.cli.entries import tell
 from launchlint.cli.options import entry_options
 from launchlint.errors import UsageError
+from launchlint.project.asked import EntryOptions, leave_others_out
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

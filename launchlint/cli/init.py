@@ -7,9 +7,10 @@ import sys
 
 import click
 
-from launchlint.cli.entries import EntryOptions, tell
+from launchlint.cli.entries import tell
 from launchlint.errors import UsageError
 from launchlint.plural import counted
+from launchlint.project.asked import EntryOptions
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -63,9 +64,9 @@ def look(directory: str) -> Found:
     from launchlint.check.entry import EntryChecker
     from launchlint.check.merge import merge
     from launchlint.check.run import check_entries
-    from launchlint.cli.selection import per_file_ignores
     from launchlint.cli.starting import Found
     from launchlint.finding import Severity
+    from launchlint.project.selection import per_file_ignores
 
     entry = EntryOptions((directory,))
     options = entry.options()

@@ -30,9 +30,9 @@ def show(libraries: tuple[str, ...], config: str | None, no_bundled: bool, forma
     Known is what the bundled library says, what the configuration's `library:` says and what each --library says.
     """
     from launchlint.check.run import default_directory
-    from launchlint.cli.entries import read_configuration
     from launchlint.library.catalogue import find, rows
     from launchlint.library.lookup import open_libraries
+    from launchlint.project.asked import read_configuration
     from launchlint.report.formats import emit
     from launchlint.report.library import entries, entries_json, listing, listing_json
 

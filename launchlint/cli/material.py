@@ -10,11 +10,11 @@ from launchlint.check.graphs import Revision, graphs_of
 from launchlint.check.losses import with_losses_since
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.survey import Surveyed, Surveyor
-from launchlint.cli.entries import EntryOptions
 from launchlint.graph.topology import Topology, topology
 from launchlint.library.catalogue import Entry as KnownProgram
 from launchlint.library.catalogue import known
 from launchlint.library.lookup import Library, open_libraries
+from launchlint.project.asked import EntryOptions
 from launchlint.report.html.links import checked_prefix
 from launchlint.report.html.material import EntryMaterial
 from launchlint.source import Source

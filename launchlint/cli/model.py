@@ -6,8 +6,9 @@ import sys
 
 import click
 
-from launchlint.cli.entries import EntryOptions, leave_others_out, tell
+from launchlint.cli.entries import tell
 from launchlint.cli.options import entry_options
+from launchlint.project.asked import EntryOptions, leave_others_out
 
 
 @click.command("model")

@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 
 import click
 
-from launchlint.cli.entries import EntryOptions
+from launchlint.project.asked import EntryOptions
 from launchlint.workspace.ros2_distributions import DISTRIBUTIONS
 
 F = TypeVar("F", bound=Callable[..., Any])

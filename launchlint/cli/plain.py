@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from launchlint.cli.checking import CheckOptions
-from launchlint.cli.entries import EntryOptions
+from launchlint.project.asked import EntryOptions
 
 _FLAGS = {
     "-q": "quiet",

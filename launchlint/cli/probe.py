@@ -130,9 +130,9 @@ def _unknown(paths: Sequence[str], output: str | None) -> Target | None:
     from launchlint.check.entry import EntryChecker
     from launchlint.check.graphs import graphs_of
     from launchlint.check.run import default_directory
-    from launchlint.cli.entries import EntryOptions, leave_others_out
     from launchlint.errors import UsageError
     from launchlint.probe.unknown import text_of, unknown
+    from launchlint.project.asked import EntryOptions, leave_others_out
     from launchlint.workspace.project_library import PROBED, project_directory
 
     entry = EntryOptions(tuple(paths))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import click
 
-from launchlint.cli.entries import EntryOptions
 from launchlint.cli.options import entry_options
+from launchlint.project.asked import EntryOptions
 
 
 @click.command("report")

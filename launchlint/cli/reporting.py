@@ -16,7 +16,7 @@ from launchlint.check.merge import Outcome, merge, without_parts
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.run import default_directory
 from launchlint.check.survey import Surveyed, Surveyor, reached, survey_entries
-from launchlint.cli.entries import EntryOptions, leave_others_out, parse_severity, tell
+from launchlint.cli.entries import parse_severity, tell
 from launchlint.cli.material import (
     base_only,
     beside_base,
@@ -31,6 +31,7 @@ from launchlint.cli.material import (
 from launchlint.errors import UsageError
 from launchlint.finding import Finding, Severity
 from launchlint.fingerprint import fingerprints
+from launchlint.project.asked import EntryOptions, leave_others_out
 from launchlint.report.html.material import EntryMaterial, Material
 from launchlint.report.text import summary
 
@@ -58,7 +59,7 @@ class ReportOptions(NamedTuple):
 def run_report(entry: EntryOptions, given: ReportOptions) -> int:
     """Write the page. Returns the exit status; raises LaunchlintError."""
     from launchlint.atomic import check_target
-    from launchlint.cli.selection import per_file_ignores
+    from launchlint.project.selection import per_file_ignores
 
     threshold = None if given.fail_on is None else parse_severity(given.fail_on, "--fail-on")
     if given.separate_assets and given.output == "-":

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from launchlint.check.entry import EntryChecker
-from launchlint.cli.entries import EntryOptions
+from launchlint.project.asked import EntryOptions
 from tests.check.many import many
 
 UNKNOWN = """\

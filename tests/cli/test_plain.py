@@ -6,8 +6,8 @@ import pytest
 
 import launchlint.cli.check
 from launchlint.cli.checking import CheckOptions
-from launchlint.cli.entries import EntryOptions
 from launchlint.cli.plain import plain_check
+from launchlint.project.asked import EntryOptions
 
 READ = (
     "",
