@@ -227,7 +227,7 @@ def merge_arguments(base: Arguments, over: Arguments) -> Arguments:
 
 
 def read_configuration(config: str | None, paths: tuple[str, ...], root: str | None = None) -> Configuration:
-    """The configuration file named, or the nearest one to the first path; defaults where there is none. It is shown relative to ``root``."""
+    """The configuration file named, or the nearest one to the first path; defaults where there is none."""
     from launchlint.workspace.configuration import Configuration, find_configuration, load
 
     if config is not None:
