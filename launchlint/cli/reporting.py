@@ -167,11 +167,13 @@ def _material(
 def _write(material: Material, given: ReportOptions) -> None:
     from launchlint.atomic import check_target, write_text
     from launchlint.report.formats import emit
-    from launchlint.report.html.data import report_data
+    from launchlint.report.html.cards import groups
+    from launchlint.report.html.data import in_order, report_data
     from launchlint.report.html.page import render
 
     name = os.path.splitext(os.path.basename(given.output))[0] if given.separate_assets else ""
-    page = render(report_data(material), separate=name)
+    data = report_data(material)
+    page = render(data, groups(data, in_order(material)), separate=name)
     if given.output == "-":
         emit(page.html, sys.stdout)
         return

@@ -23,8 +23,10 @@ def report_data(material: Material) -> dict[str, Any]:
     plain = Plain(material.roots)
     places = Places(plain, material.source, material.base_source)
     findings = [finding for finding, _ in material.findings]
-    entries = [entry_data(each, findings, material.learn, plain, places, compared=bool(material.base)) for each in _in_order(material)]
-    told = [_finding(finding, mark, plain, places) for finding, mark in material.findings]
+    new = frozenset(index for index, (_, mark) in enumerate(material.findings) if mark in material.new)
+    entries = [entry_data(each, findings, new, material.learn, plain, places, compared=bool(material.base)) for each in in_order(material)]
+    told = [{**_finding(each, mark, plain, places), **_since("new" if at in new else "")} for at, (each, mark) in enumerate(material.findings)]
+    fixed = [{**_finding(each, mark, plain, places, base=True), **_since("fixed")} for each, mark in material.fixed]
     return {
         "format": 1,
         "title": plain.text(material.title),
@@ -36,6 +38,7 @@ def report_data(material: Material) -> dict[str, Any]:
         "lines": places.lines(),
         "md5s": md5s(material.programs),
         "findings": told,
+        "fixed": fixed,
         "entries": entries,
         "library": [program_data(each, plain) for each in material.programs],
         "libraryLeftOut": material.left_out,
@@ -45,7 +48,7 @@ def report_data(material: Material) -> dict[str, Any]:
     }
 
 
-def _in_order(material: Material) -> list[EntryMaterial]:
+def in_order(material: Material) -> list[EntryMaterial]:
     """What changed since the revision first, then what nobody includes, then the larger ones, then those with more findings."""
     included = {path for entry in material.entries for path in entry.includes if path != entry.path}
 
@@ -59,7 +62,11 @@ def _in_order(material: Material) -> list[EntryMaterial]:
     return sorted(material.entries, key=rank)
 
 
-def _finding(finding: Finding, fingerprint: str, plain: Plain, places: Places) -> dict[str, Any]:
+def _since(word: str) -> dict[str, str]:
+    return {"since": word} if word else {}
+
+
+def _finding(finding: Finding, fingerprint: str, plain: Plain, places: Places, *, base: bool = False) -> dict[str, Any]:
     at = finding.location
     return {
         "id": fingerprint[:16],
@@ -68,18 +75,18 @@ def _finding(finding: Finding, fingerprint: str, plain: Plain, places: Places) -
         "severity": finding.severity.word,
         "message": plain.text(finding.message),
         "label": plain.text(finding.label),
-        "place": places.at(at.path, at.line, at.column, last_line=at.end_line, around=AROUND),
+        "place": places.at(at.path, at.line, at.column, last_line=at.end_line, around=AROUND, base=base),
         "endLine": at.end_line,
         "endColumn": at.end_column,
         "help": plain.text(finding.help),
         "notes": [plain.text(note) for note in finding.notes],
-        "related": [[_place(related.location, places), plain.text(related.label)] for related in finding.related],
-        "chain": [_place(step, places) for step in finding.chain[-MOST_STEPS:]],
+        "related": [[_place(related.location, places, base=base), plain.text(related.label)] for related in finding.related],
+        "chain": [_place(step, places, base=base) for step in finding.chain[-MOST_STEPS:]],
         "show": plain.text(command(finding)),
         "fix": "" if finding.fix is None else plain.text(finding.fix.message),
         "fixSafe": finding.fix is not None and finding.fix.safe,
     }
 
 
-def _place(location: Location, places: Places) -> Place:
-    return places.at(location.path, location.line, location.column)
+def _place(location: Location, places: Places, *, base: bool) -> Place:
+    return places.at(location.path, location.line, location.column, base=base)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 
 from launchlint.finding import Finding
 from launchlint.graph.topology import Connection, Topology, TopologyChannel, TopologyNode, TopologyParam
@@ -10,6 +10,7 @@ from launchlint.report.html.attachment import Attachment
 from launchlint.report.html.material import EntryMaterial
 from launchlint.report.html.places import Places
 from launchlint.report.html.plain import Plain
+from launchlint.report.html.tally import tally
 from launchlint.report.html.union import REMOVED, Marked, Union, alone, united
 from launchlint.sight import Sight
 
@@ -22,13 +23,17 @@ WHEN = {"subscriber": "on_subscriber", "message": "on_message"}
 
 
 def entry_data(
-    material: EntryMaterial, findings: Sequence[Finding], learn: Mapping[str, str], plain: Plain, places: Places, *, compared: bool
-) -> dict[str, Any]:
-    """The ``Entry`` of ``js/data.d.ts``. ``findings`` are those of the whole page, ``learn`` is as in Material."""
+    material: EntryMaterial, findings: Sequence[Finding], new: Set[int], learn: Mapping[str, str], plain: Plain, places: Places, *,
+    compared: bool,
+) -> dict[str, Any]:  # fmt: skip
+    """The ``Entry`` of ``js/data.d.ts``. ``findings`` are those of the whole page, ``new`` the numbers of new ones; ``learn`` as in Material."""
     differs = compared and material.topology != material.before
     state = united(material.before, material.topology) if differs else alone(material.topology or _nothing(material))
     entry = _EntryData(state, material, findings, plain, places)
     gone = material.topology is None and material.before is not None
+    nodes, params = entry.nodes(learn), entry.params()
+    fresh = sum(each in new for each in material.findings)
+    changes = tally(material, nodes, params, fresh).words if compared and material.before is not None and not gone else []
     return {
         "file": places.file(material.path, base=gone),
         "verdict": material.verdict.word,
@@ -40,11 +45,14 @@ def entry_data(
         "sight": [material.sight.known, material.sight.nodes],
         "mend": mend({each: learn[each] for each in entry.unknown() if each in learn}, plain.text(material.probe), plain),
         "containers": entry.containers(),
-        "nodes": entry.nodes(learn),
+        "nodes": nodes,
         "channels": entry.channels(),
         "connections": entry.connections(),
-        "params": entry.params(),
+        "params": params,
         "findings": list(material.findings),
+        "findingsOnly": [[] for _ in material.findings],
+        "changes": [[looks, plain.text(words)] for looks, words in changes],
+        "fixed": list(material.fixed),
         **_programs(material.sight, plain),
         **_mark(REMOVED if gone else "added" if compared and material.before is None else ""),
     }

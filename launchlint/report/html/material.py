@@ -28,6 +28,8 @@ class EntryMaterial(NamedTuple):
         details: of ``topology``.
         sight: how many of its nodes are known, as ``check`` says it.
         probe: what to type to have those of its programs probed that are not known.
+        verdict_before: what roslaunch made of it at the revision; None where it was not there, or nothing is compared.
+        fixed: indexes of the findings that it had at the revision and has no more.
     """
 
     path: str
@@ -40,6 +42,8 @@ class EntryMaterial(NamedTuple):
     details: Details = NO_DETAILS
     sight: Sight = NOTHING
     probe: str = "launchlint probe --unknown"
+    verdict_before: Verdict | None = None
+    fixed: Sequence[int] = ()
 
 
 class Material(NamedTuple):
@@ -61,6 +65,8 @@ class Material(NamedTuple):
         left_out: how many programs of the given libraries are not among ``programs``.
         sight: of all entries, as ``check`` says it.
         probe: as of an entry, for all of them.
+        new: fingerprints of the findings that were not there at the revision.
+        fixed: findings that were there and are no more, with their fingerprints.
     """
 
     title: str
@@ -78,3 +84,5 @@ class Material(NamedTuple):
     left_out: int = 0
     sight: Sight = NOTHING
     probe: str = "launchlint probe --unknown"
+    new: frozenset[str] = frozenset()
+    fixed: Sequence[tuple[Finding, str]] = ()

@@ -4,6 +4,9 @@ A list of objects is written ``{"$rows": COUNT, "columns": {KEY: COLUMN}}``. A c
 the same, or ``{"$of": LIST, "$at": INDEXES}``: the distinct cells, and which of them each row has. The indexes are numbers, or, where
 they are small, the characters of one string (:data:`DIGITS`); -1 or ``.`` stands for a row without that key. In a list
 ``{"$front": [TEXT, …]}`` each text says with its first character (of DIGITS) how much of the text before it begins in the same way.
+
+The page's data is several lines: the first is all of it but the :data:`PARTS` of entry files, which follow in a line for each, and the
+library, which is the last line: what nobody opens is not even read.
 """
 
 from __future__ import annotations
@@ -17,15 +20,21 @@ if TYPE_CHECKING:
 
 DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-"
 """Digits for small numbers, one character each."""
+PARTS = ("containers", "nodes", "channels", "connections", "params")
+"""What of an entry file stands in its own line."""
+LAST = "library"
+"""What stands in the last line."""
 _json = json.JSONEncoder(ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode
 
 
-def script(value: Any) -> str:
-    """``value`` as the content of a ``<script>`` element: JSON in which nothing can end the element or begin another.
+def script(data: Mapping[str, Any]) -> str:
+    """The page's data as the content of a ``<script>`` element: JSON in which nothing can end the element or begin another.
 
     ``<``, ``>`` and ``&`` stand in strings only, so their escapes mean the same; U+2028 and U+2029 end lines for JavaScript.
     """
-    text = packed(value)
+    heads = [{key: value for key, value in entry.items() if key not in PARTS} for entry in data["entries"]]
+    head = {key: heads if key == "entries" else value for key, value in data.items() if key != LAST}
+    text = "\n".join([packed(head), *(packed({key: entry[key] for key in PARTS}) for entry in data["entries"]), packed(data[LAST])])
     for character in "<>&\u2028\u2029":
         text = text.replace(character, f"\\u{ord(character):04x}")
     return text

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from hashlib import sha256
 from typing import NamedTuple
 
 from launchlint.report.html import tables
+from launchlint.report.html.cards import Group
 from launchlint.report.html.pack import script
-from launchlint.report.html.summary import counts, empty_states, overview, verdict
+from launchlint.report.html.summary import counts, empty_states, overview, verdict, wrong
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -27,8 +28,9 @@ class Rendered(NamedTuple):
     assets: Mapping[str, str]
 
 
-def render(data: Mapping[str, Any], *, separate: str = "") -> Rendered:
-    """The page of ``data``. With ``separate``, the start of their names, style and scripts are files of their own."""
+def render(data: Mapping[str, Any], landing: Sequence[Group] = (), *, separate: str = "") -> Rendered:
+    """The page of ``data``. ``landing`` are the cards of its entry files. With ``separate``, the start of their names, style and scripts are
+    files of their own."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
     environment = Environment(
@@ -39,6 +41,8 @@ def render(data: Mapping[str, Any], *, separate: str = "") -> Rendered:
     names = {name: f"{separate}.{name}" for name in (STYLE, *SCRIPTS)} if separate else {}
     html = environment.get_template("page.html").render(
         data=data,
+        landing=landing,
+        wrong=wrong(data),
         json=script(data),
         policy=_separate_policy() if separate else _policy([style], scripts.values()),
         style=style,

@@ -72,6 +72,23 @@ def counts(data: Mapping[str, Any]) -> list[Count]:
     return found
 
 
+class Wrong(NamedTuple):
+    """Findings of the same words: the first of them by its number, and how many there are."""
+
+    first: Mapping[str, Any]
+    times: int
+
+
+def wrong(data: Mapping[str, Any]) -> list[Wrong]:
+    """All findings, those of the same words once, the worst first, and the new ones before those that were there."""
+    groups: dict[tuple[str, str, str, str], list[Mapping[str, Any]]] = {}
+    for each in data["findings"]:
+        groups.setdefault((each["severity"], each.get("since", ""), each["rule"], each["message"]), []).append(each)
+    order = ("error", "warning", "info")
+    ranked = sorted(groups.items(), key=lambda group: (data["base"] is not None and not group[0][1], order.index(group[0][0])))
+    return [Wrong(those[0], len(those)) for _, those in ranked]
+
+
 def overview(data: Mapping[str, Any]) -> list[tuple[str, int, int]]:
     """The namespaces right below the root of what the first entry file starts: name, nodes, and how many of them are not known."""
     if not data["entries"]:

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 MOST_NAMES = 8
 """Names of nodes in one cell."""
-MOST_ROWS = 12_000
-"""Rows of all entry files in one table: entry files whose rows do not fit any more have none, but for the first."""
+MOST_ROWS = 3_000
+"""Rows of all entry files in one table: entry files whose rows do not fit any more have none, but for the first. With scripts all are there."""
 SEVERITIES = ("error", "warning", "info")
 
 

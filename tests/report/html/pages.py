@@ -88,7 +88,12 @@ def data_of(html: str) -> Any:
     """The data of a page, as ``js/unpack.js`` reads it."""
     found = re.findall(r'<script type="application/json" id="launchlint-data">(.*?)</script>', html, re.DOTALL)
     assert len(found) == 1
-    return unpacked(json.loads(found[0]))
+    head, *lines, last = found[0].split("\n")
+    data = unpacked(json.loads(head))
+    data["library"] = unpacked(json.loads(last))
+    for entry, line in zip(data["entries"], lines, strict=True):
+        entry.update(unpacked(json.loads(line)))
+    return data
 
 
 def unpacked(value: Any) -> Any:

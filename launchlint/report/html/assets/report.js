@@ -926,30 +926,30 @@ ${counted(about.nodes, "node")}`;
   }
   function shelves(blocks, most) {
     const places = [];
-    const row = { y: 0, height: 0 };
+    const row2 = { y: 0, height: 0 };
     const column = { x: 0, width: 0, bottom: 0 };
     let width = 0;
     for (const block2 of blocks) {
       const first = column.width === 0;
-      if (!first && column.bottom + GAP + block2.height <= row.height && block2.width <= Math.max(column.width, 60) * 1.25 && column.x + block2.width <= most) {
-        places.push({ x: column.x, y: row.y + column.bottom + GAP });
+      if (!first && column.bottom + GAP + block2.height <= row2.height && block2.width <= Math.max(column.width, 60) * 1.25 && column.x + block2.width <= most) {
+        places.push({ x: column.x, y: row2.y + column.bottom + GAP });
         column.bottom += GAP + block2.height;
         column.width = Math.max(column.width, block2.width);
       } else {
         if (!first) column.x += column.width + GAP;
         if (!first && column.x + block2.width > most) {
-          row.y += row.height + GAP;
-          row.height = 0;
+          row2.y += row2.height + GAP;
+          row2.height = 0;
           column.x = 0;
         }
-        places.push({ x: column.x, y: row.y });
+        places.push({ x: column.x, y: row2.y });
         column.width = block2.width;
         column.bottom = block2.height;
-        row.height = Math.max(row.height, block2.height);
+        row2.height = Math.max(row2.height, block2.height);
       }
       width = Math.max(width, column.x + column.width);
     }
-    return { width, height: row.y + row.height, places };
+    return { width, height: row2.y + row2.height, places };
   }
   function add2(all, block2, dx, dy) {
     const move = (point) => ({ ...point, x: point.x + dx, y: point.y + dy });
@@ -2273,7 +2273,7 @@ ${counted(about.nodes, "node")}`;
   // launchlint/report/html/js/page/model.js
   function createModel(data) {
     const known3 = /* @__PURE__ */ new Map();
-    const lines = new Map(data.lines.map((each) => [each.file, new Map(each.lines)]));
+    let lines = null;
     const md5s = /* @__PURE__ */ new Map();
     for (const [type, md52] of data.md5s) md5s.set(type, [...md5s.get(type) ?? [], md52]);
     const findings = new Map(data.findings.map((each, index) => [each.id, index]));
@@ -2309,7 +2309,7 @@ ${counted(about.nodes, "node")}`;
        */
       line: (file, line4) => {
         var _a;
-        return (_a = lines.get(file)) == null ? void 0 : _a.get(line4);
+        return (_a = (lines ??= new Map(data.lines.map((each) => [each.file, new Map(each.lines)]))).get(file)) == null ? void 0 : _a.get(line4);
       },
       /**
        * "path:line".
@@ -2321,6 +2321,12 @@ ${counted(about.nodes, "node")}`;
   }
   function isIn(thing, configuration) {
     return configuration < 0 || thing.only.length === 0 || thing.only.includes(configuration);
+  }
+  function isUsedIn(model, channel, configuration) {
+    return configuration < 0 || (model.onChannel[channel] ?? []).some((each) => isIn(each, configuration) && isIn(model.entry.nodes[each.node] ?? each, configuration));
+  }
+  function findingsIn({ entry }, configuration) {
+    return entry.findings.filter((_, at) => isIn({ only: entry.findingsOnly[at] ?? [] }, configuration));
   }
   function peers(model, connection, configuration) {
     const all = model.onChannel[connection.channel] ?? [];
@@ -2367,8 +2373,8 @@ ${counted(about.nodes, "node")}`;
   function listed(names) {
     const found2 = /* @__PURE__ */ new Map();
     for (const [index, name] of names.entries()) {
-      const those = found2.get(name);
-      if (those) those.push(index);
+      const those2 = found2.get(name);
+      if (those2) those2.push(index);
       else found2.set(name, [index]);
     }
     return found2;
@@ -2377,8 +2383,8 @@ ${counted(about.nodes, "node")}`;
     const found2 = /* @__PURE__ */ new Map();
     for (const [index, { findings }] of things.entries()) {
       for (const finding of findings) {
-        const those = found2.get(finding);
-        if (those) those.push(index);
+        const those2 = found2.get(finding);
+        if (those2) those2.push(index);
         else found2.set(finding, [index]);
       }
     }
@@ -2401,7 +2407,8 @@ ${counted(about.nodes, "node")}`;
       findingsOnly: false,
       hidden: /* @__PURE__ */ new Set(),
       matches: null,
-      selection: null
+      selection: null,
+      landing: false
     };
   }
   function createStore(first, address) {
@@ -2410,7 +2417,10 @@ ${counted(about.nodes, "node")}`;
     function become(next) {
       const before = state;
       state = next;
-      for (const listener of listeners) listener(state, before);
+      for (const { hear, always } of listeners) {
+        if (always) hear(state, before);
+        else if (!state.landing) hear(state, before.landing ? state : before);
+      }
     }
     window.addEventListener("popstate", () => {
       if (location.hash === "" || location.hash.includes("=")) become(address.read(location.hash));
@@ -2418,26 +2428,29 @@ ${counted(about.nodes, "node")}`;
     return {
       get: () => state,
       /**
-       * Changes some of the state. What belongs to one entry file or grouping only does not outlive it.
+       * Changes some of the state. What belongs to one entry file or grouping only does not outlive it; any other change than what a search
+       * lights leaves the landing page.
        *
        * @param {Partial<PageState>} change
        * @param {"push" | "replace"} [step] whether "back" undoes it by itself
        */
       set(change, step = "push") {
-        const next = { ...state, ...outlived(state, change), ...change };
+        const landing = state.landing && Object.keys(change).every((key) => key === "matches");
+        const next = { ...state, landing, ...outlived(state, change), ...change };
         const before = address.write(state);
         const now = address.write(next);
         if (now !== before) history[step === "push" ? "pushState" : "replaceState"](null, "", `#${now}`);
         become(next);
       },
       /**
-       * Calls back after every change, and once now.
+       * Calls back after every change while a launch file is shown, and once when one is, with the same state twice.
        *
-       * @param {(state: PageState, before: PageState) => void} listener
+       * @param {(state: PageState, before: PageState) => void} hear
+       * @param {{ always: boolean }} [when] `always`: on the landing page, too
        */
-      listen(listener) {
-        listeners.push(listener);
-        listener(state, state);
+      listen(hear, { always } = { always: false }) {
+        listeners.push({ hear, always });
+        if (always || !state.landing) hear(state, state);
       }
     };
   }
@@ -2463,6 +2476,7 @@ ${counted(about.nodes, "node")}`;
   var CHANNELS = ["topic", "service", "action"];
   var GROUPINGS = ["namespace", "file", "package", "machine"];
   function addressOf(model, state) {
+    if (state.landing) return "";
     const first = initialState();
     const entry = model.entry(state.entry);
     const pairs2 = [];
@@ -2477,6 +2491,7 @@ ${counted(about.nodes, "node")}`;
       pairs2.push(["layers", LAYERS.filter((layer2) => state.layers[layer2]).join()]);
     }
     for (const flag2 of FLAGS) if (state[flag2] !== first[flag2]) pairs2.push([flag2, state[flag2] ? "yes" : "no"]);
+    if (pairs2.length === 0 && model.data.entries.length > 1) pairs2.push(["entry", model.data.files[entry.entry.file] ?? ""]);
     return pairs2.map(([key, value]) => `${key}=${key === "open" || key === "hide" ? value : escape(value)}`).join("&");
   }
   function stateOf(model, hash) {
@@ -2484,6 +2499,7 @@ ${counted(about.nodes, "node")}`;
     const said = pairsOf(hash);
     const state = initialState();
     const wanted = wantedOf(said);
+    state.landing = said.size === 0 && model.data.entries.length > 1;
     state.entry = entryOf(model, said, wanted) ?? state.entry;
     const entry = model.entry(state.entry);
     const configuration = said.get("configuration");
@@ -2563,8 +2579,8 @@ ${counted(about.nodes, "node")}`;
   }
   function one(named, text2) {
     const [name, at] = withoutNumber(text2);
-    const those = named.get(text2) ?? named.get(name) ?? [];
-    return those[named.has(text2) ? 0 : at - 1] ?? those[0];
+    const those2 = named.get(text2) ?? named.get(name) ?? [];
+    return those2[named.has(text2) ? 0 : at - 1] ?? those2[0];
   }
   function withoutNumber(text2) {
     const match = /^(.*)~~(\d{1,6})$/s.exec(text2);
@@ -2659,7 +2675,7 @@ ${counted(about.nodes, "node")}`;
   }
   function quoted(...rows2) {
     const text2 = rows2.filter(Boolean).map(
-      (row) => row.replaceAll(/[\\"]/g, "\\$&").replaceAll("&", "&amp;").replaceAll(new RegExp("\\p{Cc}", "gu"), "�")
+      (row2) => row2.replaceAll(/[\\"]/g, "\\$&").replaceAll("&", "&amp;").replaceAll(new RegExp("\\p{Cc}", "gu"), "�")
     );
     return `"${text2.join("\\n")}"`;
   }
@@ -2715,8 +2731,8 @@ ${counted(about.nodes, "node")}`;
     write("", 1);
     for (const arrow of arrows) lines.push(`  ${names.get(arrow.from)} ${line2(arrow)} ${names.get(arrow.to)}`);
     for (const [style, css] of STYLES) {
-      const those = boxes.filter((box2) => box2.mark === style || style === "unknown" && box2.unknown || style === "conditional" && box2.conditional);
-      if (those.length > 0) lines.push(`  classDef ${style} ${css}`, `  class ${those.map((box2) => names.get(box2.id)).join()} ${style}`);
+      const those2 = boxes.filter((box2) => box2.mark === style || style === "unknown" && box2.unknown || style === "conditional" && box2.conditional);
+      if (those2.length > 0) lines.push(`  classDef ${style} ${css}`, `  class ${those2.map((box2) => names.get(box2.id)).join()} ${style}`);
     }
     return `${lines.join("\n")}
 `;
@@ -2832,12 +2848,16 @@ ${counted(about.nodes, "node")}`;
     if (verdict === "loads") return withArgs && `loads; ${withArgs}`;
     return `${verdict === "refused" ? `refused by ${launcher}` : verdict}: ${why2}${withArgs && `; ${withArgs}`}`;
   }
+  function entryTitle(data, index) {
+    const entry = data.entries[index];
+    return entry ? `${data.files[entry.file]} ${entry.configurations[0] ?? ""}`.trimEnd() : "";
+  }
   function configurationName(args) {
     return args || "default args";
   }
   function when(entry, only) {
     if (only.length === 0) return "";
-    const names = (those) => those.map((each) => configurationName(entry.configurations[each] ?? "")).join(" or ");
+    const names = (those2) => those2.map((each) => configurationName(entry.configurations[each] ?? "")).join(" or ");
     const others = entry.configurations.map((_, index) => index).filter((index) => !only.includes(index));
     if (others.length > 0 && others.length < only.length) return `not with ${names(others)}`;
     return `only with ${names([...only])}`;
@@ -3207,8 +3227,8 @@ ${end.mark}`;
       themeButton(),
       button("?", help, { class: "help", "aria-label": "Keyboard help", title: "Keyboard (?)" })
     );
+    page.store.listen((state) => entry && (entry.value = state.landing ? "-1" : String(state.entry)), { always: true });
     page.store.listen((state, before) => {
-      if (entry) entry.value = String(state.entry);
       if (state === before || state.entry !== before.entry) fillConfigurations(page, configuration);
       configuration.value = String(state.configuration);
     });
@@ -3222,14 +3242,15 @@ ${end.mark}`;
       const told2 = [
         each.configurations[0],
         each.verdict !== "loads" ? each.verdict : each.withArgs !== "" && "refused with other args",
-        each.mark,
+        each.mark ?? each.changes.join(", "),
         count3 > 0 && `${count3} ${count3 === 1 ? "finding" : "findings"}`
       ];
       const more = told2.filter(Boolean).join(", ");
       return element2("option", { value: index }, `${files[each.file]}${more ? ` (${more})` : ""}`);
     });
-    const host2 = element2("select", { "aria-label": "Launch file" }, ...options);
-    host2.addEventListener("change", () => store.set({ entry: Number(host2.value) }));
+    const all = element2("option", { value: -1 }, `All ${number(entries.length, "launch file")}`);
+    const host2 = element2("select", { "aria-label": "Launch file" }, all, ...options);
+    host2.addEventListener("change", () => store.set(host2.value === "-1" ? { ...initialState(), landing: true } : { entry: Number(host2.value) }));
     return host2;
   }
   function fillConfigurations({ model, store }, host2) {
@@ -3321,6 +3342,8 @@ ${end.mark}`;
   var KEYS = [
     ["/", "search"],
     ["n  N", "next, previous finding"],
+    ["]  [", "next, previous change, where two revisions are compared"],
+    ["a", "all launch files"],
     ["t", "tree"],
     ["d", "drawing"],
     ["p", "panel"],
@@ -3396,6 +3419,9 @@ ${end.mark}`;
       }],
       ["n", () => nextFinding(page, 1)],
       ["N", () => nextFinding(page, -1)],
+      ["]", () => go.change(1)],
+      ["[", () => go.change(-1)],
+      ["a", go.landing],
       ["f", () => focusOnSelected(page)],
       ["+", () => drawing.zoom(1.25)],
       ["=", () => drawing.zoom(1.25)],
@@ -3415,9 +3441,10 @@ ${end.mark}`;
       action();
     });
     function back() {
-      const { selection, focus } = store.get();
+      const { selection, focus, landing } = store.get();
       if (selection) store.set({ selection: null });
       else if (focus) store.set({ focus: null });
+      else if (!landing) go.landing();
     }
     return {
       isOn: () => single2,
@@ -3432,7 +3459,8 @@ ${end.mark}`;
     };
   }
   function nextFinding(page, step) {
-    const { entry, selection } = page.store.get();
+    const { entry, selection, landing } = page.store.get();
+    if (landing) return;
     const findings = page.model.entry(entry).entry.findings.flatMap((each) => page.model.data.findings[each] ?? []);
     const order = ["error", "warning", "info"];
     findings.sort((one2, other) => order.indexOf(one2.severity) - order.indexOf(other.severity));
@@ -3453,6 +3481,32 @@ ${end.mark}`;
     } catch {
       return true;
     }
+  }
+
+  // launchlint/report/html/js/page/landing.js
+  function createLanding({ store, model }) {
+    const host2 = document.getElementById("landing");
+    const [verdict, counts] = [part("verdict"), part("counts")];
+    const [words2, looks, numbers] = [verdict.textContent, verdict.className, [...counts.children]];
+    store.listen(
+      ({ landing }, before) => {
+        var _a;
+        document.body.dataset["view"] = landing ? "landing" : "entry";
+        if (!landing) return;
+        verdict.textContent = words2;
+        verdict.className = looks;
+        counts.replaceChildren(...numbers);
+        part("drawing").setAttribute("aria-busy", "false");
+        if (!before.landing) (_a = host2 == null ? void 0 : host2.querySelector("h2")) == null ? void 0 : _a.focus();
+      },
+      { always: true }
+    );
+    return {
+      /** Shows all launch files, where there are several. */
+      show() {
+        if (model.data.entries.length > 1) store.set({ ...initialState(), landing: true });
+      }
+    };
   }
 
   // launchlint/report/html/js/links.js
@@ -3548,9 +3602,9 @@ ${end.mark}`;
   }
   function findingList(page, findings) {
     const order = ["error", "warning", "info"];
-    const those = findings.flatMap((index) => page.model.data.findings[index] ?? []);
-    those.sort((one2, other) => order.indexOf(one2.severity) - order.indexOf(other.severity));
-    const items = those.map((each) => [
+    const those2 = findings.flatMap((index) => page.model.data.findings[index] ?? []);
+    those2.sort((one2, other) => order.indexOf(one2.severity) - order.indexOf(other.severity));
+    const items = those2.map((each) => [
       badge2(each.severity, each.severity),
       " ",
       element2("code", {}, each.rule),
@@ -3633,8 +3687,8 @@ ${end.mark}`;
     const hidden = store.get().hidden.has(id);
     return button(hidden ? "Show in the drawing" : "Hide in the drawing", () => store.set({ hidden: toggled(store.get().hidden, id) }));
   }
-  function toggled(those, id) {
-    const next = new Set(those);
+  function toggled(those2, id) {
+    const next = new Set(those2);
     if (!next.delete(id)) next.add(id);
     return next;
   }
@@ -3662,8 +3716,8 @@ ${end.mark}`;
     ];
     const types = channel.types.map((type) => element2("div", {}, element2("code", {}, type), ...md5(page, type)));
     const sides2 = ROLE_ORDER.flatMap((role) => {
-      const those = ends.filter((each) => each.role.replace("_", " ") === role);
-      return those.length > 0 ? endBlock(page, nounOf(role), those, channel.types.length > 1) : [];
+      const those2 = ends.filter((each) => each.role.replace("_", " ") === role);
+      return those2.length > 0 ? endBlock(page, nounOf(role), those2, channel.types.length > 1) : [];
     });
     const offered = ends.some((each) => each.offers);
     const used = ends.some((each) => !each.offers);
@@ -3678,8 +3732,8 @@ ${end.mark}`;
   function md5({ model }, type) {
     return (model.md5s.get(type) ?? []).map((each) => element2("div", { class: "note" }, "MD5 ", element2("code", {}, each)));
   }
-  function endBlock(page, title2, those, withType) {
-    const items = those.map(
+  function endBlock(page, title2, those2, withType) {
+    const items = those2.map(
       (each) => element2(
         "div",
         { class: `connection ${each.mark ?? ""}`.trim() },
@@ -3756,8 +3810,8 @@ ${end.mark}`;
       store.set({ expanded });
     });
   }
-  function channels(page, title2, those) {
-    return those.length > 0 && block(title2, list(those.map((each) => channelReference(page, each))));
+  function channels(page, title2, those2) {
+    return those2.length > 0 && block(title2, list(those2.map((each) => channelReference(page, each))));
   }
   function boundary(model, inside2, configuration) {
     const incoming = [];
@@ -3801,7 +3855,7 @@ ${end.mark}`;
     var _a, _b;
     const ends = model.onChannel[channel] ?? [];
     const nodes = (offers) => [...new Set(ends.filter((each) => each.offers === offers).map((each) => each.node))];
-    const side = (title2, those) => those.length > 0 && element2("div", {}, element2("span", { class: "note" }, title2), list(those.map((each) => nodeReference(page, each))));
+    const side = (title2, those2) => those2.length > 0 && element2("div", {}, element2("span", { class: "note" }, title2), list(those2.map((each) => nodeReference(page, each))));
     const topic = ((_a = model.entry.channels[channel]) == null ? void 0 : _a.kind) === "topic";
     return block(
       "",
@@ -3907,11 +3961,11 @@ ${end.mark}`;
     return [" on the machine ", element2("code", {}, name), where];
   }
   function roleBlock(page, model, role, connections) {
-    const those = connections.filter((each) => {
+    const those2 = connections.filter((each) => {
       var _a;
       return each.role.replace("_", " ") === role && !((_a = model.entry.channels[each.channel]) == null ? void 0 : _a.plumbing);
     });
-    if (those.length === 0) return null;
+    if (those2.length === 0) return null;
     const { configuration } = page.store.get();
     const title2 = does(role);
     const item2 = (each) => element2(
@@ -3922,15 +3976,15 @@ ${end.mark}`;
       peerList(page, peers(model, each, configuration), each)
     );
     const isIdle = (each) => !each.certain && peers(model, each, configuration).length === 0;
-    const idle = those.filter(isIdle);
+    const idle = those2.filter(isIdle);
     const more = () => element2("details", {}, element2("summary", {}, `${idle.length} more that it may have, and nobody uses`), list(idle.map(item2), "connections"));
-    const rest = those.filter((each) => !isIdle(each)).map(item2);
+    const rest = those2.filter((each) => !isIdle(each)).map(item2);
     return block(`${title2.charAt(0).toUpperCase()}${title2.slice(1)}`, rest.length > 0 && list(rest, "connections"), idle.length > 0 && more());
   }
   function openReasons({ open }) {
     const kinds = /* @__PURE__ */ new Map();
     for (const [kind, why2] of open) kinds.set(why2, [...kinds.get(why2) ?? [], kind]);
-    return [...kinds].map(([why2, those]) => `${[those.slice(0, -1).join(", "), ...those.slice(-1)].filter(Boolean).join(" and ")}: ${why2}`);
+    return [...kinds].map(([why2, those2]) => `${[those2.slice(0, -1).join(", "), ...those2.slice(-1)].filter(Boolean).join(" and ")}: ${why2}`);
   }
   function openBlock(node) {
     if (node.open.length === 0 || node.knowledge === "unknown") return null;
@@ -3951,9 +4005,9 @@ ${end.mark}`;
     );
   }
   function paramsBlock(page, model, index, configuration) {
-    const those = (model.paramsOf[index] ?? []).filter((each) => isIn(model.entry.params[each] ?? { only: [] }, configuration));
-    if (those.length === 0) return null;
-    const items = those.flatMap((at) => {
+    const those2 = (model.paramsOf[index] ?? []).filter((each) => isIn(model.entry.params[each] ?? { only: [] }, configuration));
+    if (those2.length === 0) return null;
+    const items = those2.flatMap((at) => {
       const param = model.entry.params[at];
       if (!param) return [];
       const read2 = param.readers.includes(index) ? "" : "not known to be read";
@@ -4005,6 +4059,38 @@ ${end.mark}`;
     });
     return blocks.length > 0 ? blocks : [block(`Since ${base}`, element2("p", {}, "Nothing changed in what this launch file starts and connects."))];
   }
+  function createSequence(model) {
+    const known3 = /* @__PURE__ */ new Map();
+    return (index) => {
+      let found2 = known3.get(index);
+      if (!found2) known3.set(index, found2 = targetsOf(model, index));
+      return found2;
+    };
+  }
+  function targetsOf(model, index) {
+    const one2 = model.entry(index);
+    const { nodes, channels: channels2, params, findings } = one2.entry;
+    const marked = MARKS.flatMap(([mark]) => [
+      ...channels2.flatMap(({ hub, plumbing }, at) => !hub && !plumbing && endsAt(one2, at).some((each) => each.mark === mark) ? [`c:${at}`] : []),
+      ...nodes.flatMap((each, at) => each.mark === mark ? [`n:${at}`] : []),
+      ...params.flatMap((each, at) => each.mark === mark ? [`p:${at}`] : [])
+    ]);
+    const fresh = findings.flatMap((each) => {
+      var _a, _b;
+      return ((_a = model.data.findings[each]) == null ? void 0 : _a.since) ? [((_b = model.data.findings[each]) == null ? void 0 : _b.id) ?? ""] : [];
+    });
+    return [
+      ...fresh.map((id) => (
+        /** @type {Target} */
+        { kind: "finding", id }
+      )),
+      ...[...new Set(marked)].map((id) => (
+        /** @type {Target} */
+        { kind: KIND_OF[id.charAt(0)], id }
+      ))
+    ];
+  }
+  var KIND_OF = { c: "channel", n: "node", p: "param" };
   function nodesWith(page, model, mark) {
     return model.entry.nodes.flatMap((each, index) => each.mark === mark ? [line3(mark, "node ", nodeReference(page, index))] : []);
   }
@@ -4078,9 +4164,9 @@ ${end.mark}`;
     const unheard = topics.filter((each) => !each.used && each.certain);
     const share = shareKnown(model, configuration);
     const inDoubt = (index, offers) => mayBeAt(model, index, offers, configuration).length > 0;
-    const numbers = (those) => those.map((each) => each.index);
-    const doubtful = (those, offers) => numbers(those).filter((each) => inDoubt(each, offers));
-    const doubtless = (those, offers) => numbers(those).filter((each) => !inDoubt(each, offers));
+    const numbers = (those2) => those2.map((each) => each.index);
+    const doubtful = (those2, offers) => numbers(those2).filter((each) => inDoubt(each, offers));
+    const doubtless = (those2, offers) => numbers(those2).filter((each) => !inDoubt(each, offers));
     return [
       block(
         "Does it connect?",
@@ -4119,14 +4205,14 @@ ${end.mark}`;
     const what = all ? "Nothing is known of any of these nodes, so no connections can be drawn. Names, params and what is wrong in the files are complete all the same." : "Nothing is drawn from or to these, because nothing says what they do:";
     const programs = /* @__PURE__ */ new Map();
     for (const index of unknown) {
-      const program = ((_a = entry.nodes[index]) == null ? void 0 : _a.program) ?? "";
-      programs.set(program, [...programs.get(program) ?? [], index]);
+      const program2 = ((_a = entry.nodes[index]) == null ? void 0 : _a.program) ?? "";
+      programs.set(program2, [...programs.get(program2) ?? [], index]);
     }
-    const items = [...programs].map(([program, nodes]) => {
+    const items = [...programs].map(([program2, nodes]) => {
       var _a2;
       const reason = ((_a2 = entry.nodes[nodes[0] ?? -1]) == null ? void 0 : _a2.reason) ?? "";
-      const why2 = reason.replaceAll(`the nodelet class ${program}`, "it").replaceAll(program, "it");
-      return element2("div", {}, ...nodes.flatMap((each, at) => [at > 0 && ", ", nodeReference(page, each)]), element2("div", { class: "note" }, element2("code", {}, program), why2 && `: ${why2}`));
+      const why2 = reason.replaceAll(`the nodelet class ${program2}`, "it").replaceAll(program2, "it");
+      return element2("div", {}, ...nodes.flatMap((each, at) => [at > 0 && ", ", nodeReference(page, each)]), element2("div", { class: "note" }, element2("code", {}, program2), why2 && `: ${why2}`));
     });
     return block(
       `${number(unknown.length, "node")} not known`,
@@ -4333,27 +4419,236 @@ ${end.mark}`;
     return "Nothing to draw in this view.";
   }
 
+  // launchlint/report/html/js/page/steps.js
+  function createSteps(page) {
+    const { store, model } = page;
+    const changed = model.data.entries.flatMap(({ changes, mark }, index) => changes.length > 0 || mark ? [index] : []);
+    const sequence = createSequence(model);
+    return (step) => {
+      const { entry, selection, landing } = store.get();
+      if (changed.length === 0) return;
+      const here = landing ? -1 : changed.indexOf(entry);
+      const targets = here < 0 ? [] : sequence(entry);
+      const at = targets.findIndex((each) => each.kind === (selection == null ? void 0 : selection.kind) && each.id === selection.id);
+      const inside2 = targets[at < 0 ? step > 0 ? 0 : -1 : at + step];
+      if (inside2 && (at >= 0 || step > 0)) {
+        store.set({ selection: inside2 });
+        return;
+      }
+      for (let turn = 1; turn <= changed.length; turn += 1) {
+        const from = here < 0 && step < 0 ? 0 : here;
+        const next = changed[(from + step * turn + changed.length * 2) % changed.length];
+        const others = next === void 0 ? [] : sequence(next);
+        const target2 = others.at(step > 0 ? 0 : -1);
+        if (next === void 0) return;
+        store.set({ ...next === entry && !landing ? {} : { entry: next }, selection: target2 ?? null });
+        return;
+      }
+    };
+  }
+
+  // launchlint/report/html/js/page/library.js
+  var COLUMNS = ["Kind", "Name", "Type", "Detail", "Evidence"];
+  function createLibrary({ model }, host2) {
+    let filled = false;
+    return () => {
+      if (filled) return;
+      filled = true;
+      const { library, libraryLeftOut } = model.data;
+      const foot = host2.querySelector("#foot");
+      const programs = library.map((each, at) => program(each, at));
+      const nothing = library.length === 0 && element2("p", { class: "empty" }, "Nothing is known of any program on this page.");
+      const more = libraryLeftOut > 0 && element2("p", { class: "note" }, `${libraryLeftOut} more programs are in the libraries that were given.`);
+      host2.append(...[nothing, ...programs, more, foot].filter((each) => each instanceof Element));
+    };
+  }
+  function program({ kind, name, package: package_, status, interface: rows2, open }, at) {
+    const title2 = kind === "nodelet" ? name : `${package_}/${name}`;
+    const host2 = element2(
+      "details",
+      { class: "program", id: `program-${at}`, "data-index": at },
+      element2("summary", {}, element2("h3", {}, title2), " ", element2("span", { class: "number" }, rows2.length), kind === "nodelet" && ` nodelet of ${package_}`)
+    );
+    host2.addEventListener(
+      "toggle",
+      () => {
+        host2.append(...[status && element2("p", {}, status), rows2.length > 0 && table(rows2)].filter((each) => each instanceof Element));
+        for (const [category, why2] of open) host2.append(element2("p", { class: "note" }, `It may have more ${category} than are listed: ${why2}`));
+      },
+      { once: true }
+    );
+    return host2;
+  }
+  function table(rows2) {
+    const cells2 = rows2.map(({ category, name, type, detail, evidence }) => [category, name, type, detail, evidence.join("; ")]);
+    return element2(
+      "table",
+      {},
+      element2("thead", {}, element2("tr", {}, ...COLUMNS.map((each) => element2("th", { scope: "col" }, each)))),
+      element2("tbody", {}, ...cells2.map((each) => element2("tr", {}, ...each.map((text2) => element2("td", {}, text2)))))
+    );
+  }
+
+  // launchlint/report/html/js/page/same_findings.js
+  var ORDER2 = ["error", "warning", "info"];
+  function grouped(data, findings) {
+    const groups = /* @__PURE__ */ new Map();
+    for (const index of findings) {
+      const each = data.findings[index];
+      if (!each) continue;
+      const key = `${ORDER2.indexOf(each.severity)} ${each.since ?? ""} ${each.rule} ${each.message}`;
+      const known3 = groups.get(key);
+      if (known3) known3.push(index);
+      else groups.set(key, [index]);
+    }
+    return [...groups].sort(([one2], [other]) => one2.charCodeAt(0) - other.charCodeAt(0)).map(([, those2]) => those2);
+  }
+
+  // launchlint/report/html/js/page/rows.js
+  var MOST_NAMES = 8;
+  var KINDS4 = [
+    {
+      id: "findings",
+      caption: "Findings",
+      columns: ["Severity", "Rule", "Finding", "Place", "What to do"],
+      named: 2,
+      placed: 3,
+      empty: "No rule found anything wrong here. Mistakes at nodes that are not known cannot be seen.",
+      rows: findingRows,
+      count: (model, configuration) => findingsIn(model, configuration).length
+    },
+    {
+      id: "nodes",
+      caption: "Nodes",
+      columns: ["Node", "Program", "Known", "Place", "Findings"],
+      named: 0,
+      placed: 3,
+      empty: "No node is started.",
+      rows: nodeRows,
+      count: ({ entry }, configuration) => entry.nodes.filter((each) => isIn(each, configuration)).length
+    },
+    channelTable("topic", "Topics", "No topic is known.", ["Publishers", "Subscribers"]),
+    channelTable("service", "Services", "No service is known.", ["Servers", "Clients"]),
+    channelTable("action", "Actions", "No action is known.", ["Servers", "Clients"]),
+    {
+      id: "params",
+      caption: "Params",
+      columns: ["Param", "Value", "Place", "Overrides", "Read by"],
+      named: 0,
+      placed: 2,
+      empty: "No param is set.",
+      rows: paramRows,
+      count: ({ entry }, configuration) => entry.params.filter((each) => isIn(each, configuration)).length
+    }
+  ];
+  function channelTable(kind, caption, empty, ends) {
+    return {
+      id: `${kind}s`,
+      caption,
+      columns: [caption.slice(0, -1), "Type", ...ends],
+      named: 0,
+      placed: -1,
+      empty,
+      rows: (model, configuration) => those(model, kind, configuration).map((at) => channelRow(model, at, configuration)),
+      count: (model, configuration) => those(model, kind, configuration).length
+    };
+  }
+  function findingRows(model, configuration, { data }) {
+    return grouped(data, findingsIn(model, configuration)).flatMap(([first, ...more]) => {
+      const finding = data.findings[first ?? -1];
+      if (!finding) return [];
+      const others = more.flatMap((each) => data.findings[each] ?? []);
+      const place2 = `${data.files[finding.place[0]]}:${finding.place[1]}`;
+      const [since, times] = [finding.since ? `${finding.since} ` : "", others.length > 0 ? ` (${others.length + 1} times)` : ""];
+      return [
+        {
+          target: { kind: "finding", id: finding.id },
+          entry: model.index,
+          index: String(first),
+          cells: [`${since}${finding.severity}`, `${finding.rule} ${finding.name}`, `${finding.message}${times}`, place2, finding.help],
+          classes: [finding.severity, finding.since && `${finding.since}-finding`].filter(Boolean).join(" "),
+          place: finding.place,
+          others: others.map((each) => (
+            /** @type {Target} */
+            { kind: "finding", id: each.id }
+          ))
+        }
+      ];
+    });
+  }
+  function nodeRows(model, configuration, page) {
+    return model.entry.nodes.flatMap((node, at) => {
+      if (!isIn(node, configuration)) return [];
+      const known3 = node.knowledge === "unknown" ? "unknown" : "known";
+      const cells2 = [node.name, node.program, known3, node.place ? page.place(node.place) : "", node.findings.length ? String(node.findings.length) : ""];
+      return [row(model, "node", at, cells2, node.mark, node.place)];
+    });
+  }
+  function those(model, kind, configuration) {
+    return model.entry.channels.flatMap((each, at) => each.kind === kind && !each.plumbing && isUsedIn(model, at, configuration) ? [at] : []);
+  }
+  function channelRow(model, at, configuration) {
+    const channel = model.entry.channels[at];
+    if (!channel) throw new RangeError(`there is no channel ${at}`);
+    const sides2 = [true, false].map((offers) => {
+      const ends = (model.onChannel[at] ?? []).filter((each) => each.offers === offers && each.mark !== "removed" && isIn(each, configuration));
+      return some(ends.map((each) => {
+        var _a;
+        return ((_a = model.entry.nodes[each.node]) == null ? void 0 : _a.name) ?? "";
+      })) || nobody(model, at, offers, configuration);
+    });
+    return row(model, "channel", at, [channel.name, channel.types.join(", "), ...sides2], channel.mark, null);
+  }
+  function nobody(model, at, offers, configuration) {
+    const channel = model.entry.channels[at];
+    if (!channel || channel.mark === "removed") return "";
+    const who = doubted(mayBeAt(model, at, offers, configuration));
+    return who ? `nobody here, but ${who} may` : channel.hub ? "" : "nobody";
+  }
+  function paramRows(model, configuration, page) {
+    return model.entry.params.flatMap((param, at) => {
+      if (!isIn(param, configuration)) return [];
+      const earlier = param.overrides.map(([value, place2]) => `${value} at ${place2 ? page.place(place2) : ""}`).join("; ");
+      const readers = some(param.readers.map((each) => {
+        var _a;
+        return ((_a = model.entry.nodes[each]) == null ? void 0 : _a.name) ?? "";
+      }));
+      return [row(model, "param", at, [param.name, param.value, param.place ? page.place(param.place) : "", earlier, readers], param.mark, param.place)];
+    });
+  }
+  function row(model, kind, at, cells2, mark, place2) {
+    return { target: { kind, id: `${kind.charAt(0)}:${at}` }, entry: model.index, index: String(at), cells: cells2, classes: mark ?? "", place: place2, others: [] };
+  }
+  function some(names) {
+    const all = [...new Set(names)].sort();
+    const more = all.length - MOST_NAMES;
+    return `${all.slice(0, MOST_NAMES).join(", ")}${more > 0 ? ` and ${more} more` : ""}`;
+  }
+
   // launchlint/report/html/js/page/table.js
-  var KINDS4 = /* @__PURE__ */ new Map([
-    ["table-nodes", "node"],
-    ["table-topics", "channel"],
-    ["table-services", "channel"],
-    ["table-actions", "channel"],
-    ["table-params", "param"],
-    ["table-findings", "finding"]
-  ]);
+  var MOST_ROWS = 12e3;
   var SEVERITIES2 = ["error", "warning", "info"];
   var collator = new Intl.Collator("en", { numeric: true });
-  function enhance(page, table) {
-    var _a, _b;
-    const kind = KINDS4.get(table.id) ?? "";
-    const named = kind === "finding" ? 2 : 0;
-    let linked = false;
+  function createTable(page, kind) {
     let sorted = -1;
     let down = false;
-    const heads = [...((_b = (_a = table.tHead) == null ? void 0 : _a.rows[0]) == null ? void 0 : _b.cells) ?? []];
-    heads.forEach((head2, column) => {
-      fill(head2, element2("button", { type: "button", click: () => sort(column) }, head2.textContent ?? ""));
+    let again = () => {
+    };
+    const heads = kind.columns.map((column, at) => element2("th", { scope: "col" }, element2("button", { type: "button", click: () => sort(at) }, column)));
+    const table2 = element2("table", { id: `table-${kind.id}` }, element2("thead", {}, element2("tr", {}, ...heads)));
+    const note = element2("p", { class: "note", hidden: true });
+    const empty = element2("p", { class: "empty", hidden: true }, kind.empty);
+    const wide = element2("div", { class: "wide", tabindex: 0, role: "region", "aria-label": kind.caption }, table2);
+    const host2 = element2("section", { class: "table", id: `drawer-table-${kind.id}` }, element2("h2", {}, kind.caption), wide, note, empty);
+    const rows2 = /* @__PURE__ */ new Map();
+    table2.addEventListener("click", (event) => {
+      const target2 = (
+        /** @type {Element} */
+        event.target
+      );
+      const row2 = rows2.get(target2.closest("tr") ?? table2);
+      if (!row2 || target2.closest("a, button, summary")) return;
+      page.store.set({ ...row2.entry === page.store.get().entry ? {} : { entry: row2.entry }, landing: false, selection: row2.target });
     });
     function sort(column) {
       down = column === sorted && !down;
@@ -4362,104 +4657,94 @@ ${end.mark}`;
         if (at === column) head2.setAttribute("aria-sort", down ? "descending" : "ascending");
         else head2.removeAttribute("aria-sort");
       });
-      for (const body of table.tBodies) {
-        const rows2 = [...body.rows].filter((row) => row.dataset["index"] !== void 0);
-        const texts = new Map(rows2.map((row) => {
-          var _a2, _b2;
-          return [row, ((_b2 = (_a2 = row.cells[column]) == null ? void 0 : _a2.textContent) == null ? void 0 : _b2.trim()) ?? ""];
-        }));
-        rows2.sort((one2, other) => compare(texts.get(one2) ?? "", texts.get(other) ?? "") * (down ? -1 : 1));
-        body.append(...rows2);
-      }
+      again();
     }
-    function targetOf(row) {
-      var _a2, _b2;
-      const index = Number(row.dataset["index"] ?? NaN);
-      const entry = Number(((_a2 = row.closest("tbody")) == null ? void 0 : _a2.dataset["entry"]) ?? page.store.get().entry);
-      if (Number.isNaN(index)) return null;
-      if (kind === "finding") {
-        const finding = page.model.data.findings[index];
-        const reached = (_b2 = page.model.data.entries[entry]) == null ? void 0 : _b2.findings.includes(index);
-        const first = page.model.data.entries.findIndex((each) => each.findings.includes(index));
-        return finding ? { target: { kind: "finding", id: finding.id }, entry: reached || first < 0 ? entry : first } : null;
-      }
-      const selected = (
-        /** @type {"node" | "channel" | "param"} */
-        kind
-      );
-      return { target: { kind: selected, id: `${kind.charAt(0)}:${index}` }, entry };
+    function inOrder(found2) {
+      if (sorted < 0) return found2;
+      return [...found2].sort((one2, other) => compare(one2.cells[sorted] ?? "", other.cells[sorted] ?? "") * (down ? -1 : 1));
     }
-    function link() {
-      linked = true;
-      for (const row of table.tBodies) {
-        for (const each of row.rows) {
-          const found2 = targetOf(each);
-          const cell = each.cells[named];
-          if (found2 && cell) fill(cell, reference(page, found2.target, cell.textContent ?? "", found2.entry));
-        }
-      }
+    function made2(row2) {
+      const cells2 = row2.cells.map((text2, column) => {
+        if (column === kind.named) return element2("td", {}, reference(page, row2.target, text2, row2.entry), more(row2));
+        if (column === kind.placed && row2.place) return element2("td", {}, written(page.model, row2.place));
+        return element2("td", {}, text2);
+      });
+      const host3 = element2("tr", { "data-index": row2.index, class: row2.classes || null }, ...cells2);
+      rows2.set(host3, row2);
+      return host3;
     }
-    function belonging(state, everything) {
-      const { entry } = page.model.entry(state.entry);
-      const findings = new Set(entry.findings);
-      const isIt = (index) => kind === "finding" ? findings.has(index) : inConfiguration(entry, kind, index, state.configuration);
-      return {
-        body: ({ dataset }) => everything || dataset["entry"] === void 0 || Number(dataset["entry"]) === state.entry,
-        row: ({ dataset }) => everything || dataset["index"] !== void 0 && isIt(Number(dataset["index"]))
-      };
+    function more(row2) {
+      if (row2.others.length === 0) return null;
+      const items = row2.others.map((each) => {
+        const finding = page.model.data.findings[page.model.finding(each.id)];
+        return element2("li", {}, reference(page, each, finding ? page.model.place(finding.place) : "", row2.entry));
+      });
+      return element2("details", { class: "others" }, element2("summary", {}, `${row2.others.length} more places`), element2("ul", {}, ...items));
     }
     return {
-      targetOf,
-      /** How many rows belong to the view. @param {PageState} state @param {boolean} everything */
+      host: host2,
+      /** How many rows belong to the view; of all launch files with `everything`. @param {PageState} state @param {boolean} everything */
       count(state, everything) {
-        const belongs = belonging(state, everything);
-        const rows2 = [...table.tBodies].filter(belongs.body).flatMap((body) => [...body.rows]);
-        return rows2.filter((row) => row.dataset["index"] !== void 0 && belongs.row(row)).length;
+        if (everything && kind.id === "findings") return page.model.data.findings.length;
+        return entriesOf(page, state, everything).reduce((sum, at) => sum + kind.count(page.model.entry(at), everything ? -1 : state.configuration), 0);
       },
       /**
-       * Shows the rows that belong to the view.
+       * Makes the rows that belong to the view.
        *
        * @param {PageState} state
        * @param {string} filter
        * @param {boolean} everything rows of all launch files
        */
       show(state, filter, everything) {
-        if (!linked) link();
+        again = () => this.show(page.store.get(), filter, everything);
+        rows2.clear();
         const words2 = filter.toLowerCase().split(/\s+/).filter(Boolean);
-        const belongs = belonging(state, everything);
-        for (const body of table.tBodies) {
-          body.hidden = !belongs.body(body);
-          if (body.hidden) continue;
-          for (const row of body.rows) {
-            const isTitle = row.dataset["index"] === void 0;
-            const text2 = words2.length === 0 || isTitle ? "" : (row.textContent ?? "").toLowerCase();
-            row.hidden = !belongs.row(row) || !(isTitle || words2.every((word) => text2.includes(word)));
-            mark(row, state);
+        const fits = ({ cells: cells2 }) => words2.every((word) => cells2.some((text2) => text2.toLowerCase().includes(word)));
+        const bodies = [];
+        let [shown, left] = [0, 0];
+        const seen = /* @__PURE__ */ new Set();
+        for (const at of entriesOf(page, state, everything)) {
+          const all = kind.rows(page.model.entry(at), everything ? -1 : state.configuration, page.model).filter(fits);
+          const found2 = inOrder(kind.id === "findings" ? all.filter(({ target: target2 }) => !seen.has(target2.id) && seen.add(target2.id)) : all);
+          if (found2.length === 0) continue;
+          if (shown > 0 && shown + found2.length > MOST_ROWS) {
+            left += found2.length;
+            continue;
           }
+          shown += found2.length;
+          const title2 = everything && element2("tr", { class: "entry" }, element2("th", { colspan: kind.columns.length, scope: "rowgroup" }, entryTitle(page.model.data, at)));
+          bodies.push(element2("tbody", { "data-entry": at }, title2, ...found2.map(made2)));
+        }
+        fill(table2, table2.tHead, ...bodies);
+        wide.hidden = shown === 0;
+        empty.hidden = shown > 0;
+        note.hidden = left === 0;
+        note.textContent = `${left.toLocaleString("en")} more rows are left out: filter the rows, or open a launch file.`;
+        this.mark(state);
+      },
+      /** Marks the row of what is selected. @param {PageState} state */
+      mark({ selection, entry }) {
+        for (const [host3, row2] of rows2) {
+          const ids = [row2.target, ...row2.others];
+          const is = selection !== null && row2.entry === entry && ids.some((each) => each.kind === selection.kind && each.id === selection.id);
+          if (is && !host3.hasAttribute("aria-current")) host3.scrollIntoView({ block: "nearest" });
+          if (is) host3.setAttribute("aria-current", "true");
+          else host3.removeAttribute("aria-current");
         }
       }
     };
-    function mark(row, { selection }) {
-      const found2 = selection && targetOf(row);
-      const selected = found2 && found2.entry === page.store.get().entry && found2.target.kind === selection.kind && found2.target.id === selection.id;
-      if (selected && !row.hasAttribute("aria-current")) row.scrollIntoView({ block: "nearest" });
-      if (selected) row.setAttribute("aria-current", "true");
-      else row.removeAttribute("aria-current");
-    }
   }
-  function inConfiguration(entry, kind, index, configuration) {
-    if (configuration < 0) return true;
-    if (kind === "node") return isIn(entry.nodes[index] ?? { only: [] }, configuration);
-    if (kind === "param") return isIn(entry.params[index] ?? { only: [] }, configuration);
-    return true;
+  function entriesOf({ model }, { entry }, everything) {
+    return everything ? model.data.entries.map((_, at) => at) : [entry];
   }
   function compare(one2, other) {
-    const [left, right] = [SEVERITIES2.indexOf(one2), SEVERITIES2.indexOf(other)];
-    return left >= 0 && right >= 0 ? left - right : collator.compare(one2, other);
+    const [left, right] = [one2, other].map((each) => SEVERITIES2.findIndex((word) => each.endsWith(word) && each.length < word.length + 8));
+    return left !== void 0 && right !== void 0 && left >= 0 && right >= 0 ? left - right : collator.compare(one2, other);
   }
 
   // launchlint/report/html/js/page/tables.js
   function createTables(page) {
+    var _a, _b;
     const section = part("tables");
     const filter = element2("input", { type: "search", placeholder: "Filter rows", "aria-label": "Filter rows", spellcheck: "false" });
     const everything = element2("input", { type: "checkbox" });
@@ -4467,44 +4752,34 @@ ${end.mark}`;
     const tools = element2("div", { class: "drawer-tools", hidden: true }, filter, several && element2("label", {}, everything, " all launch files"));
     const openers = element2("div", { class: "openers" });
     section.prepend(element2("div", { class: "drawer-bar" }, openers, tools));
-    const drawers = [...section.querySelectorAll("details.table")].map((host2) => drawer(
-      /** @type {HTMLDetailsElement} */
-      host2
-    ));
+    const drawers = KINDS4.map((kind) => {
+      const table2 = createTable(page, kind);
+      section.append(table2.host);
+      return drawerOf(`table-${kind.id}`, table2.host, kind.caption, table2);
+    });
+    const unknown = part("unknown");
+    section.append(unknown);
+    drawers.push(drawerOf("table-unknown", unknown, ((_b = (_a = unknown.querySelector("h2")) == null ? void 0 : _a.textContent) == null ? void 0 : _b.trim()) ?? "", null));
     const library = part("library");
-    drawers.push(drawerOf("library", library, "Library"));
+    drawers.push(drawerOf("library", library, "Library", null, createLibrary(page, library)));
     library.append(part("foot"));
     section.append(library);
     let open = null;
-    function drawer(host2) {
-      var _a, _b;
-      const title2 = ((_b = (_a = host2.querySelector("summary h2")) == null ? void 0 : _a.textContent) == null ? void 0 : _b.trim()) ?? "";
-      const own = host2.querySelector("table");
-      host2.open = true;
-      const made2 = drawerOf((own == null ? void 0 : own.id) || host2.id, host2, title2);
-      if (own && own.id !== "table-unknown") {
-        made2.table = enhance(page, own);
-        own.addEventListener("click", (event) => follow2(
-          /** @type {Table} */
-          made2.table,
-          event
-        ));
-      }
-      return made2;
-    }
-    function drawerOf(id, host2, title2) {
+    function drawerOf(id, host2, title2, table2, fill2 = () => {
+    }) {
       host2.hidden = true;
-      host2.id ||= `drawer-${id}`;
+      if (host2 instanceof HTMLDetailsElement) host2.open = true;
       const opener = button("", () => turn(id), { "aria-expanded": "false", "aria-controls": host2.id });
       const [, words2 = title2, count3 = ""] = /^(.*?)\s*([\d,]*)$/s.exec(title2) ?? [];
       const counted2 = element2("span", { class: "number" }, count3);
       opener.append(words2, counted2);
       openers.append(opener);
-      return { id, host: host2, opener, count: counted2, table: null };
+      return { id, host: host2, opener, count: counted2, table: table2, fill: fill2 };
     }
     function turn(id) {
       const next = drawers.find((each) => each.id === id) ?? null;
       open = next === open ? null : next;
+      open == null ? void 0 : open.fill();
       for (const each of drawers) {
         each.host.hidden = each !== open;
         each.opener.setAttribute("aria-expanded", String(each === open));
@@ -4513,48 +4788,45 @@ ${end.mark}`;
       document.body.classList.toggle("drawer-open", open !== null);
       update();
     }
+    const isAway = () => page.store.get().landing;
     function update() {
-      var _a;
-      for (const { table, count: count3 } of drawers) if (table) count3.textContent = String(table.count(page.store.get(), everything.checked));
-      (_a = open == null ? void 0 : open.table) == null ? void 0 : _a.show(page.store.get(), filter.value, everything.checked);
-    }
-    function follow2(table, event) {
-      const target2 = (
-        /** @type {Element} */
-        event.target
-      );
-      const row = target2.closest("tr");
-      const found2 = row && table.targetOf(row);
-      if (!found2 || target2.closest("a[href^=http], button")) return;
-      event.preventDefault();
-      select(page, found2.target, found2.entry);
+      var _a2;
+      if (isAway()) return;
+      for (const { table: table2, count: count3 } of drawers) if (table2) count3.textContent = table2.count(page.store.get(), everything.checked).toLocaleString("en");
+      (_a2 = open == null ? void 0 : open.table) == null ? void 0 : _a2.show(page.store.get(), filter.value, everything.checked);
     }
     filter.addEventListener("input", update);
     everything.addEventListener("change", update);
     page.store.listen((state, before) => {
+      var _a2;
       const keys = (
         /** @type {const} */
-        ["entry", "configuration", "selection"]
+        ["entry", "configuration", "landing"]
       );
       if (state === before || keys.some((key) => state[key] !== before[key])) update();
+      else if (state.selection !== before.selection) (_a2 = open == null ? void 0 : open.table) == null ? void 0 : _a2.mark(state);
+    });
+    window.addEventListener("beforeprint", () => {
+      if (!isAway()) for (const { table: table2, fill: fill2 } of drawers) table2 ? table2.show(page.store.get(), "", false) : fill2();
     });
     window.addEventListener("hashchange", () => {
-      var _a;
+      var _a2;
       const id = decoded(location.hash.slice(1));
-      const meant = drawers.find((each) => each.host.id === id || each.host.contains(document.getElementById(id)));
+      for (const each of drawers) if (id.startsWith("program-") && each.id === "library") each.fill();
+      const meant = drawers.find((each) => each.host.id === id || each.id === id || each.host.contains(document.getElementById(id)));
       if (id && meant && meant !== open) turn(meant.id);
-      if (meant) (_a = document.getElementById(id)) == null ? void 0 : _a.scrollIntoView({ block: "nearest" });
+      if (meant) (_a2 = document.getElementById(id)) == null ? void 0 : _a2.scrollIntoView({ block: "nearest" });
     });
     return {
       /** Closes the table that is open, or opens the first. */
       toggle: () => {
-        var _a;
-        return turn((open == null ? void 0 : open.id) ?? ((_a = drawers[0]) == null ? void 0 : _a.id) ?? "");
+        var _a2;
+        return turn((open == null ? void 0 : open.id) ?? ((_a2 = drawers[0]) == null ? void 0 : _a2.id) ?? "");
       },
       /** Opens the first table where none is open. */
       open: () => {
-        var _a;
-        return open ?? turn(((_a = drawers[0]) == null ? void 0 : _a.id) ?? "");
+        var _a2;
+        return open ?? turn(((_a2 = drawers[0]) == null ? void 0 : _a2.id) ?? "");
       }
     };
   }
@@ -4610,7 +4882,7 @@ ${end.mark}`;
       "aria-pressed": "false",
       title: "Hide in the drawing (h)"
     });
-    const row = element2(
+    const row2 = element2(
       "div",
       {
         class: `row ${classes}`,
@@ -4627,7 +4899,7 @@ ${end.mark}`;
       more,
       hide
     );
-    return { id, host: element2("li", { role: "none" }, row), row, hide, group: group3 };
+    return { id, host: element2("li", { role: "none" }, row2), row: row2, hide, group: group3 };
   }
   function told(words2) {
     return element2("span", { class: "visually-hidden" }, words2);
@@ -4661,10 +4933,10 @@ ${end.mark}`;
       host2.append(item2.host);
     }
     function itemAt(target2) {
-      const row = target2 instanceof Element ? target2.closest(".row") : null;
-      return row instanceof HTMLElement ? items.get(row.dataset["id"] ?? "") : void 0;
+      const row2 = target2 instanceof Element ? target2.closest(".row") : null;
+      return row2 instanceof HTMLElement ? items.get(row2.dataset["id"] ?? "") : void 0;
     }
-    const isOpen = ({ row }) => row.getAttribute("aria-expanded") === "true";
+    const isOpen = ({ row: row2 }) => row2.getAttribute("aria-expanded") === "true";
     function turn(item2, open2) {
       if (!item2.group || isOpen(item2) === open2) return;
       item2.row.setAttribute("aria-expanded", String(open2));
@@ -4688,7 +4960,7 @@ ${end.mark}`;
     }
     function markSelected(state) {
       var _a, _b;
-      for (const row of tree.querySelectorAll('[aria-selected="true"]')) row.setAttribute("aria-selected", "false");
+      for (const row2 of tree.querySelectorAll('[aria-selected="true"]')) row2.setAttribute("aria-selected", "false");
       if (((_a = state.selection) == null ? void 0 : _a.kind) === "node") for (const group3 of around2(entryNow(), state.grouping, Number(state.selection.id.slice(2)))) open(group3.id);
       const item2 = items.get(((_b = state.selection) == null ? void 0 : _b.id) ?? "");
       if (!item2) return;
@@ -4700,16 +4972,16 @@ ${end.mark}`;
       const item2 = items.get(id);
       if (item2) turn(item2, true);
     }
-    function rove(row) {
-      if (!(row instanceof HTMLElement)) return;
+    function rove(row2) {
+      if (!(row2 instanceof HTMLElement)) return;
       for (const each of tree.querySelectorAll('[tabindex="0"]')) each.setAttribute("tabindex", "-1");
-      row.tabIndex = 0;
+      row2.tabIndex = 0;
     }
-    function focus(row) {
-      rove(row);
-      if (row instanceof HTMLElement) row.focus();
+    function focus(row2) {
+      rove(row2);
+      if (row2 instanceof HTMLElement) row2.focus();
     }
-    const visible = () => [...tree.querySelectorAll(".row")].filter((row) => !row.closest("ul[hidden]"));
+    const visible = () => [...tree.querySelectorAll(".row")].filter((row2) => !row2.closest("ul[hidden]"));
     function choose({ id }) {
       select(page, id.startsWith("n:") ? { kind: "node", id } : { kind: "container", id });
     }
@@ -4766,8 +5038,8 @@ ${end.mark}`;
       focus: () => focus(tree.querySelector('[tabindex="0"]'))
     };
   }
-  function markHidden({ id, row, hide }, { hidden }) {
-    row.classList.toggle("hidden-in-drawing", hidden.has(id));
+  function markHidden({ id, row: row2, hide }, { hidden }) {
+    row2.classList.toggle("hidden-in-drawing", hidden.has(id));
     hide.setAttribute("aria-pressed", String(hidden.has(id)));
   }
   function groupingChooser(page) {
@@ -4912,8 +5184,22 @@ ${end.mark}`;
 
   // launchlint/report/html/js/unpack.js
   var DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
+  var PARTS = (
+    /** @type {const} */
+    ["containers", "nodes", "channels", "connections", "params"]
+  );
   function read(text2) {
-    return unpack(JSON.parse(text2));
+    const [head2 = "", ...lines] = text2.split("\n");
+    const data = unpack(JSON.parse(head2));
+    data.entries.forEach((entry, index) => {
+      let parts3 = null;
+      for (const part2 of PARTS) {
+        Object.defineProperty(entry, part2, { enumerable: true, get: () => (parts3 ??= unpack(JSON.parse(lines[index] ?? "{}")))[part2] });
+      }
+    });
+    let library = null;
+    Object.defineProperty(data, "library", { enumerable: true, get: () => library ??= unpack(JSON.parse(lines[data.entries.length] ?? "[]")) });
+    return data;
   }
   function unpack(value) {
     if (Array.isArray(value)) return value.map(unpack);
@@ -4969,6 +5255,7 @@ ${end.mark}`;
       busy: (on) => host2.classList.toggle("busy", on)
     });
     const page = { model, store, drawing };
+    const landing = createLanding(page);
     createVerdict(page);
     const search = createControls(page, { help: () => help() });
     const tree = createTree(page);
@@ -4982,7 +5269,9 @@ ${end.mark}`;
       tree: () => tree.focus(),
       drawing: drawingKeys.focus,
       tables: tables.toggle,
-      help: () => help()
+      help: () => help(),
+      landing: landing.show,
+      change: createSteps(page)
     });
     const help = createHelp(shortcuts);
     preparePrint();

@@ -1,4 +1,5 @@
-// What the page is made from, written by launchlint/report/html/data.py. In the page it is packed: read it with
+// What the page is made from, written by launchlint/report/html/data.py. In the page it is packed, and entry files are unpacked when something
+// of them is first asked for: read it with
 //   read(document.getElementById("launchlint-data").textContent)   from ./unpack.js
 // which gives ReportData exactly as it is declared here.
 // Names in it come from untrusted files: show them with textContent only, key them in Maps only.
@@ -24,6 +25,8 @@ export interface ReportData {
   /** MD5 of types as libraries say it, sorted by type; a type of which they say several stands here as often. */
   md5s: [type: string, md5: string][];
   findings: Finding[];
+  /** Findings at `base` that are there no more: no number of the page counts them. */
+  fixed: Finding[];
   /** The first one is what the page shows first: what changed since `base`, then files that no other one includes, the larger ones first. */
   entries: Entry[];
   /** Programs that appear on the page, and all of libraries given by hand. */
@@ -77,6 +80,12 @@ export interface Entry {
   params: Param[];
   /** Indexes into ReportData.findings of those that this entry reaches. */
   findings: number[];
+  /** Of each of these the indexes of the configurations that have it; empty: all. */
+  findingsOnly: number[][];
+  /** In a comparison: what is otherwise, in words ("−3 connections"), the weightiest first; empty where nothing is, or nothing is compared. */
+  changes: [looks: Mark, words: string][];
+  /** Indexes into ReportData.fixed of findings that it had at `base`. */
+  fixed: number[];
   /** Of the whole file, in a comparison. */
   mark?: Mark;
 }
@@ -188,6 +197,8 @@ export interface Finding {
   rule: string;
   name: string;
   severity: "error" | "warning" | "info";
+  /** In a comparison: that it was not there at `base`, or is not there any more. */
+  since?: "new" | "fixed";
   message: string;
   label: string;
   place: Place;

@@ -7,11 +7,13 @@ import { createDrawingKeys } from "./page/drawing_keys.js";
 import { part } from "./page/elements.js";
 import { createHelp } from "./page/help.js";
 import { createKeyboard } from "./page/keyboard.js";
+import { createLanding } from "./page/landing.js";
 import { createModel } from "./page/model.js";
 import { createPanel } from "./page/panel.js";
 import { preparePrint } from "./page/print.js";
 import { createSheets } from "./page/sheets.js";
 import { createStage } from "./page/stage.js";
+import { createSteps } from "./page/steps.js";
 import { createStore } from "./page/state.js";
 import { createTables } from "./page/tables.js";
 import { createTree } from "./page/tree.js";
@@ -49,6 +51,7 @@ function start() {
   });
   const page = { model, store, drawing };
 
+  const landing = createLanding(page);
   createVerdict(page);
   const search = createControls(page, { help: () => help() });
   const tree = createTree(page);
@@ -63,6 +66,8 @@ function start() {
     drawing: drawingKeys.focus,
     tables: tables.toggle,
     help: () => help(),
+    landing: landing.show,
+    change: createSteps(page),
   });
   const help = createHelp(shortcuts);
   preparePrint();

@@ -4,13 +4,29 @@
 
 const DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
 
+/** What of an entry file stands in a line of its own. */
+const PARTS = /** @type {const} */ (["containers", "nodes", "channels", "connections", "params"]);
+
 /**
- * The data of the page: what stands in <script type="application/json" id="launchlint-data">.
+ * The data of the page: what stands in <script type="application/json" id="launchlint-data">. The parts of an entry file are read when one
+ * of them is first asked for, and so is the library.
  * @param {string} text
  * @returns {ReportData}
  */
 export function read(text) {
-  return unpack(JSON.parse(text));
+  const [head = "", ...lines] = text.split("\n");
+  const data = unpack(JSON.parse(head));
+  data.entries.forEach((/** @type {object} */ entry, /** @type {number} */ index) => {
+    /** @type {any} */
+    let parts = null;
+    for (const part of PARTS) {
+      Object.defineProperty(entry, part, { enumerable: true, get: () => (parts ??= unpack(JSON.parse(lines[index] ?? "{}")))[part] });
+    }
+  });
+  /** @type {any} */
+  let library = null;
+  Object.defineProperty(data, "library", { enumerable: true, get: () => (library ??= unpack(JSON.parse(lines[data.entries.length] ?? "[]"))) });
+  return data;
 }
 
 /**

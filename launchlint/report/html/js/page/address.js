@@ -22,6 +22,7 @@ const GROUPINGS = ["namespace", "file", "package", "machine"];
  * @param {PageState} state
  */
 export function addressOf(model, state) {
+  if (state.landing) return "";
   const first = initialState();
   const entry = model.entry(state.entry);
   /** @type {[string, string][]} */
@@ -37,6 +38,8 @@ export function addressOf(model, state) {
     pairs.push(["layers", LAYERS.filter((layer) => state.layers[layer]).join()]);
   }
   for (const flag of FLAGS) if (state[flag] !== first[flag]) pairs.push([flag, state[flag] ? "yes" : "no"]);
+  // Where there are several launch files, an address that says nothing is that of the landing page.
+  if (pairs.length === 0 && model.data.entries.length > 1) pairs.push(["entry", model.data.files[entry.entry.file] ?? ""]);
   return pairs.map(([key, value]) => `${key}=${key === "open" || key === "hide" ? value : escape(value)}`).join("&");
 }
 
@@ -51,6 +54,7 @@ export function stateOf(model, hash) {
   const said = pairsOf(hash);
   const state = initialState();
   const wanted = wantedOf(said);
+  state.landing = said.size === 0 && model.data.entries.length > 1;
   state.entry = entryOf(model, said, wanted) ?? state.entry;
   const entry = model.entry(state.entry);
   const configuration = said.get("configuration");

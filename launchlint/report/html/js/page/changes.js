@@ -7,6 +7,8 @@ import { does } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
 /** @typedef {import("./model.js").EntryModel} EntryModel */
+/** @typedef {import("./model.js").Model} Model */
+/** @typedef {import("./state.js").Target} Target */
 /** @typedef {import("../data").Connection} Connection */
 /** @typedef {import("../data").Mark} Mark */
 
@@ -34,6 +36,40 @@ export function changesBlocks(page, model) {
   });
   return blocks.length > 0 ? blocks : [block(`Since ${base}`, element("p", {}, "Nothing changed in what this launch file starts and connects."))];
 }
+
+/**
+ * A function that lists, for an entry file, what to look at so that every change was seen: each thing once, what is lost first.
+ *
+ * @param {Model} model
+ */
+export function createSequence(model) {
+  /** @type {Map<number, Target[]>} */
+  const known = new Map();
+  return (/** @type {number} */ index) => {
+    let found = known.get(index);
+    if (!found) known.set(index, (found = targetsOf(model, index)));
+    return found;
+  };
+}
+
+/** @param {Model} model @param {number} index @returns {Target[]} */
+function targetsOf(model, index) {
+  const one = model.entry(index);
+  const { nodes, channels, params, findings } = one.entry;
+  const marked = MARKS.flatMap(([mark]) => [
+    ...channels.flatMap(({ hub, plumbing }, at) => (!hub && !plumbing && endsAt(one, at).some((each) => each.mark === mark) ? [`c:${at}`] : [])),
+    ...nodes.flatMap((each, at) => (each.mark === mark ? [`n:${at}`] : [])),
+    ...params.flatMap((each, at) => (each.mark === mark ? [`p:${at}`] : [])),
+  ]);
+  const fresh = findings.flatMap((each) => (model.data.findings[each]?.since ? [model.data.findings[each]?.id ?? ""] : []));
+  return [
+    ...fresh.map((id) => /** @type {Target} */ ({ kind: "finding", id })),
+    ...[...new Set(marked)].map((id) => /** @type {Target} */ ({ kind: KIND_OF[id.charAt(0)], id })),
+  ];
+}
+
+/** @type {Record<string, string>} */
+const KIND_OF = { c: "channel", n: "node", p: "param" };
 
 /** @param {Page} page @param {EntryModel} model @param {Mark} mark */
 function nodesWith(page, model, mark) {

@@ -4,7 +4,8 @@ import { button, element, fill, part } from "./elements.js";
 import { createExportMenu } from "./export.js";
 import { createSearch } from "./search.js";
 import { themeButton } from "./theme.js";
-import { configurationName } from "./wording.js";
+import { initialState } from "./state.js";
+import { configurationName, number } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
 
@@ -26,8 +27,8 @@ export function createControls(page, { help }) {
     themeButton(),
     button("?", help, { class: "help", "aria-label": "Keyboard help", title: "Keyboard (?)" }),
   );
+  page.store.listen((state) => entry && (entry.value = state.landing ? "-1" : String(state.entry)), { always: true });
   page.store.listen((state, before) => {
-    if (entry) entry.value = String(state.entry);
     if (state === before || state.entry !== before.entry) fillConfigurations(page, configuration);
     configuration.value = String(state.configuration);
   });
@@ -43,14 +44,15 @@ function entryChooser({ model, store }) {
     const told = [
       each.configurations[0],
       each.verdict !== "loads" ? each.verdict : each.withArgs !== "" && "refused with other args",
-      each.mark,
+      each.mark ?? each.changes.map(([, words]) => words).join(", "),
       count > 0 && `${count} ${count === 1 ? "finding" : "findings"}`,
     ];
     const more = told.filter(Boolean).join(", ");
     return element("option", { value: index }, `${files[each.file]}${more ? ` (${more})` : ""}`);
   });
-  const host = element("select", { "aria-label": "Launch file" }, ...options);
-  host.addEventListener("change", () => store.set({ entry: Number(host.value) }));
+  const all = element("option", { value: -1 }, `All ${number(entries.length, "launch file")}`);
+  const host = element("select", { "aria-label": "Launch file" }, all, ...options);
+  host.addEventListener("change", () => store.set(host.value === "-1" ? { ...initialState(), landing: true } : { entry: Number(host.value) }));
   return host;
 }
 

@@ -8,6 +8,8 @@ import { button, element } from "./elements.js";
 const KEYS = [
   ["/", "search"],
   ["n  N", "next, previous finding"],
+  ["]  [", "next, previous change, where two revisions are compared"],
+  ["a", "all launch files"],
   ["t", "tree"],
   ["d", "drawing"],
   ["p", "panel"],

@@ -10,7 +10,7 @@ const STORED = "launchlint-single-keys";
 
 /**
  * @param {Page} page
- * @param {{ search: () => void, tree: () => void, drawing: () => void, tables: () => void, help: () => void }} go
+ * @param {{ search: () => void, tree: () => void, drawing: () => void, tables: () => void, help: () => void, landing: () => void, change: (step: 1 | -1) => void }} go
  */
 export function createKeyboard(page, go) {
   const { store, drawing } = page;
@@ -26,6 +26,9 @@ export function createKeyboard(page, go) {
     ["p", () => part("panel").querySelector("h2")?.focus()],
     ["n", () => nextFinding(page, 1)],
     ["N", () => nextFinding(page, -1)],
+    ["]", () => go.change(1)],
+    ["[", () => go.change(-1)],
+    ["a", go.landing],
     ["f", () => focusOnSelected(page)],
     ["+", () => drawing.zoom(1.25)],
     ["=", () => drawing.zoom(1.25)],
@@ -44,9 +47,10 @@ export function createKeyboard(page, go) {
   });
 
   function back() {
-    const { selection, focus } = store.get();
+    const { selection, focus, landing } = store.get();
     if (selection) store.set({ selection: null });
     else if (focus) store.set({ focus: null });
+    else if (!landing) go.landing();
   }
 
   return {
@@ -65,7 +69,8 @@ export function createKeyboard(page, go) {
 
 /** @param {Page} page @param {1 | -1} step */
 function nextFinding(page, step) {
-  const { entry, selection } = page.store.get();
+  const { entry, selection, landing } = page.store.get();
+  if (landing) return;
   const findings = page.model.entry(entry).entry.findings.flatMap((each) => page.model.data.findings[each] ?? []);
   const order = ["error", "warning", "info"];
   findings.sort((one, other) => order.indexOf(one.severity) - order.indexOf(other.severity));

@@ -28,7 +28,8 @@
 export function createModel(data) {
   /** @type {Map<number, EntryModel>} */
   const known = new Map();
-  const lines = new Map(data.lines.map((each) => [each.file, new Map(each.lines)]));
+  /** @type {Map<number, Map<number, string>> | null} */
+  let lines = null;
   /** @type {Map<string, string[]>} */
   const md5s = new Map();
   for (const [type, md5] of data.md5s) md5s.set(type, [...(md5s.get(type) ?? []), md5]);
@@ -63,7 +64,7 @@ export function createModel(data) {
      * @param {number} file
      * @param {number} line
      */
-    line: (file, line) => lines.get(file)?.get(line),
+    line: (file, line) => (lines ??= new Map(data.lines.map((each) => [each.file, new Map(each.lines)]))).get(file)?.get(line),
     /**
      * "path:line".
      *
@@ -81,6 +82,27 @@ export function createModel(data) {
  */
 export function isIn(thing, configuration) {
   return configuration < 0 || thing.only.length === 0 || thing.only.includes(configuration);
+}
+
+/**
+ * Whether anybody has a channel in a configuration (-1: in any).
+ *
+ * @param {EntryModel} model
+ * @param {number} channel
+ * @param {number} configuration
+ */
+export function isUsedIn(model, channel, configuration) {
+  return configuration < 0 || (model.onChannel[channel] ?? []).some((each) => isIn(each, configuration) && isIn(model.entry.nodes[each.node] ?? each, configuration));
+}
+
+/**
+ * The findings of an entry file that a configuration has (-1: any), by number.
+ *
+ * @param {EntryModel} model
+ * @param {number} configuration
+ */
+export function findingsIn({ entry }, configuration) {
+  return entry.findings.filter((_, at) => isIn({ only: entry.findingsOnly[at] ?? [] }, configuration));
 }
 
 /**

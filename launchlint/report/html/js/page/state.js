@@ -2,7 +2,7 @@
 
 /** @typedef {import("../drawing/types").Grouping} Grouping */
 /** @typedef {import("../drawing/types").Selection | { kind: "finding", id: string }} Target */
-/** @typedef {import("../drawing/types").ViewState & { selection: Target | null }} PageState */
+/** @typedef {import("../drawing/types").ViewState & { selection: Target | null, landing: boolean }} PageState `landing`: all launch files are shown, and none in particular */
 
 /** @type {readonly (keyof PageState["layers"])[]} */
 export const LAYERS = ["topics", "services", "actions", "params"];
@@ -23,6 +23,7 @@ export function initialState() {
     hidden: new Set(),
     matches: null,
     selection: null,
+    landing: false,
   };
 }
 
@@ -36,14 +37,18 @@ export function initialState() {
  */
 export function createStore(first, address) {
   let state = first;
-  /** @type {((state: PageState, before: PageState) => void)[]} */
+  /** @type {{ hear: (state: PageState, before: PageState) => void, always: boolean }[]} */
   const listeners = [];
 
   /** @param {PageState} next */
   function become(next) {
     const before = state;
     state = next;
-    for (const listener of listeners) listener(state, before);
+    for (const { hear, always } of listeners) {
+      if (always) hear(state, before);
+      // What shows a launch file rests while none is shown, and then begins anew: what nobody opens is not even read.
+      else if (!state.landing) hear(state, before.landing ? state : before);
+    }
   }
 
   window.addEventListener("popstate", () => {
@@ -54,26 +59,29 @@ export function createStore(first, address) {
   return {
     get: () => state,
     /**
-     * Changes some of the state. What belongs to one entry file or grouping only does not outlive it.
+     * Changes some of the state. What belongs to one entry file or grouping only does not outlive it; any other change than what a search
+     * lights leaves the landing page.
      *
      * @param {Partial<PageState>} change
      * @param {"push" | "replace"} [step] whether "back" undoes it by itself
      */
     set(change, step = "push") {
-      const next = { ...state, ...outlived(state, change), ...change };
+      const landing = state.landing && Object.keys(change).every((key) => key === "matches");
+      const next = { ...state, landing, ...outlived(state, change), ...change };
       const before = address.write(state);
       const now = address.write(next);
       if (now !== before) history[step === "push" ? "pushState" : "replaceState"](null, "", `#${now}`);
       become(next);
     },
     /**
-     * Calls back after every change, and once now.
+     * Calls back after every change while a launch file is shown, and once when one is, with the same state twice.
      *
-     * @param {(state: PageState, before: PageState) => void} listener
+     * @param {(state: PageState, before: PageState) => void} hear
+     * @param {{ always: boolean }} [when] `always`: on the landing page, too
      */
-    listen(listener) {
-      listeners.push(listener);
-      listener(state, state);
+    listen(hear, { always } = { always: false }) {
+      listeners.push({ hear, always });
+      if (always || !state.landing) hear(state, state);
     },
   };
 }

@@ -1,36 +1,40 @@
-/** One table of the page: its heads sort, its rows are those of the launch file and configuration that is shown, and know what they are about. */
+/** One table of the drawer: its rows are made when it is looked at, its heads sort, and each row knows what it is about. */
 
 import { element, fill } from "./elements.js";
-import { isIn } from "./model.js";
 import { reference } from "./reference.js";
+import { written } from "./source.js";
+import { entryTitle } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
+/** @typedef {import("./rows.js").Kind} Kind */
+/** @typedef {import("./rows.js").Row} Row */
 /** @typedef {import("./state.js").PageState} PageState */
-/** @typedef {import("./state.js").Target} Target */
-/** @typedef {ReturnType<typeof enhance>} Table */
+/** @typedef {ReturnType<typeof createTable>} Table */
 
-const KINDS = new Map([
-  ["table-nodes", "node"],
-  ["table-topics", "channel"],
-  ["table-services", "channel"],
-  ["table-actions", "channel"],
-  ["table-params", "param"],
-  ["table-findings", "finding"],
-]);
+/** Rows that one table shows at once. */
+const MOST_ROWS = 12_000;
 const SEVERITIES = ["error", "warning", "info"];
 const collator = new Intl.Collator("en", { numeric: true });
 
-/** @param {Page} page @param {HTMLTableElement} table */
-export function enhance(page, table) {
-  const kind = KINDS.get(table.id) ?? "";
-  const named = kind === "finding" ? 2 : 0;
-  let linked = false;
+/** @param {Page} page @param {Kind} kind */
+export function createTable(page, kind) {
   let sorted = -1;
   let down = false;
+  let again = () => {};
+  const heads = kind.columns.map((column, at) => element("th", { scope: "col" }, element("button", { type: "button", click: () => sort(at) }, column)));
+  const table = element("table", { id: `table-${kind.id}` }, element("thead", {}, element("tr", {}, ...heads)));
+  const note = element("p", { class: "note", hidden: true });
+  const empty = element("p", { class: "empty", hidden: true }, kind.empty);
+  const wide = element("div", { class: "wide", tabindex: 0, role: "region", "aria-label": kind.caption }, table);
+  const host = element("section", { class: "table", id: `drawer-table-${kind.id}` }, element("h2", {}, kind.caption), wide, note, empty);
+  /** @type {Map<Element, Row>} */
+  const rows = new Map();
 
-  const heads = [...(table.tHead?.rows[0]?.cells ?? [])];
-  heads.forEach((head, column) => {
-    fill(head, element("button", { type: "button", click: () => sort(column) }, head.textContent ?? ""));
+  table.addEventListener("click", (event) => {
+    const target = /** @type {Element} */ (event.target);
+    const row = rows.get(target.closest("tr") ?? table);
+    if (!row || target.closest("a, button, summary")) return;
+    page.store.set({ ...(row.entry === page.store.get().entry ? {} : { entry: row.entry }), landing: false, selection: row.target });
   });
 
   /** @param {number} column */
@@ -41,110 +45,100 @@ export function enhance(page, table) {
       if (at === column) head.setAttribute("aria-sort", down ? "descending" : "ascending");
       else head.removeAttribute("aria-sort");
     });
-    for (const body of table.tBodies) {
-      const rows = [...body.rows].filter((row) => row.dataset["index"] !== undefined);
-      const texts = new Map(rows.map((row) => [row, row.cells[column]?.textContent?.trim() ?? ""]));
-      rows.sort((one, other) => compare(texts.get(one) ?? "", texts.get(other) ?? "") * (down ? -1 : 1));
-      body.append(...rows);
-    }
+    again();
   }
 
-  /** @param {HTMLTableRowElement} row @returns {{ target: Target, entry: number } | null} */
-  function targetOf(row) {
-    const index = Number(row.dataset["index"] ?? NaN);
-    const entry = Number(row.closest("tbody")?.dataset["entry"] ?? page.store.get().entry);
-    if (Number.isNaN(index)) return null;
-    if (kind === "finding") {
-      const finding = page.model.data.findings[index];
-      const reached = page.model.data.entries[entry]?.findings.includes(index);
-      const first = page.model.data.entries.findIndex((each) => each.findings.includes(index));
-      return finding ? { target: { kind: "finding", id: finding.id }, entry: reached || first < 0 ? entry : first } : null;
-    }
-    const selected = /** @type {"node" | "channel" | "param"} */ (kind);
-    return { target: { kind: selected, id: `${kind.charAt(0)}:${index}` }, entry };
+  /** @param {Row[]} found */
+  function inOrder(found) {
+    if (sorted < 0) return found;
+    return [...found].sort((one, other) => compare(one.cells[sorted] ?? "", other.cells[sorted] ?? "") * (down ? -1 : 1));
   }
 
-  /** Makes the name in each row a link: when the table is first looked at, since there may be thousands. */
-  function link() {
-    linked = true;
-    for (const row of table.tBodies) {
-      for (const each of row.rows) {
-        const found = targetOf(each);
-        const cell = each.cells[named];
-        if (found && cell) fill(cell, reference(page, found.target, cell.textContent ?? "", found.entry));
-      }
-    }
+  /** @param {Row} row */
+  function made(row) {
+    const cells = row.cells.map((text, column) => {
+      if (column === kind.named) return element("td", {}, reference(page, row.target, text, row.entry), more(row));
+      if (column === kind.placed && row.place) return element("td", {}, written(page.model, row.place));
+      return element("td", {}, text);
+    });
+    const host = element("tr", { "data-index": row.index, class: row.classes || null }, ...cells);
+    rows.set(host, row);
+    return host;
   }
 
-  /**
-   * What belongs to the view: bodies of launch files, and rows.
-   *
-   * @param {PageState} state
-   * @param {boolean} everything of all launch files
-   */
-  function belonging(state, everything) {
-    const { entry } = page.model.entry(state.entry);
-    const findings = new Set(entry.findings);
-    const isIt = (/** @type {number} */ index) =>
-      kind === "finding" ? findings.has(index) : inConfiguration(entry, kind, index, state.configuration);
-    return {
-      body: (/** @type {HTMLElement} */ { dataset }) => everything || dataset["entry"] === undefined || Number(dataset["entry"]) === state.entry,
-      row: (/** @type {HTMLElement} */ { dataset }) => everything || (dataset["index"] !== undefined && isIt(Number(dataset["index"]))),
-    };
+  /** The further places of findings of the same words. @param {Row} row */
+  function more(row) {
+    if (row.others.length === 0) return null;
+    const items = row.others.map((each) => {
+      const finding = page.model.data.findings[page.model.finding(each.id)];
+      return element("li", {}, reference(page, each, finding ? page.model.place(finding.place) : "", row.entry));
+    });
+    return element("details", { class: "others" }, element("summary", {}, `${row.others.length} more places`), element("ul", {}, ...items));
   }
 
   return {
-    targetOf,
-    /** How many rows belong to the view. @param {PageState} state @param {boolean} everything */
+    host,
+    /** How many rows belong to the view; of all launch files with `everything`. @param {PageState} state @param {boolean} everything */
     count(state, everything) {
-      const belongs = belonging(state, everything);
-      const rows = [...table.tBodies].filter(belongs.body).flatMap((body) => [...body.rows]);
-      return rows.filter((row) => row.dataset["index"] !== undefined && belongs.row(row)).length;
+      if (everything && kind.id === "findings") return page.model.data.findings.length;
+      return entriesOf(page, state, everything).reduce((sum, at) => sum + kind.count(page.model.entry(at), everything ? -1 : state.configuration), 0);
     },
     /**
-     * Shows the rows that belong to the view.
+     * Makes the rows that belong to the view.
      *
      * @param {PageState} state
      * @param {string} filter
      * @param {boolean} everything rows of all launch files
      */
     show(state, filter, everything) {
-      if (!linked) link();
+      again = () => this.show(page.store.get(), filter, everything);
+      rows.clear();
       const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
-      const belongs = belonging(state, everything);
-      for (const body of table.tBodies) {
-        body.hidden = !belongs.body(body);
-        if (body.hidden) continue;
-        for (const row of body.rows) {
-          const isTitle = row.dataset["index"] === undefined;
-          const text = words.length === 0 || isTitle ? "" : (row.textContent ?? "").toLowerCase();
-          row.hidden = !belongs.row(row) || !(isTitle || words.every((word) => text.includes(word)));
-          mark(row, state);
+      const fits = (/** @type {Row} */ { cells }) => words.every((word) => cells.some((text) => text.toLowerCase().includes(word)));
+      /** @type {HTMLElement[]} */
+      const bodies = [];
+      let [shown, left] = [0, 0];
+      const seen = new Set();
+      for (const at of entriesOf(page, state, everything)) {
+        const all = kind.rows(page.model.entry(at), everything ? -1 : state.configuration, page.model).filter(fits);
+        // A finding of several launch files stands below the first of them.
+        const found = inOrder(kind.id === "findings" ? all.filter(({ target }) => !seen.has(target.id) && seen.add(target.id)) : all);
+        if (found.length === 0) continue;
+        if (shown > 0 && shown + found.length > MOST_ROWS) {
+          left += found.length;
+          continue;
         }
+        shown += found.length;
+        const title = everything && element("tr", { class: "entry" }, element("th", { colspan: kind.columns.length, scope: "rowgroup" }, entryTitle(page.model.data, at)));
+        bodies.push(element("tbody", { "data-entry": at }, title, ...found.map(made)));
+      }
+      fill(table, table.tHead, ...bodies);
+      wide.hidden = shown === 0;
+      empty.hidden = shown > 0;
+      note.hidden = left === 0;
+      note.textContent = `${left.toLocaleString("en")} more rows are left out: filter the rows, or open a launch file.`;
+      this.mark(state);
+    },
+    /** Marks the row of what is selected. @param {PageState} state */
+    mark({ selection, entry }) {
+      for (const [host, row] of rows) {
+        const ids = [row.target, ...row.others];
+        const is = selection !== null && row.entry === entry && ids.some((each) => each.kind === selection.kind && each.id === selection.id);
+        if (is && !host.hasAttribute("aria-current")) host.scrollIntoView({ block: "nearest" });
+        if (is) host.setAttribute("aria-current", "true");
+        else host.removeAttribute("aria-current");
       }
     },
   };
-
-  /** @param {HTMLTableRowElement} row @param {PageState} state */
-  function mark(row, { selection }) {
-    const found = selection && targetOf(row);
-    const selected = found && found.entry === page.store.get().entry && found.target.kind === selection.kind && found.target.id === selection.id;
-    if (selected && !row.hasAttribute("aria-current")) row.scrollIntoView({ block: "nearest" });
-    if (selected) row.setAttribute("aria-current", "true");
-    else row.removeAttribute("aria-current");
-  }
 }
 
-/** @param {import("../data").Entry} entry @param {string} kind @param {number} index @param {number} configuration */
-function inConfiguration(entry, kind, index, configuration) {
-  if (configuration < 0) return true;
-  if (kind === "node") return isIn(entry.nodes[index] ?? { only: [] }, configuration);
-  if (kind === "param") return isIn(entry.params[index] ?? { only: [] }, configuration);
-  return true;
+/** The launch files whose rows are shown. @param {Page} page @param {PageState} state @param {boolean} everything */
+function entriesOf({ model }, { entry }, everything) {
+  return everything ? model.data.entries.map((_, at) => at) : [entry];
 }
 
 /** @param {string} one @param {string} other */
 function compare(one, other) {
-  const [left, right] = [SEVERITIES.indexOf(one), SEVERITIES.indexOf(other)];
-  return left >= 0 && right >= 0 ? left - right : collator.compare(one, other);
+  const [left, right] = [one, other].map((each) => SEVERITIES.findIndex((word) => each.endsWith(word) && each.length < word.length + 8));
+  return left !== undefined && right !== undefined && left >= 0 && right >= 0 ? left - right : collator.compare(one, other);
 }

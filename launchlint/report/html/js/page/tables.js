@@ -1,12 +1,13 @@
 /** The drawer of tables: one at a time, of the launch file that is shown, sorted, filtered, and linked with the drawing both ways. */
 
 import { button, element, part } from "./elements.js";
-import { select } from "./reference.js";
-import { enhance } from "./table.js";
+import { createLibrary } from "./library.js";
+import { KINDS } from "./rows.js";
+import { createTable } from "./table.js";
 
 /** @typedef {import("./reference.js").Page} Page */
 /** @typedef {import("./table.js").Table} Table */
-/** @typedef {{ id: string, host: HTMLElement, opener: HTMLButtonElement, count: HTMLElement, table: Table | null }} Drawer */
+/** @typedef {{ id: string, host: HTMLElement, opener: HTMLButtonElement, count: HTMLElement, table: Table | null, fill: () => void }} Drawer */
 
 /** @param {Page} page */
 export function createTables(page) {
@@ -17,44 +18,38 @@ export function createTables(page) {
   const tools = element("div", { class: "drawer-tools", hidden: true }, filter, several && element("label", {}, everything, " all launch files"));
   const openers = element("div", { class: "openers" });
   section.prepend(element("div", { class: "drawer-bar" }, openers, tools));
-  /** @type {Drawer[]} */
-  const drawers = [...section.querySelectorAll("details.table")].map((host) => drawer(/** @type {HTMLDetailsElement} */ (host)));
+  const drawers = KINDS.map((kind) => {
+    const table = createTable(page, kind);
+    section.append(table.host);
+    return drawerOf(`table-${kind.id}`, table.host, kind.caption, table);
+  });
+  const unknown = part("unknown");
+  section.append(unknown);
+  drawers.push(drawerOf("table-unknown", unknown, unknown.querySelector("h2")?.textContent?.trim() ?? "", null));
   const library = part("library");
-  drawers.push(drawerOf("library", library, "Library"));
+  drawers.push(drawerOf("library", library, "Library", null, createLibrary(page, library)));
   library.append(part("foot"));
   section.append(library);
   /** @type {Drawer | null} */
   let open = null;
 
-  /** @param {HTMLDetailsElement} host @returns {Drawer} */
-  function drawer(host) {
-    const title = host.querySelector("summary h2")?.textContent?.trim() ?? "";
-    const own = host.querySelector("table");
-    host.open = true;
-    const made = drawerOf(own?.id || host.id, host, title);
-    if (own && own.id !== "table-unknown") {
-      made.table = enhance(page, own);
-      own.addEventListener("click", (event) => follow(/** @type {Table} */ (made.table), event));
-    }
-    return made;
-  }
-
-  /** @param {string} id @param {HTMLElement} host @param {string} title @returns {Drawer} */
-  function drawerOf(id, host, title) {
+  /** @param {string} id @param {HTMLElement} host @param {string} title @param {Table | null} table @param {() => void} [fill] @returns {Drawer} */
+  function drawerOf(id, host, title, table, fill = () => {}) {
     host.hidden = true;
-    host.id ||= `drawer-${id}`;
+    if (host instanceof HTMLDetailsElement) host.open = true;
     const opener = button("", () => turn(id), { "aria-expanded": "false", "aria-controls": host.id });
     const [, words = title, count = ""] = /^(.*?)\s*([\d,]*)$/s.exec(title) ?? [];
     const counted = element("span", { class: "number" }, count);
     opener.append(words, counted);
     openers.append(opener);
-    return { id, host, opener, count: counted, table: null };
+    return { id, host, opener, count: counted, table, fill };
   }
 
   /** @param {string} id */
   function turn(id) {
     const next = drawers.find((each) => each.id === id) ?? null;
     open = next === open ? null : next;
+    open?.fill();
     for (const each of drawers) {
       each.host.hidden = each !== open;
       each.opener.setAttribute("aria-expanded", String(each === open));
@@ -64,30 +59,29 @@ export function createTables(page) {
     update();
   }
 
-  function update() {
-    for (const { table, count } of drawers) if (table) count.textContent = String(table.count(page.store.get(), everything.checked));
-    open?.table?.show(page.store.get(), filter.value, everything.checked);
-  }
+  /** Of the landing page no launch file is shown, so that nothing of any is counted. */
+  const isAway = () => page.store.get().landing;
 
-  /** A click on a row, but not on a link in it. @param {Table} table @param {MouseEvent} event */
-  function follow(table, event) {
-    const target = /** @type {Element} */ (event.target);
-    const row = target.closest("tr");
-    const found = row && table.targetOf(row);
-    if (!found || target.closest("a[href^=http], button")) return;
-    event.preventDefault();
-    select(page, found.target, found.entry);
+  function update() {
+    if (isAway()) return;
+    for (const { table, count } of drawers) if (table) count.textContent = table.count(page.store.get(), everything.checked).toLocaleString("en");
+    open?.table?.show(page.store.get(), filter.value, everything.checked);
   }
 
   filter.addEventListener("input", update);
   everything.addEventListener("change", update);
   page.store.listen((state, before) => {
-    const keys = /** @type {const} */ (["entry", "configuration", "selection"]);
+    const keys = /** @type {const} */ (["entry", "configuration", "landing"]);
     if (state === before || keys.some((key) => state[key] !== before[key])) update();
+    else if (state.selection !== before.selection) open?.table?.mark(state);
+  });
+  window.addEventListener("beforeprint", () => {
+    if (!isAway()) for (const { table, fill } of drawers) table ? table.show(page.store.get(), "", false) : fill();
   });
   window.addEventListener("hashchange", () => {
     const id = decoded(location.hash.slice(1));
-    const meant = drawers.find((each) => each.host.id === id || each.host.contains(document.getElementById(id)));
+    for (const each of drawers) if (id.startsWith("program-") && each.id === "library") each.fill();
+    const meant = drawers.find((each) => each.host.id === id || each.id === id || each.host.contains(document.getElementById(id)));
     if (id && meant && meant !== open) turn(meant.id);
     if (meant) document.getElementById(id)?.scrollIntoView({ block: "nearest" });
   });

@@ -1,5 +1,6 @@
 /** How roles, counts and conditions are put into words: the same as in launchlint's text output. */
 
+/** @typedef {import("../data").ReportData} ReportData */
 /** @typedef {import("../data").Entry} Entry */
 /** @typedef {import("../data").MayBe} MayBe */
 
@@ -35,7 +36,7 @@ export function missed(role, doubts) {
 }
 
 /** Who may be there, the first of them by name; as the tables say it. @param {readonly MayBe[]} doubts */
-function doubted(doubts) {
+export function doubted(doubts) {
   const names = [...new Set(doubts.map((each) => `${each[1] || "another one"} (${why(each)})`))];
   if (names.length > MOST_DOUBTED) names.splice(MOST_DOUBTED, names.length, "others");
   return [names.slice(0, -1).join(", "), ...names.slice(-1)].filter(Boolean).join(" and ");
@@ -64,6 +65,12 @@ export function number(count, one, many = `${one}s`) {
 export function notice({ verdict, why, withArgs, launcher }) {
   if (verdict === "loads") return withArgs && `loads; ${withArgs}`;
   return `${verdict === "refused" ? `refused by ${launcher}` : verdict}: ${why}${withArgs && `; ${withArgs}`}`;
+}
+
+/** The launch file, with the args it is started with. @param {ReportData} data @param {number} index */
+export function entryTitle(data, index) {
+  const entry = data.entries[index];
+  return entry ? `${data.files[entry.file]} ${entry.configurations[0] ?? ""}`.trimEnd() : "";
 }
 
 /**

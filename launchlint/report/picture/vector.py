@@ -1,0 +1,178 @@
+"""A drawing as an SVG file of its own: it shows in a browser, in a comment and on paper, in a light and in a dark page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from launchlint.plural import counted
+from launchlint.report.escape import visible
+from launchlint.report.graph.drawing import Box, Drawing
+from launchlint.report.picture.layers import Point, Size
+from launchlint.report.picture.sheet import Name, sheet
+
+MARGIN = 28
+LONGEST_TITLE = 110
+LONGEST_LABEL = 30
+"""Characters; what is longer is cut in its middle."""
+CHANNELS = ("topic", "service", "action")
+STRAIGHT = 3
+"""Pixels up or down that need no curve."""
+LARGE, SMALL = 7.4, 6.1
+"""Pixels that a character takes, in a bold label and in what stands below."""
+LEGEND = (("added", "new"), ("removed", "gone"), ("changed", "changed"))
+
+_LIGHT = (
+    "--ground:#fff;--box:#fff;--line:#8b99a8;--text:#17212b;--muted:#566474;--soft:#f4f7fa;--added:#1a7f37;--removed:#cf222e;--changed:#9a6700"
+)
+_DARK = (
+    "--ground:#0d1117;--box:#171d24;--line:#6c7b8a;--text:#e4ebf2;--muted:#a3b0bd;--soft:#1f272f;--added:#3fb950;--removed:#ff7b72;"
+    "--changed:#d29922"
+)
+_STYLE = f"""\
+svg{{{_LIGHT}}}
+@media (prefers-color-scheme:dark){{svg{{{_DARK}}}}}
+text{{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Noto Sans","DejaVu Sans",sans-serif;fill:var(--text)}}
+.title{{font-size:17px;font-weight:600}}.sub,.left{{font-size:13px;fill:var(--muted)}}
+.ground{{fill:var(--ground)}}.box{{fill:var(--box);stroke:var(--line);stroke-width:1.2}}
+.label{{font-size:13px;font-weight:600}}.detail,.name{{font-size:11px;fill:var(--muted)}}
+.folded,.others{{fill:var(--soft)}}.unknown{{stroke-dasharray:2 3}}.conditional{{stroke-dasharray:6 4}}
+.line{{fill:none;stroke:var(--line);stroke-width:1.3}}.head{{fill:var(--line)}}.back{{fill:var(--ground)}}
+.added{{stroke:var(--added);stroke-width:2}}.removed{{stroke:var(--removed);stroke-width:2;stroke-dasharray:6 4}}
+.changed{{stroke:var(--changed);stroke-width:2}}
+.t-added{{fill:var(--added)}}.t-removed{{fill:var(--removed);text-decoration:line-through}}.t-changed{{fill:var(--changed)}}
+.h-added{{fill:var(--added)}}.h-removed{{fill:var(--removed)}}.h-changed{{fill:var(--changed)}}
+"""
+
+
+def svg(drawing: Drawing, title: str, said: Sequence[str] = (), *, compared: bool = False) -> str:
+    """The file. ``said`` are lines below the title; with ``compared`` it says what the colours mean."""
+    placed = sheet(drawing, _size, _name_size)
+    legend = [each for each in LEGEND if compared and any(each[0] == mark for mark in _marks(drawing))]
+    titles = [_cut(visible(title), LONGEST_TITLE), *(_cut(visible(each), LONGEST_TITLE + 30) for each in said)]
+    notes = [*([_cut(drawing.left_out, LONGEST_TITLE + 30)] if drawing.left_out else [])]
+    if not placed.boxes:
+        notes.append("Nothing to draw.")
+    top = MARGIN + 26 + 20 * len(said) + (22 if legend else 0)
+    width = max(placed.width, max(len(each) for each in titles) * 8.2, 420) + 2 * MARGIN
+    height = top + placed.height + MARGIN + 22 * len(notes)
+    out = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" viewBox="0 0 {width:.0f} {height:.0f}" role="img">',
+        f"<title>{_escape('; '.join(titles))}</title>",
+        f"<style>{_STYLE}</style>",
+        f'<rect class="ground" width="{width:.0f}" height="{height:.0f}"/>',
+        _text(MARGIN, MARGIN + 14, titles[0], "title"),
+        *(_text(MARGIN, MARGIN + 36 + 20 * number, each, "sub") for number, each in enumerate(titles[1:])),
+        *_legend(legend, top - 14),
+        f'<g transform="translate({MARGIN} {top})">',
+    ]
+    for arrow, points, ends in placed.lines:
+        classes = f"line{' conditional' if arrow.conditional or arrow.kind == 'service' else ''}{' ' + arrow.mark if arrow.mark else ''}"
+        out.append(f'<path class="{classes}" d="{curve(points, short=ends)}"/>')
+        if ends:
+            out.append(_head(points, arrow.mark))
+    for name, (x, y), (wide, high) in placed.names:
+        out.append(f'<rect class="back" x="{x:.1f}" y="{y:.1f}" width="{wide:.1f}" height="{high:.1f}"/>')
+        for number, line in enumerate(name.lines):
+            looks = f"name{' t-' + name.mark if name.mark else ''}"
+            out.append(_text(x + wide / 2, y + 12 + 14 * number, _short(line), looks, anchor="middle"))
+    for box, place, size in placed.boxes:
+        out += _box(box, place, size)
+    out.append("</g>")
+    out += [_text(MARGIN, height - MARGIN + 8 - 22 * number, each, "left") for number, each in enumerate(reversed(notes))]
+    return "\n".join([*out, "</svg>"]) + "\n"
+
+
+def _marks(drawing: Drawing) -> set[str]:
+    return {each.mark for each in (*drawing.boxes, *drawing.arrows)}
+
+
+def _legend(legend: Sequence[tuple[str, str]], y: float) -> list[str]:
+    found = []
+    for number, (mark, word) in enumerate(legend):
+        x = MARGIN + 96 * number
+        found.append(f'<path class="line {mark}" d="M{x} {y - 4}h26"/>')
+        found.append(_text(x + 32, y, word, "detail"))
+    return found
+
+
+def curve(points: Sequence[Point], *, short: bool) -> str:
+    """A smooth line through points; with ``short`` it leaves room for a head at its end."""
+    (x, y), *rest = points
+    if short and rest:
+        end_x, end_y = rest[-1]
+        rest[-1] = (end_x - (7 if end_x >= (rest[-2][0] if len(rest) > 1 else x) else -7), end_y)
+    path = [f"M{x:.1f} {y:.1f}"]
+    for to_x, to_y in rest:
+        if abs(to_y - y) < STRAIGHT:
+            path.append(f"L{to_x:.1f} {to_y:.1f}")
+        else:
+            middle = (x + to_x) / 2
+            path.append(f"C{middle:.1f} {y:.1f} {middle:.1f} {to_y:.1f} {to_x:.1f} {to_y:.1f}")
+        x, y = to_x, to_y
+    return "".join(path)
+
+
+def _head(points: Sequence[Point], mark: str) -> str:
+    (before, _), (x, y) = points[-2:]
+    back = -8 if x >= before else 8
+    return f'<path class="head{" h-" + mark if mark else ""}" d="M{x:.1f} {y:.1f}l{back} -4.5v9z"/>'
+
+
+def _lines(box: Box) -> tuple[str, str, str]:
+    """What stands above its name, the name, and what stands below."""
+    around = box.parent.partition(" ")[2]
+    label = _short(visible(box.label))
+    if box.kind == "folded":
+        return _short(around), label, counted(box.members, "node")
+    if box.kind == "node":
+        return _short(visible(around)), label, _short(visible(box.detail))
+    return "", label, _short(visible(box.detail))
+
+
+def _size(box: Box) -> Size:
+    above, label, below = _lines(box)
+    width = max(len(label) * LARGE, len(above) * SMALL, len(below) * SMALL) + 26
+    return max(width, 90.0), 16.0 + 18 + (14 if above else 0) + (15 if below else 0)
+
+
+def _name_size(name: Name) -> Size:
+    return max(len(_short(each)) for each in name.lines) * SMALL + 10, 4.0 + 14 * len(name.lines)
+
+
+def _box(box: Box, place: Point, size: Size) -> list[str]:
+    (x, y), (width, height) = place, size
+    above, label, below = _lines(box)
+    unknown, conditional = " unknown" if box.unknown else "", " conditional" if box.conditional else ""
+    round_ = height / 2 if box.kind in CHANNELS else 8
+    out = []
+    if box.kind == "folded":
+        out.append(f'<rect class="box folded" x="{x + 4:.1f}" y="{y + 4:.1f}" width="{width:.1f}" height="{height:.1f}" rx="8"/>')
+    kind = " others" if box.kind == "others" else " folded" if box.kind == "folded" else ""
+    looks = f"box{kind}{unknown}{conditional}{' ' + box.mark if box.mark else ''}"
+    out.append(f'<rect class="{looks}" x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}" rx="{round_:.0f}"/>')
+    at = y + 9
+    for text, step, name in ((above, 12, "detail"), (label, 16, f"label{' t-' + box.mark if box.mark else ''}"), (below, 15, "detail")):
+        if text:
+            at += step
+            out.append(_text(x + width / 2, at, text, name, anchor="middle"))
+            at += 2 if step == 12 else 0
+    return out
+
+
+def _text(x: float, y: float, text: str, looks: str, *, anchor: str = "") -> str:
+    middle = f' text-anchor="{anchor}"' if anchor else ""
+    return f'<text class="{looks}" x="{x:.1f}" y="{y:.1f}"{middle}>{_escape(text)}</text>'
+
+
+def _short(text: str) -> str:
+    if len(text) <= LONGEST_LABEL:
+        return text
+    return f"{text[: LONGEST_LABEL // 3]}…{text[1 + LONGEST_LABEL // 3 - LONGEST_LABEL :]}"
+
+
+def _cut(text: str, longest: int) -> str:
+    return text if len(text) <= longest else f"{text[: longest - 1]}…"
+
+
+def _escape(text: str) -> str:
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
