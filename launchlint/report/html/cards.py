@@ -29,6 +29,7 @@ class Card(NamedTuple):
     """One entry file. ``level`` is ``error``, ``warning`` or ``ok``; ``changes`` are words with their looks; ``sight`` the share known."""
 
     entry: int
+    directory: str
     title: str
     address: str
     level: str
@@ -93,10 +94,13 @@ def _card(data: Mapping[str, Any], entry: Mapping[str, Any], material: EntryMate
     if entry["verdict"] == "loads" and entry["withArgs"]:
         verdict = "refused with other args"
     known, nodes = entry["sight"]
+    path = data["files"][entry["file"]]
+    directory, title = path[: path.rfind("/") + 1], entry_title(data, entry)[path.rfind("/") + 1 :]
     return Card(
         at,
-        entry_title(data, entry),
-        data["files"][entry["file"]],
+        directory,
+        title,
+        path,
         "" if gone else level,
         "gone" if gone else verdict,
         entry["why"] or entry["withArgs"],

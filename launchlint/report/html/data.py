@@ -25,7 +25,9 @@ def report_data(material: Material) -> dict[str, Any]:
     findings = [finding for finding, _ in material.findings]
     new = frozenset(index for index, (_, mark) in enumerate(material.findings) if mark in material.new)
     entries = [entry_data(each, findings, new, material.learn, plain, places, compared=bool(material.base)) for each in in_order(material)]
-    told = [{**_finding(each, mark, plain, places), **_since("new" if at in new else "")} for at, (each, mark) in enumerate(material.findings)]
+    told = [
+        {**_finding(each, mark, plain, places), **_since("new" if at in new else "")} for at, (each, mark) in enumerate(material.findings)
+    ]
     fixed = [{**_finding(each, mark, plain, places, base=True), **_since("fixed")} for each, mark in material.fixed]
     return {
         "format": 1,

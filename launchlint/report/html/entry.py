@@ -26,16 +26,17 @@ def entry_data(
     material: EntryMaterial, findings: Sequence[Finding], new: Set[int], learn: Mapping[str, str], plain: Plain, places: Places, *,
     compared: bool,
 ) -> dict[str, Any]:  # fmt: skip
-    """The ``Entry`` of ``js/data.d.ts``. ``findings`` are those of the whole page, ``new`` the numbers of new ones; ``learn`` as in Material."""
+    """The ``Entry`` of ``js/data.d.ts``. ``findings`` are all of the page, ``new`` the numbers of new ones; ``learn`` as in Material."""
     differs = compared and material.topology != material.before
     state = united(material.before, material.topology) if differs else alone(material.topology or _nothing(material))
     entry = _EntryData(state, material, findings, plain, places)
     gone = material.topology is None and material.before is not None
+    file = places.file(material.path, base=gone)
     nodes, params = entry.nodes(learn), entry.params()
     fresh = sum(each in new for each in material.findings)
     changes = tally(material, nodes, params, fresh).words if compared and material.before is not None and not gone else []
     return {
-        "file": places.file(material.path, base=gone),
+        "file": file,
         "verdict": material.verdict.word,
         "launcher": material.verdict.launcher,
         "why": plain.text(material.verdict.why),

@@ -29,8 +29,10 @@ class Rendered(NamedTuple):
 
 
 def render(data: Mapping[str, Any], landing: Sequence[Group] = (), *, separate: str = "") -> Rendered:
-    """The page of ``data``. ``landing`` are the cards of its entry files. With ``separate``, the start of their names, style and scripts are
-    files of their own."""
+    """The page of ``data``, with ``landing``, the cards of its entry files.
+
+    With ``separate``, the start of their names, style and scripts are files of their own.
+    """
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
     environment = Environment(

@@ -60,15 +60,17 @@ def _launchers(entries: Sequence[Mapping[str, Any]]) -> str:
 
 
 def counts(data: Mapping[str, Any]) -> list[Count]:
-    """Findings by severity, then what the first entry file starts."""
+    """How many launch files, findings of each severity and nodes there are, as ``check`` says it; of one launch file alone its topics."""
     severities = [each["severity"] for each in data["findings"]]
     found = [_count(severities.count(word), word) for word in ("error", "warning", "info") if word in severities]
-    if data["entries"]:
+    known, nodes = data["sight"]
+    if len(data["entries"]) > 1:
+        found.insert(0, _count(len(data["entries"]), "launch file"))
+        found += [Count(nodes, f"{'node' if nodes == 1 else 'nodes'} started"), Count(known, "known")] if nodes else []
+    elif data["entries"]:
         first = data["entries"][0]
         found.append(_count(len(first["nodes"]), "node"))
         found.append(_count(sum(each["kind"] == "topic" and not each["plumbing"] for each in first["channels"]), "topic"))
-    if len(data["entries"]) > 1:
-        found.insert(0, _count(len(data["entries"]), "launch file"))
     return found
 
 

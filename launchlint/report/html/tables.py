@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 MOST_NAMES = 8
 """Names of nodes in one cell."""
 MOST_ROWS = 3_000
-"""Rows of all entry files in one table: entry files whose rows do not fit any more have none, but for the first. With scripts all are there."""
+"""Rows of all entry files in one table: entry files whose rows do not fit any more have none, but for the first. Scripts show all."""
 SEVERITIES = ("error", "warning", "info")
 
 

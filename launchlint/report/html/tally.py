@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 MOST_PAIRS = 4_000
 """Pairs of nodes on one channel that are told apart; of a channel with more only its ends are."""
 
+MINUS = "\N{MINUS SIGN}"
 Pair = tuple[str, str, str, str]
 
 
@@ -37,9 +38,9 @@ class Tally(NamedTuple):
         """Each number that is not zero with its looks (``removed``, ``added`` or ``changed``), the weightiest first."""
         return [
             *([("changed", self.verdict)] if self.verdict else []),
-            *_count(self.connections_lost, "−", "connection", "removed"),
+            *_count(self.connections_lost, MINUS, "connection", "removed"),
             *_count(self.connections_gained, "+", "connection", "added"),
-            *_count(self.nodes_gone, "−", "node", "removed"),
+            *_count(self.nodes_gone, MINUS, "node", "removed"),
             *_count(self.nodes_new, "+", "node", "added"),
             *([("changed", f"{counted(self.nodes_changed, 'node')} changed")] if self.nodes_changed else []),
             *([("changed", f"{counted(self.params_changed, 'param')} changed")] if self.params_changed else []),
@@ -55,19 +56,20 @@ def _count(number: int, sign: str, word: str, looks: str) -> list[tuple[str, str
 def tally(material: EntryMaterial, nodes: Sequence[Mapping[str, Any]], params: Sequence[Mapping[str, Any]], new: int) -> Tally:
     """What changed. ``nodes`` and ``params`` are the data of the entry file, in which they are marked; ``new`` counts its new findings."""
     before, after = material.before, material.topology
-    old, new = ({} if side is None else dict.fromkeys(_pairs(side)) for side in (before, after))
+    old: Mapping[Pair, None] = {} if before is None else dict.fromkeys(_pairs(before))
+    now: Mapping[Pair, None] = {} if after is None else dict.fromkeys(_pairs(after))
     marks = [each.get("mark", "") for each in nodes]
-    was, now = material.verdict_before, material.verdict
+    was, verdict = material.verdict_before, material.verdict
     return Tally(
-        sum(pair not in new for pair in old),
-        sum(pair not in old for pair in new),
+        sum(pair not in now for pair in old),
+        sum(pair not in old for pair in now),
         marks.count("removed"),
         marks.count("added"),
         marks.count("changed"),
         sum("mark" in each for each in params),
         new,
         len(material.fixed),
-        f"{was.word} → {now.word}" if was is not None and was.word != now.word else "",
+        f"{was.word} → {verdict.word}" if was is not None and was.word != verdict.word else "",
     )
 
 

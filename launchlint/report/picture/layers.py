@@ -7,6 +7,7 @@ few lines cross, and move the boxes of a layer towards what they are connected w
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 Point = tuple[float, float]
@@ -56,7 +57,9 @@ def layered(sizes: Mapping[str, Size], arrows: Sequence[tuple[str, str]], betwee
     widths = [max((full[box][0] for box in layer), default=0.0) for layer in columns]
     starts = [sum(widths[:at]) + at * between_layers for at in range(len(columns))]
     places = {
-        box: (starts[at] + (widths[at] - full[box][0]) / 2, middles[box] - full[box][1] / 2) for at, layer in enumerate(columns) for box in layer
+        box: (starts[at] + (widths[at] - full[box][0]) / 2, middles[box] - full[box][1] / 2)
+        for at, layer in enumerate(columns)
+        for box in layer
     }
     top = min((y for _, y in places.values()), default=0.0)
     places = {box: (x, y - top) for box, (x, y) in places.items()}
@@ -123,7 +126,7 @@ def _neighbours(chains: Sequence[Sequence[str]]) -> tuple[dict[str, list[str]], 
     before: dict[str, list[str]] = {}
     after: dict[str, list[str]] = {}
     for chain in chains:
-        for left, right in zip(chain, chain[1:], strict=False):
+        for left, right in pairwise(chain):
             after.setdefault(left, []).append(right)
             before.setdefault(right, []).append(left)
     return before, after
@@ -131,7 +134,7 @@ def _neighbours(chains: Sequence[Sequence[str]]) -> tuple[dict[str, list[str]], 
 
 def _order(columns: list[list[str]], beside: Mapping[str, Sequence[str]], *, forward: bool) -> None:
     """Order each layer by the mean place of what each of its boxes is connected with; what is connected with nothing keeps its place."""
-    steps = list(zip(columns, columns[1:], strict=False))
+    steps = list(pairwise(columns))
     pairs = steps if forward else [(right, left) for left, right in reversed(steps)]
     for fixed, moved in pairs:
         place = {box: at for at, box in enumerate(fixed)}
@@ -156,7 +159,9 @@ def _middles(
     for turn in range(SWEEPS):
         for layer in columns if turn % 2 == 0 else reversed(columns):
             near = [[*before.get(box, ()), *after.get(box, ())] for box in layer]
-            wanted = [sum(middle[each] for each in those) / len(those) if those else middle[box] for box, those in zip(layer, near, strict=True)]
+            wanted = [
+                sum(middle[each] for each in those) / len(those) if those else middle[box] for box, those in zip(layer, near, strict=True)
+            ]
             middle.update(zip(layer, _apart(wanted, [sizes[box][1] for box in layer], gap), strict=True))
     return middle
 
@@ -164,7 +169,7 @@ def _middles(
 def _apart(wanted: Sequence[float], heights: Sequence[float], gap: float) -> list[float]:
     """The places nearest to those wanted (least squares) that keep the order and the gaps: neighbours that collide move as one."""
     offsets = [0.0]
-    for one, other in zip(heights, heights[1:], strict=False):
+    for one, other in pairwise(heights):
         offsets.append(offsets[-1] + (one + other) / 2 + gap)
     pools: list[tuple[float, int]] = []  # mean of what its boxes want, and how many they are
     for want, offset in zip(wanted, offsets, strict=False):

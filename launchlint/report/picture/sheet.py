@@ -23,7 +23,7 @@ class Name(NamedTuple):
 
 
 class Sheet(NamedTuple):
-    """Boxes with their upper left corners, names of arrows likewise, and the points of each line; ``ends`` says which of them has a head."""
+    """Boxes and names of arrows with their upper left corners, and the points of each line with whether it has a head at its end."""
 
     boxes: Sequence[tuple[Box, Point, Size]]
     names: Sequence[tuple[Name, Point, Size]]

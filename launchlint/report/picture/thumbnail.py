@@ -27,7 +27,9 @@ def thumbnail(drawing: Drawing) -> str:
         paths.setdefault(f"line {arrow.mark}".rstrip(), []).append(curve(moved, short=False))
     for box, (x, y), (width, height) in placed.boxes:
         corner = f"M{left + x * scale:.1f} {top + y * scale:.1f}"
-        paths.setdefault(f"{_looks(box)} {box.mark}".rstrip(), []).append(f"{corner}h{width * scale:.1f}v{height * scale:.1f}h{-width * scale:.1f}z")
+        paths.setdefault(f"{_looks(box)} {box.mark}".rstrip(), []).append(
+            f"{corner}h{width * scale:.1f}v{height * scale:.1f}h{-width * scale:.1f}z"
+        )
     drawn = "".join(f'<path class="{looks}" d="{"".join(those)}"/>' for looks, those in paths.items())
     return f'<svg class="thumbnail" viewBox="0 0 {WIDTH} {HEIGHT}" aria-hidden="true">{drawn}</svg>'
 

@@ -22,11 +22,12 @@ LARGE, SMALL = 7.4, 6.1
 LEGEND = (("added", "new"), ("removed", "gone"), ("changed", "changed"))
 
 _LIGHT = (
-    "--ground:#fff;--box:#fff;--line:#8b99a8;--text:#17212b;--muted:#566474;--soft:#f4f7fa;--added:#1a7f37;--removed:#cf222e;--changed:#9a6700"
+    "--ground:#fff;--box:#fff;--line:#8b99a8;--text:#17212b;--muted:#566474;--soft:#f4f7fa;"
+    "--added:#1a7f37;--removed:#cf222e;--changed:#9a6700"
 )
 _DARK = (
-    "--ground:#0d1117;--box:#171d24;--line:#6c7b8a;--text:#e4ebf2;--muted:#a3b0bd;--soft:#1f272f;--added:#3fb950;--removed:#ff7b72;"
-    "--changed:#d29922"
+    "--ground:#0d1117;--box:#171d24;--line:#6c7b8a;--text:#e4ebf2;--muted:#a3b0bd;--soft:#1f272f;"
+    "--added:#3fb950;--removed:#ff7b72;--changed:#d29922"
 )
 _STYLE = f"""\
 svg{{{_LIGHT}}}
@@ -55,11 +56,12 @@ def svg(drawing: Drawing, title: str, said: Sequence[str] = (), *, compared: boo
     top = MARGIN + 26 + 20 * len(said) + (22 if legend else 0)
     width = max(placed.width, max(len(each) for each in titles) * 8.2, 420) + 2 * MARGIN
     height = top + placed.height + MARGIN + 22 * len(notes)
+    extent = f'width="{width:.0f}" height="{height:.0f}"'
     out = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" viewBox="0 0 {width:.0f} {height:.0f}" role="img">',
+        f'<svg xmlns="http://www.w3.org/2000/svg" {extent} viewBox="0 0 {width:.0f} {height:.0f}" role="img">',
         f"<title>{_escape('; '.join(titles))}</title>",
         f"<style>{_STYLE}</style>",
-        f'<rect class="ground" width="{width:.0f}" height="{height:.0f}"/>',
+        f'<rect class="ground" {extent}/>',
         _text(MARGIN, MARGIN + 14, titles[0], "title"),
         *(_text(MARGIN, MARGIN + 36 + 20 * number, each, "sub") for number, each in enumerate(titles[1:])),
         *_legend(legend, top - 14),
@@ -83,7 +85,7 @@ def svg(drawing: Drawing, title: str, said: Sequence[str] = (), *, compared: boo
 
 
 def _marks(drawing: Drawing) -> set[str]:
-    return {each.mark for each in (*drawing.boxes, *drawing.arrows)}
+    return {box.mark for box in drawing.boxes} | {arrow.mark for arrow in drawing.arrows}
 
 
 def _legend(legend: Sequence[tuple[str, str]], y: float) -> list[str]:

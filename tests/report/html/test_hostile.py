@@ -33,18 +33,21 @@ WORDS = ("--title", NAMES[0], "--source-url", "https://example.org/x")
 def test_no_name_becomes_an_element_or_an_attribute(directory: Path) -> None:
     hostile = Elements(page(*WORDS))
     tags = {tag for tag, _ in hostile.found}
-    assert tags.isdisjoint({"img", "svg", "b:evil", "iframe", "object", "embed", "form", "base"})
+    assert tags.isdisjoint({"img", "b:evil", "iframe", "object", "embed", "form", "base"})
     assert len(hostile.scripts) == 3
     known = {
         "lang", "charset", "http-equiv", "content", "name", "class", "href", "id", "aria-label", "scope", "colspan", "tabindex", "role",
-        "open", "data-index", "data-entry", "type",
+        "open", "data-index", "data-entry", "type", "title", "viewbox", "aria-hidden", "d",
     }  # fmt: skip
     assert sorted({name for _, attributes in hostile.found for name in attributes} - known) == []
 
 
 def test_links_lead_to_the_page_or_to_the_forge(directory: Path) -> None:
     targets = {str(attributes["href"]) for _, attributes in Elements(page(*WORDS)).found if "href" in attributes}
-    assert {target for target in targets if not target.startswith("https://example.org/x/")} == {"#tables", "#library"}
+    assert {target for target in targets if not target.startswith(("https://example.org/x/", "#entry=", "#finding="))} == {
+        "#tables",
+        "#library",
+    }
     assert any(target.startswith("https://example.org/x/%3Cb%3Ebold%3Cb%3E.launch#L") for target in targets)
 
 

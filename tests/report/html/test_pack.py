@@ -9,7 +9,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from launchlint.report.html.pack import packed, script
+from launchlint.report.html.pack import PARTS, packed, script
 from tests.report.html.pages import unpacked
 
 
@@ -59,7 +59,17 @@ def test_many_values_and_long_common_beginnings() -> None:
 
 
 def test_nothing_can_end_the_script_element() -> None:
-    value = {"name": "</script><!--&\u2028\u2029"}
-    written = script(value)
-    assert written == '{"name":"\\u003c/script\\u003e\\u003c!--\\u0026\\u2028\\u2029"}'
-    assert json.loads(written) == value
+    value = {"name": "</script><!--&\u2028\u2029", "entries": [], "library": []}
+    written, library = script(value).split("\n")
+    assert written == '{"name":"\\u003c/script\\u003e\\u003c!--\\u0026\\u2028\\u2029","entries":[]}'
+    assert json.loads(written) == {"name": value["name"], "entries": []}
+    assert library == "[]"
+
+
+def test_what_is_read_later_stands_in_lines_of_its_own() -> None:
+    parts: dict[str, Any] = {part: [{"name": f"line\nof {part}"}] for part in PARTS}
+    data = {"title": "x", "entries": [{"file": 0, **parts}, {"file": 1, **parts}], "library": [{"name": "p"}, {"name": "q"}]}
+    head, first, second, library = script(data).split("\n")
+    assert unpacked(json.loads(head)) == {"title": "x", "entries": [{"file": 0}, {"file": 1}]}
+    assert unpacked(json.loads(first)) == unpacked(json.loads(second)) == parts
+    assert unpacked(json.loads(library)) == data["library"]

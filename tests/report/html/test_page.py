@@ -36,8 +36,8 @@ def text_of(html: str, id_: str) -> str:
 def test_skeleton(repository: Path) -> None:
     elements = Elements(page("--library", "library.json"))
     assert elements.ids() == [
-        "bar", "verdict", "counts", "controls", "pages", "tree", "stage", "drawing", "overview", "panel", "tables", "table-findings",
-        "findings-0", "table-nodes", "table-topics", "table-params", "unknown", "table-unknown", "library", "program-0",
+        "bar", "verdict", "counts", "controls", "pages", "tree", "stage", "landing", "drawing", "overview", "panel", "tables",
+        "table-findings", "findings-0", "table-nodes", "table-topics", "table-params", "unknown", "table-unknown", "library", "program-0",
         "program-1", "foot", "launchlint-data",
     ]  # fmt: skip
 

@@ -3215,7 +3215,7 @@ ${end.mark}`;
   // launchlint/report/html/js/page/controls.js
   function createControls(page, { help }) {
     const search = createSearch(page);
-    const configuration = element2("select", { "aria-label": "Configuration" });
+    const configuration = element2("select", { class: "one-only", "aria-label": "Configuration" });
     const entry = entryChooser(page);
     configuration.addEventListener("change", () => page.store.set({ configuration: Number(configuration.value) }));
     fill(
@@ -3242,7 +3242,7 @@ ${end.mark}`;
       const told2 = [
         each.configurations[0],
         each.verdict !== "loads" ? each.verdict : each.withArgs !== "" && "refused with other args",
-        each.mark ?? each.changes.join(", "),
+        each.mark ?? each.changes.map(([, words2]) => words2).join(", "),
         count3 > 0 && `${count3} ${count3 === 1 ? "finding" : "findings"}`
       ];
       const more = told2.filter(Boolean).join(", ");

@@ -20,6 +20,8 @@ HERE = Path(__file__).parent
 GIT = ("git", "-c", "user.name=nobody", "-c", "user.email=nobody@example.org", "-c", "commit.gpgsign=false")
 
 Open = Callable[..., Page]
+FIRST = {"robot": "#entry=robot.launch"}
+"""What is opened where a test does not say it; ``#``: the landing page."""
 
 
 @pytest.fixture(scope="session")
@@ -148,7 +150,8 @@ def open_report(browser: Browser, reports: Callable[[str], Path]) -> Iterator[Op
         page.on("pageerror", lambda error: trouble.append(f"error: {error}"))
         page.on("dialog", lambda dialog: (trouble.append(f"dialog: {dialog.message}"), dialog.dismiss()))
         page.on("request", lambda request: request.url.startswith(("file:", "blob:")) or trouble.append(f"request: {request.url}"))
-        page.goto(f"{reports(name).as_uri()}{fragment}")
+        # Where there are several launch files, the page opens with all of them: most tests are about the one that is named here.
+        page.goto(f"{reports(name).as_uri()}{fragment or FIRST.get(name, '')}")
         if chosen.get("java_script_enabled", True):
             drawn(page)
         return page

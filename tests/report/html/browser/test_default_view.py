@@ -14,6 +14,7 @@ def test_header_says_whether_it_loads_and_how_much_there_is(open_report):
     assert page.locator("#verdict").inner_text() == "loads"
     assert page.locator("#counts li").all_inner_texts() == ["1 info", "9 nodes", "1 not known", "6 topics"]
     assert page.get_by_label("Launch file", exact=True).first.locator("option").all_inner_texts() == [
+        "All 2 launch files",
         "robot.launch (1 finding)",
         "tools.launch (refused, 1 finding)",
     ]

@@ -31,7 +31,7 @@ def test_openers_count_what_belongs_to_the_launch_file(open_report):
         "Unknown programs1",
         "Library",
     ]
-    page.get_by_label("Launch file", exact=True).first.select_option(index=1)
+    page.get_by_label("Launch file", exact=True).first.select_option(index=2)
     assert page.locator(".openers button").all_text_contents() == [
         "Findings1",
         "Nodes2",

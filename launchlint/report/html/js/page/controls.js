@@ -15,7 +15,7 @@ import { configurationName, number } from "./wording.js";
  */
 export function createControls(page, { help }) {
   const search = createSearch(page);
-  const configuration = element("select", { "aria-label": "Configuration" });
+  const configuration = element("select", { class: "one-only", "aria-label": "Configuration" });
   const entry = entryChooser(page);
   configuration.addEventListener("change", () => page.store.set({ configuration: Number(configuration.value) }));
   fill(
