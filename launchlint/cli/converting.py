@@ -10,7 +10,7 @@ from launchlint.project.asked import EntryOptions
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Iterator, Mapping
 
     from launchlint.check.entry import EntryChecker
     from launchlint.check.options import EntryRequest
@@ -64,8 +64,8 @@ def _converted(checker: EntryChecker, request: EntryRequest, style: Style, langu
         _tell_refusal(checker, request)
         return None
     result = converted(session, request.at, request.arguments, style, language)
-    told(result.lost, "not carried over: ")
-    told(result.remarks, "look at this: ")
+    for line in (*told(result.lost, "not carried over: "), *told(result.remarks, "look at this: ")):
+        tell(line)
     return result
 
 
@@ -80,16 +80,16 @@ def _translated(checker: EntryChecker, request: EntryRequest, style: Style, lang
         _tell_refusal(checker, request, "roslaunch")
         return None
     result = converted(session, request.at, request.arguments, style, language)
-    told(result.lost, "not carried over: ")
-    told(result.remarks, "look at this: ")
+    for line in (*told(result.lost, "not carried over: "), *told(result.remarks, "look at this: ")):
+        tell(line)
     return result
 
 
-def told(lines: Iterable[tuple[Place, str]], before: str) -> None:
-    """Tell each on a line of its own, with its place."""
-    for place, words in lines:
+def told(said: Iterable[tuple[Place, str]], before: str) -> Iterator[str]:
+    """A line for each, with its place."""
+    for place, words in said:
         start = place.source.position(place.span.start)
-        tell(f"{place.source.path}:{start.line}:{start.column}: {before}{words}")
+        yield f"{place.source.path}:{start.line}:{start.column}: {before}{words}"
 
 
 def _tell_refusal(checker: EntryChecker, request: EntryRequest, launcher: str = "ros2 launch") -> None:

@@ -46,7 +46,7 @@ def command(
 
     Without --flatten that is FILE itself in the normal form of `launchlint format`: includes, args, conditions and comments stay. What is
     written has been compared with FILE, and means the same; otherwise nothing is written. The exit status is 1 where roslaunch, or
-    ros2 launch, would refuse FILE. Files of ROS 2 are not flattened.
+    ros2 launch, would refuse FILE. With --flatten a launch file of ROS 2 in Python is written as XML, or as --to says.
 
     With --to, FILE is written in another language of ROS 2: from XML to YAML or back, from Python as far as a declarative launch file can
     say it, and, with --from ros1, from ROS 1. What cannot be carried over is told line by line, and stands in the file as comments.
@@ -59,8 +59,8 @@ def command(
 
     if (from_ or distro) and not to:
         raise UsageError(f"{'--from' if from_ else '--distro'} goes with --to")
-    if to and flatten:
-        raise UsageError("--to and --flatten do not go together")
+    if flatten and (to == "ros2" or from_):
+        raise UsageError("a launch file of ROS 1 is translated without --flatten: flatten it before, or what is written behind")
     if args_kept and not flatten:
         raise UsageError("--args-kept goes with --flatten; without it, all args stay anyway")
     if output is not None:
@@ -68,7 +68,7 @@ def command(
     entry = EntryOptions((file,), arguments, None, workspace, config, stdin_filename, distro=distro)
     requests, overlay = entry.requests()
     request = _the_file(file, entry, requests)
-    if to is not None:
+    if to is not None and not flatten:
         from launchlint.cli.converting import convert
 
         converted = convert(entry, overlay, request, "yaml" if to == "yaml" else "xml", from_, to)
@@ -81,7 +81,10 @@ def command(
         return 1
     try:
         style = Style(entry.configuration.line_width, entry.configuration.indent, entry.configuration.sort_attributes)
-        data, notices = _exported(checker, request, style, flatten=flatten, args_kept=args_kept)
+        if flatten:
+            data, notices = _flattened(checker, request, style, to, args_kept=args_kept)
+        else:
+            data, notices = _plain(checker, request, style), []
     except CannotExport as error:
         raise UsageError(f"{file} cannot be exported, and nothing is written: {error.reason}") from error
     for notice in notices:
@@ -136,18 +139,32 @@ def _refused(checker: EntryChecker, request: EntryRequest) -> bool:
     return error is not None
 
 
-def _exported(checker: EntryChecker, request: EntryRequest, style: Style, *, flatten: bool, args_kept: bool) -> tuple[bytes, list[str]]:
-    """The bytes, and what people should know about them. Raises CannotExport."""
-    from launchlint.dialects.door import dialect_of
-    from launchlint.export import flatten as flattening
+def _plain(checker: EntryChecker, request: EntryRequest, style: Style) -> bytes:
+    """The file in normal form. Raises CannotExport."""
     from launchlint.export.plain import plain
-    from launchlint.export.written import CannotExport
+
+    return plain(checker.session_for(request), request.at, request.arguments, style)
+
+
+def _flattened(checker: EntryChecker, request: EntryRequest, style: Style, to: str | None, *, args_kept: bool) -> tuple[bytes, list[str]]:
+    """The bytes of one file that needs no other, and what people should know about them. Raises CannotExport."""
+    from launchlint.dialects.door import dialect_of
     from launchlint.model import ROS1
 
     session = checker.session_for(request)
-    if not flatten:
-        return plain(session, request.at, request.arguments, style), []
-    if dialect_of(session, request.at).name != ROS1:
-        raise CannotExport("only launch files of ROS 1 can be flattened")
-    exported = flattening.flatten(session, request.at, request.arguments, style, args_kept=args_kept)
-    return exported.data, [f"fixed: {each}" for each in exported.fixed]
+    if dialect_of(session, request.at).name == ROS1:
+        from launchlint.export.flatten import flatten
+
+        if to is not None:
+            raise UsageError(f"{request.at} is a launch file of ROS 1; --to with --flatten is for those of ROS 2")
+        exported = flatten(session, request.at, request.arguments, style, args_kept=args_kept)
+        return exported.data, [f"fixed: {each}" for each in exported.fixed]
+    from launchlint.cli.converting import told
+    from launchlint.export.ros2.flattening import flatten as flatten2
+    from launchlint.export.ros2.flattening import language_of
+
+    if args_kept:
+        raise UsageError("--args-kept is for launch files of ROS 1: in one of ROS 2, any include and any group may change what an arg says")
+    flat = flatten2(session, request.at, request.arguments, style, to or language_of(request.at))
+    notices = [f"fixed: {each}" for each in flat.fixed]
+    return flat.data, [*notices, *told(flat.lost, "not carried over: "), *told(flat.remarks, "look at this: ")]

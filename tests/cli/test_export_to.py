@@ -83,10 +83,35 @@ def test_options_that_clash(repository: Path) -> None:
     said = {
         ("--from", "ros2"): "launchlint: --from goes with --to\n",
         ("--distro", "humble"): "launchlint: --distro goes with --to\n",
-        ("--to", "xml", "--flatten"): "launchlint: --to and --flatten do not go together\n",
+        ("--to", "xml", "--flatten"): (
+            "launchlint: demo/launch/robot.launch is a launch file of ROS 1; --to with --flatten is for those of ROS 2\n"
+        ),
+        ("--to", "ros2", "--flatten"): (
+            "launchlint: a launch file of ROS 1 is translated without --flatten: flatten it before, or what is written behind\n"
+        ),
         ("--to", "yaml"): "launchlint: demo/launch/robot.launch is a launch file of ROS 1; say --from ros1 to have it translated\n",
     }
     assert {words: run(repository, "export", "demo/launch/robot.launch", *words).errors for words in said} == said
+
+
+def test_flattened(repository: Path) -> None:
+    text = '<launch>\n  <arg name="n" default="a"/>\n  <node pkg="demo" exec="$(var n)"/>\n</launch>\n'
+    write(repository, {"demo/launch/robot.launch.xml": text})
+    comment = "Flattened by launchlint from robot.launch.xml"
+    ran = run(repository, "export", "demo/launch/robot.launch.xml", "--flatten", "n:=b")
+    assert ran == (0, f'<launch>\n  <!-- {comment}, started with n:=b. -->\n\n  <node pkg="demo" exec="b"/>\n</launch>\n', "")
+    ran = run(repository, "export", "demo/launch/robot.launch.xml", "--flatten", "--to", "yaml")
+    assert ran == (0, f"launch:\n# {comment}.\n\n- node:\n    pkg: demo\n    exec: a\n", "")
+    program = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\ndef generate_launch_description():\n"
+        '    return LaunchDescription([Node(package="demo", executable="a", on_exit=[Node(package="demo", executable="b")])])\n'
+    )
+    write(repository, {"demo/launch/a.launch.py": program})
+    ran = run(repository, "export", "demo/launch/a.launch.py", "--flatten")
+    assert (ran.status, ran.errors) == (
+        0,
+        "launchlint: demo/launch/a.launch.py:6:77: not carried over: on_exit: only shutdown can follow the end of a process\n",
+    )
 
 
 def test_from_ros1(repository: Path) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 from launchlint.evaluate.problems import ConditionNotBoolean, EvaluationBound
 from launchlint.evaluate.ros2.comparing import note_truth
@@ -159,6 +159,9 @@ class Body(NamedTuple):
 class Walk:
     """One evaluation of an entry file in one configuration: the context, and what has come of it so far."""
 
+    CONTEXT: ClassVar[type[Context]] = Context
+    PERFORMER: ClassVar[type[Performer]] = Performer
+
     def __init__(
         self,
         session: Session,
@@ -174,8 +177,8 @@ class Walk:
         self.rules = rules
         self.pinned = pinned
         self.handle = handle
-        self.context = Context(session)
-        self.performer = Performer(session, self.context, entry, rules, self.at, self.spend_characters, self.record, PERFORM)
+        self.context = self.CONTEXT(session)
+        self.performer = self.PERFORMER(session, self.context, entry, rules, self.at, self.spend_characters, self.record, PERFORM)
         quiet = Performer(session, Context(session), entry, rules, Origin, self.spend_characters, tell_nobody, PERFORM)
         quiet.context.environment = self.context.environment
         self.lister = Lister(quiet, self.description_of, Listings() if repeats is None else repeats.listings)
@@ -431,15 +434,19 @@ class Walk:
             if number >= MOST_DEFERRED:
                 break
             self.late, self.counted = [], None
-            self.here = body.here._replace(deferred=body.kind)
-            self.context.directory, self.context.file = body.directory, body.launch_file
-            self.performer.way = body.here.way
-            for problem in lost_in(body.actions, body.configurations, self.context.configurations, body.kind, self.at):
-                self.record(problem)
-            self.execute(body.actions)
+            self.execute_later(body)
             late += self.late[:1]
             self._forget_late()
         self.late = late
+
+    def execute_later(self, body: Body) -> None:
+        """Execute what was deferred, once everything else has been."""
+        self.here = body.here._replace(deferred=body.kind)
+        self.context.directory, self.context.file = body.directory, body.launch_file
+        self.performer.way = body.here.way
+        for problem in lost_in(body.actions, body.configurations, self.context.configurations, body.kind, self.at):
+            self.record(problem)
+        self.execute(body.actions)
 
     def _count(self) -> tuple[int, ...]:
         """How much has come of the evaluation so far."""

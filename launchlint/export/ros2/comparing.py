@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from launchlint.export.ros2.texts import joined
@@ -69,6 +70,21 @@ def launched(launch: Launch, names: Mapping[str, str]) -> dict[str, list[Any]]:
         "late refusal": sorted(problem.kind for problem in launch.late),
         "completeness": [launch.complete],
     }
+
+
+def started(launch: Launch) -> dict[str, list[Any]]:
+    """The same of what is started alone, whichever file says so, and whatever conditions it has met."""
+    found = launched(launch, {})
+    for each in (*found["node"], *found["executable"]):
+        del each["file"]
+        each["conditions"] = "assumed" in each["conditions"]
+    return {kind: found[kind] for kind in ("refusal", "node", "executable", "late refusal", "completeness")}
+
+
+def renumbered(found: Mapping[str, list[Any]]) -> str:
+    """All of it as text, with the names that ``$(anon)`` makes up numbered in the order in which they stand there."""
+    numbers: dict[str, int] = {}
+    return re.sub(r"_anon(\d+)", lambda match: f"_anon#{numbers.setdefault(match[1], len(numbers) + 1)}", repr(found))
 
 
 def difference(before: Mapping[str, list[Any]], after: Mapping[str, list[Any]]) -> str:

@@ -81,20 +81,26 @@ def written(description: Description, reading: Reading, language: str, distro: s
     try:
         root = shaped(description, distribution(distro))
         Comments(reading).put(root, lost)
-        text = _text(root, language, style)
-        data = formatted(text.encode("utf-8"), f"launch{ENDS[language]}", style).data
+        data = text_of(root, language, style)
     except CannotWrite as cannot:
         raise CannotExport(cannot.reason) from None
+    require_same(data, description, language, distro)
+    return data
+
+
+def text_of(root: Branch, language: str, style: Style) -> bytes:
+    """A tree of tags as a file in normal form. Raises CannotWrite."""
+    text = xml.written(root, style.indent) if language == XML else yaml.written(root)
+    return formatted(text.encode("utf-8"), f"launch{ENDS[language]}", style).data
+
+
+def require_same(data: bytes, description: Description, language: str, distro: str) -> None:
+    """Read a file that is written, and raise CannotExport where it does not say what it is to say."""
     again = read(data, f"launch{ENDS[language]}", distro=distro)
     if again.refusal is not None:
         raise CannotExport(f"launch would refuse what is written ({again.refusal.kind})")
     if normal(again.description.actions) != normal(description.actions):
         raise CannotExport("what is written would describe something else")
-    return data
-
-
-def _text(root: Branch, language: str, style: Style) -> str:
-    return xml.written(root, style.indent) if language == XML else yaml.written(root)
 
 
 def prove(session: Session, file: str, given: Pairs, language: str, data: bytes, less: Description | None, reading: Reading) -> None:
@@ -102,7 +108,7 @@ def prove(session: Session, file: str, given: Pairs, language: str, data: bytes,
 
     ``less``: what the file describes without what is said to be lost, where anything is.
     """
-    before, after, there = _side_by_side(session, file, language, data, less, reading)
+    before, after, there = side_by_side(session, file, language, data, less, reading)
     names = {there: file}
     evaluate = named(ROS2).evaluate
     known = [_configurations(*each, given) for each in ((before, file), (after, there))]
@@ -123,7 +129,7 @@ def _listing_as(before: dict[str, list[Any]], after: dict[str, list[Any]]) -> di
     return {**after, "listed arg": before["listed arg"]} if more else after
 
 
-def _side_by_side(
+def side_by_side(
     session: Session, file: str, language: str, data: bytes, less: Description | None, reading: Reading
 ) -> tuple[Session, Session, str]:
     """Two sessions, and the name of the written file in the second of them: its own, if that does not say it is a program."""

@@ -14,7 +14,7 @@ from launchlint.syntax.ros2.written import Written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from launchlint.problem import Problem
     from launchlint.syntax.ros2.tables import Distribution
@@ -60,6 +60,23 @@ def same_pieces(one: Text, other: Text) -> bool:
             else:
                 waiting.extend(zip(piece.arguments, twin.arguments, strict=True))
     return True
+
+
+def substitutions_in(item: object) -> Iterator[Substitution]:
+    """All substitutions in actions or in a text, those in each other, too."""
+    waiting = [item]
+    while waiting:
+        each = waiting.pop()
+        if isinstance(each, Substitution):
+            yield each
+        if isinstance(each, tuple) and not isinstance(each, Place):
+            waiting.extend(each)
+
+
+def asked_variables(item: object) -> dict[str, None]:
+    """The environment variables that actions or a text ask for, where their names are known."""
+    asked = (each.arguments[0].literal for each in substitutions_in(item) if each.name == "env" and each.arguments)
+    return dict.fromkeys(name for name in asked if name)
 
 
 class TextWriter:
