@@ -280,7 +280,10 @@ launch:
         ),
         # $(dirname) is that of the file that was included last
         (
-            '<include file="$(dirname)/base.launch.xml"><arg name="port" value="1"/></include><node pkg="demo" exec="a" cwd="$(filename)"/>',
+            (
+                '<include file="$(dirname)/base.launch.xml"><arg name="port" value="1"/></include>\n'
+                '<node pkg="demo" exec="a" cwd="$(filename)"/>'
+            ),
             (
                 '<!-- from demo/launch/base.launch.xml -->\n<!-- it turns -->\n<node pkg="demo" exec="wheels" args="--port 1"/>\n'
                 "<!-- the end of the base -->\n\n<!-- back in demo/launch/a.launch.xml -->\n"
