@@ -3,8 +3,7 @@
 import re
 from typing import Dict, List, Optional, Tuple
 
-from launchlint_probe.interface import is_infrastructure, spelled
-from launchlint_probe.recorder import Facts
+from launchlint_probe.counterpart import Known
 
 Problem = Dict[str, str]
 
@@ -14,8 +13,6 @@ LONGEST_LINE = 400
 """Characters of a line of output that are looked at."""
 MOST_NAMES = 500
 """Topics and services; a node that has more, and is still at it when time is up, will never be done."""
-ASKED_OFTEN = 8
-"""A node that asks so often for a param that is not set waits for it."""
 MOST_PRINTED = 16 * 1024 * 1024
 """Bytes of output; what prints more is stopped."""
 
@@ -24,7 +21,7 @@ class Outcome:
     """What is known when a node has been stopped.
 
     Args:
-        facts: what it did.
+        known: what it did.
         output: what it printed last.
         said: the same when it was told to stop: what it printed upon that says nothing of what it waits for.
         before: the same before it was sent messages: that it complains of those says nothing.
@@ -33,15 +30,13 @@ class Outcome:
         busy: it was computing then.
         devices: those that it had open.
         printed: bytes of output.
-        unanswered: the services it looked for and that could not be given to it.
-        untold: the topics on which no message could be sent to it.
         sent: it was sent messages.
         excess: code and words where it took more than it may: memory, processes, room on the disk.
     """
 
     def __init__(
         self,
-        facts: Facts,
+        known: Known,
         output: str,
         said: str,
         before: str,
@@ -50,12 +45,10 @@ class Outcome:
         busy: bool,
         devices: List[str],
         printed: int,
-        unanswered: List[str],
-        untold: List[str],
         sent: bool,
         excess: Optional[Tuple[str, str]],
     ) -> None:
-        self.facts = facts
+        self.known = known
         self.output = output
         self.said = said
         self.before = before
@@ -64,8 +57,6 @@ class Outcome:
         self.busy = busy
         self.devices = devices
         self.printed = printed
-        self.unanswered = unanswered
-        self.untold = untold
         self.sent = sent
         self.excess = excess
 
@@ -113,10 +104,8 @@ def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
 
     A node that registered names of its own is ok, however it went on: what is known is known. Its problems say why there may be more.
     """
-    facts = outcome.facts
-    contacted = bool(facts.nodes or facts.reads or facts.lookups or facts.searches)
-    names = len(facts.publishers) + len(facts.subscribers) + len(facts.services)
-    if facts.overflow or (outcome.timed_out and names > MOST_NAMES):
+    known = outcome.known
+    if known.overflow or (outcome.timed_out and known.count > MOST_NAMES):
         return "failed", [_problem("too-many-names", "it made up names without end")]
     problems: List[Problem] = []
     if outcome.printed > MOST_PRINTED:
@@ -124,25 +113,24 @@ def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
     if outcome.excess is not None:
         problems.append(_problem(*outcome.excess))
         if outcome.code is None:
-            return ("ok" if _has_own_names(facts) else "failed"), problems
+            return ("ok" if known.has_names else "failed"), problems
     signs = _signs(outcome.output, outcome.said)
     if outcome.code is None:
-        registered = bool(facts.nodes)
-        if registered:
+        if known.registered:
             return "ok", problems + _doubts(outcome, _signs(outcome.before, outcome.said))
-        problems += _not_registered(outcome, contacted, signs)
-        return ("failed" if contacted or (problems and problems[0]["code"] != "silent") else "not-a-node"), problems
+        problems += _not_registered(outcome, signs)
+        return ("failed" if known.contacted or (problems and problems[0]["code"] != "silent") else "not-a-node"), problems
     if outcome.sent:
         problems.append(_problem("ended", _ended(outcome.code, True)))
         return "ok", problems
     problems.extend(signs[:1] + [sign for sign in signs[1:2] if signs[0]["detail"] not in sign["detail"]])
     if outcome.code or not signs:
         problems.append(_problem("ended", _ended(outcome.code, False)))
-    if _has_own_names(facts):
+    if known.has_names:
         return "ok", problems
-    if not contacted and not signs and outcome.code == 0:
+    if not known.contacted and not signs and outcome.code == 0:
         return "not-a-node", problems
-    return ("ok" if facts.nodes and outcome.code == 0 and not signs else "failed"), problems
+    return ("ok" if known.registered and outcome.code == 0 and not signs else "failed"), problems
 
 
 def _doubts(outcome: Outcome, signs: List[Problem]) -> List[Problem]:
@@ -150,31 +138,26 @@ def _doubts(outcome: Outcome, signs: List[Problem]) -> List[Problem]:
     problems: List[Problem] = []
     if outcome.timed_out and not outcome.printed > MOST_PRINTED:
         problems.append(_problem("never-quiet", "there was still something new when it was stopped: there may be more"))
-    problems += [_problem("waits-for-service", spelled(name)) for name in outcome.unanswered]
-    problems += [_problem("waits-for-message", spelled(name)) for name in outcome.untold if not is_infrastructure(name)]
-    missed = sorted(name for name, count in outcome.facts.missed.items() if count >= ASKED_OFTEN and not is_infrastructure(name))
-    problems += [_problem("waits-for-param", spelled(name)) for name in missed]
+    problems += [_problem("waits-for-service", name) for name in outcome.known.unanswered]
+    if outcome.code is None:
+        problems += [_problem("waits-for-message", name) for name in outcome.known.untold]
+    problems += [_problem("waits-for-param", name) for name in outcome.known.missed]
     return problems + [sign for sign in signs if sign["code"] in TELLING][:1]
 
 
-def _not_registered(outcome: Outcome, contacted: bool, signs: List[Problem]) -> List[Problem]:
+def _not_registered(outcome: Outcome, signs: List[Problem]) -> List[Problem]:
     """Why a node that was stopped had registered nothing."""
-    problems = [_problem("waits-for-service", spelled(name)) for name in outcome.unanswered]
+    problems = [_problem("waits-for-service", name) for name in outcome.known.unanswered]
     problems += signs[:1] or [_problem("waits-for-device", device) for device in outcome.devices]
     if outcome.busy and not problems and not outcome.printed > MOST_PRINTED:
         problems.append(_problem("busy", "it was still computing when it was stopped; a larger `limit` may help"))
     if outcome.timed_out:
         problems.append(
             _problem("timed-out", "it was stopped before it registered anything")
-            if contacted
-            else _problem("silent", "it never contacted the master")
+            if outcome.known.contacted
+            else _problem("silent", outcome.known.silence)
         )
     return problems
-
-
-def _has_own_names(facts: Facts) -> bool:
-    tables = (facts.publishers, facts.subscribers, facts.services)
-    return any(not is_infrastructure(name) for table in tables for _, name in list(table)) or bool(facts.lookups)
 
 
 def _ended(code: int, sent: bool) -> str:

@@ -1,6 +1,7 @@
 """Which programs of which packages are nodes: found by looking, not by running them."""
 
 import ast
+import glob
 import hashlib
 import json
 import os
@@ -18,23 +19,49 @@ _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 _PROGRAM = re.compile(r"[A-Za-z0-9_][\w.+-]{0,199}", re.ASCII)
 _CLASS = re.compile(r"[A-Za-z_]\w*(?:(?:/|::)\w+)*", re.ASCII)
 _NO_SCRIPTS = {"test", "tests", "cmake", "build", "doc", "docs", "msg", "srv", "action", "cfg"}
-_ROS_MODULES = {
+
+
+class Marks:
+    """By what a node is known: the library that a binary is linked with, the modules that a script imports, of which it is enough to find
+    ``word`` in its text where it cannot be read; and what such nodes are called.
+    """
+
+    def __init__(self, library: str, binary: str, modules: FrozenSet[str], word: str, script: str) -> None:
+        self.library = library
+        self.binary = binary
+        self.modules = modules
+        self.word = word
+        self.script = script
+
+
+ROS1 = Marks(
+    "libroscpp.so",
+    "roscpp",
+    frozenset(
+        (
+            "rospy",
+            "roslib",
+            "rosgraph",
+            "roslaunch",
+            "rosservice",
+            "rostopic",
+            "actionlib",
+            "tf",
+            "tf2_ros",
+            "smach_ros",
+            "dynamic_reconfigure",
+        )
+    ),
+    r"\brospy\b|init_node",
     "rospy",
-    "roslib",
-    "rosgraph",
-    "roslaunch",
-    "rosservice",
-    "rostopic",
-    "actionlib",
-    "tf",
-    "tf2_ros",
-    "smach_ros",
-    "dynamic_reconfigure",
-}
+)
+ROS2 = Marks("librclcpp.so", "rclcpp", frozenset(("rclpy", "tf2_ros")), r"\brclpy\b", "rclpy")
 
 
 class Found:
-    """A program: ``kind`` is roscpp, rospy, nodelet or none; ``command`` starts it; ``path`` is what it is made from."""
+    """A program: ``kind`` is roscpp, rospy, nodelet, rclcpp, rclpy, component or none; ``command`` starts it; ``path`` is what it is made
+    from.
+    """
 
     def __init__(self, package: str, name: str, kind: str, command: List[str], path: str) -> None:
         self.package = package
@@ -45,8 +72,8 @@ class Found:
 
     @property
     def label(self) -> str:
-        """``package/executable``, or the class of a nodelet."""
-        return self.name if self.kind == "nodelet" else "{}/{}".format(self.package, self.name)
+        """``package/executable``, or the class of a nodelet or component."""
+        return self.name if self.kind in ("nodelet", "component") else "{}/{}".format(self.package, self.name)
 
 
 def default_prefixes() -> List[str]:
@@ -71,7 +98,7 @@ class Packages:
         self.sources = sources
 
 
-def see(prefixes: List[str], sources: List[str]) -> Packages:
+def see(prefixes: List[str], sources: List[str], marks: Marks = ROS1) -> Packages:
     """The packages of install and devel spaces (``prefixes``) and of source spaces."""
     spaces = list(sources)
     for prefix in prefixes:
@@ -84,7 +111,7 @@ def see(prefixes: List[str], sources: List[str]) -> Packages:
     for space in spaces:
         for name, directory in sorted(_source_packages(space).items()):
             own.setdefault(name, directory)
-    programs = packages(prefixes, frozenset(own))
+    programs = packages(prefixes, frozenset(own), marks)
     shares = {name: [directory] for name, directory in own.items()}
     for prefix in prefixes:
         for name in programs:
@@ -99,7 +126,7 @@ def _source_packages(space: str) -> Dict[str, str]:
     found: Dict[str, str] = {}
     for directory, inner, files in os.walk(space):
         inner[:] = sorted(name for name in inner if not name.startswith("."))
-        if "CATKIN_IGNORE" in files:
+        if "CATKIN_IGNORE" in files or "COLCON_IGNORE" in files:
             inner[:] = []
         elif "package.xml" in files:
             inner[:] = []
@@ -124,7 +151,7 @@ def manifest_text(path: str, tag: str) -> str:
         return ""
 
 
-def packages(prefixes: List[str], own: FrozenSet[str] = frozenset()) -> Dict[str, List[str]]:
+def packages(prefixes: List[str], own: FrozenSet[str] = frozenset(), marks: Marks = ROS1) -> Dict[str, List[str]]:
     """Package → the directories that hold its programs. Debian puts some programs into ``lib/PACKAGE`` without a manifest.
 
     ``own`` are packages whose manifest is in a source space.
@@ -135,7 +162,7 @@ def packages(prefixes: List[str], own: FrozenSet[str] = frozenset()) -> Dict[str
             top = os.path.join(prefix, place)
             for name in sorted(os.listdir(top)) if os.path.isdir(top) else ():
                 directory = os.path.join(top, name)
-                if _NAME.fullmatch(name) and os.path.isdir(directory) and (name in own or _manifest(prefix, name) or _has_nodes(directory)):
+                if _NAME.fullmatch(name) and os.path.isdir(directory) and (name in own or _manifest(prefix, name) or _has_nodes(directory, marks)):
                     found.setdefault(name, []).append(directory)
         share = os.path.join(prefix, "share")
         for name in sorted(os.listdir(share)) if os.path.isdir(share) else ():
@@ -149,11 +176,11 @@ def _manifest(prefix: str, package: str) -> Optional[str]:
     return path if os.path.isfile(path) else None
 
 
-def _has_nodes(directory: str) -> bool:
-    return any(classify(os.path.join(directory, name)) != "none" for name in sorted(os.listdir(directory))[:50])
+def _has_nodes(directory: str, marks: Marks) -> bool:
+    return any(classify(os.path.join(directory, name), marks) != "none" for name in sorted(os.listdir(directory))[:50])
 
 
-def executables(package: str, directories: List[str], source: Optional[str] = None) -> Iterator[Found]:
+def executables(package: str, directories: List[str], source: Optional[str] = None, marks: Marks = ROS1) -> Iterator[Found]:
     """The programs of a package, by name; of one name the first. In its source directory only nodes count: roslaunch finds scripts
     there.
     """
@@ -164,10 +191,10 @@ def executables(package: str, directories: List[str], source: Optional[str] = No
             if name in seen or not _is_program(path):
                 continue
             seen.add(name)
-            yield Found(package, name, classify(path), [path], path)
+            yield Found(package, name, classify(path, marks), [path], path)
     for path in _scripts(source) if source else ():
         name = os.path.basename(path)
-        kind = classify(path) if name not in seen and _is_program(path) else "none"
+        kind = classify(path, marks) if name not in seen and _is_program(path) else "none"
         if kind != "none":
             seen.add(name)
             yield Found(package, name, kind, [path], path)
@@ -192,21 +219,21 @@ def _scripts(source: str) -> List[str]:
     return found[:MOST_FILES]
 
 
-def classify(path: str) -> str:
-    """roscpp, rospy or none: by what a binary is linked with, or what a script imports."""
+def classify(path: str, marks: Marks = ROS1) -> str:
+    """The kind of a program, or none: by what a binary is linked with, or what a script imports."""
     try:
         if not os.path.isfile(path) or not os.access(path, os.X_OK):
             return "none"
         with open(path, "rb") as file:
             head = file.read(4)
             if head == b"\x7fELF":
-                return "roscpp" if "libroscpp.so" in _linked(path) else "none"
+                return marks.binary if marks.library in _linked(path) else "none"
             text = (head + file.read(LARGEST_SCRIPT)).decode("utf-8", "replace")
     except OSError:
         return "none"
     if not text.startswith("#!") or "python" not in text.splitlines()[0]:
         return "none"
-    return "rospy" if _imports(_relayed(text)) & _ROS_MODULES else "none"
+    return marks.script if _is_node(_relayed(text, path), marks) else "none"
 
 
 def _linked(path: str) -> str:
@@ -217,16 +244,62 @@ def _linked(path: str) -> str:
     return done.stdout.decode("utf-8", "replace")
 
 
-def _relayed(text: str) -> str:
-    """The script that a script of catkin's devel space runs, else the text itself."""
+def _relayed(text: str, path: str) -> List[str]:
+    """The texts of what a script runs: the script itself, or the script behind one of catkin's devel space, or the package whose function
+    one of setuptools calls.
+    """
     target = re.search(r"python_script = '([^'\n]+)'", text)
     if target is not None:
-        try:
-            with open(target.group(1), encoding="utf-8", errors="replace") as file:
-                return file.read(LARGEST_SCRIPT)
-        except OSError:
-            return text
-    return text
+        return [_text_of(target.group(1)) or text]
+    entry = _ENTRY.search(text)
+    if entry is not None:
+        distribution, name = entry.groups()
+        prefix = os.path.dirname(os.path.dirname(os.path.dirname(path)))
+        for points in _entry_points(prefix, distribution):
+            module = re.search(r"(?m)^\s*{}\s*=\s*([\w.]+)".format(re.escape(name)), _text_of(points))
+            if module is not None:
+                place = os.path.join(os.path.dirname(os.path.dirname(points)), *module.group(1).split("."))
+                return _texts_beside(place)
+    return [text]
+
+
+_ENTRY = re.compile(r"(?m)^# EASY-INSTALL-ENTRY-SCRIPT: '([\w.-]+?)(?:==[^']*)?','console_scripts','([\w.-]+)'")
+"""How setuptools marks a script that it writes for an entry point."""
+_PYTHON_PLACES = ("lib/python3*/site-packages", "lib/python3*/dist-packages", "local/lib/python3*/dist-packages")
+"""Where Python packages are below a prefix."""
+MOST_MODULES = 50
+
+
+def _entry_points(prefix: str, distribution: str) -> List[str]:
+    wanted = re.sub(r"[-_.]+", "_", distribution).lower()
+    found = []
+    for place in _PYTHON_PLACES:
+        for path in sorted(glob.glob(os.path.join(glob.escape(prefix), place, "*", "entry_points.txt"))):
+            known = re.sub(r"[-_.]+", "_", os.path.basename(os.path.dirname(path)).partition("-")[0]).lower()
+            if known in (wanted, wanted + "_egg_info") or known.startswith(wanted + "_dist"):
+                found.append(path)
+    return found
+
+
+def _texts_beside(place: str) -> List[str]:
+    """The module of an entry point, and those in its directory and below: nodes are often in another one of the same package."""
+    texts = [_text_of(place + ".py") or _text_of(os.path.join(place, "__init__.py"))]
+    for path in sorted(glob.glob(os.path.join(glob.escape(os.path.dirname(place)), "**", "*.py"), recursive=True))[:MOST_MODULES]:
+        texts.append(_text_of(path))
+    return texts
+
+
+def _text_of(path: str) -> str:
+    try:
+        with open(path, encoding="utf-8", errors="replace") as file:
+            return file.read(LARGEST_SCRIPT)
+    except OSError:
+        return ""
+
+
+def _is_node(texts: List[str], marks: Marks) -> bool:
+    # A script that only calls the main of a module of its own package is a node where that module is.
+    return any(_imports(text) & marks.modules or re.search(marks.word, text) for text in texts)
 
 
 def _imports(text: str) -> Set[str]:
@@ -240,8 +313,7 @@ def _imports(text: str) -> Set[str]:
             found.update(alias.name.split(".")[0] for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module:
             found.add(node.module.split(".")[0])
-    # A script that only calls the main of a module of its own package is a node where that module is.
-    return found | ({"rospy"} if re.search(r"\brospy\b|init_node", text) else set())
+    return found
 
 
 def nodelets(package: str, shares: List[str], loader: Optional[str]) -> Iterator[Found]:
@@ -255,6 +327,21 @@ def nodelets(package: str, shares: List[str], loader: Optional[str]) -> Iterator
             if kind in ("nodelet::Nodelet", "::nodelet::Nodelet") and name not in seen and _CLASS.fullmatch(name):
                 seen.add(name)
                 yield Found(package, name, "nodelet", [loader, "standalone", name], plugins)
+
+
+def components(package: str, prefixes: List[str], loader: Optional[str]) -> Iterator[Found]:
+    """The components that a package registers, each to be loaded into a container of its own (``loader``)."""
+    if loader is None:
+        return
+    seen = set()
+    for prefix in prefixes:
+        listed = os.path.join(prefix, "share", "ament_index", "resource_index", "rclcpp_components", package)
+        for line in _text_of(listed).splitlines():
+            name, _, library = line.strip().partition(";")
+            path = os.path.join(prefix, library)
+            if _CLASS.fullmatch(name) and name not in seen:
+                seen.add(name)
+                yield Found(package, name, "component", [loader], path if library and os.path.isfile(path) else listed)
 
 
 def _plugin_files(manifest: str) -> Iterator[str]:

@@ -4,7 +4,6 @@ import hashlib
 import json
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 import threading
@@ -14,7 +13,8 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 
 from launchlint_probe import changing, discover, processes, session
 from launchlint_probe.bounds import Bounds
-from launchlint_probe.messages import Definitions, used
+from launchlint_probe.installation import Installation, about, here
+from launchlint_probe.plan import Plan
 
 Job = Dict[str, Any]
 Record = Dict[str, Any]
@@ -69,12 +69,10 @@ def run_all(job: Job) -> int:
     (a directory), ``image``.
     """
     processes.adopt()
-    prefixes = job.get("prefixes") or discover.default_prefixes()
-    seen = discover.see(prefixes, job.get("sources", []))
+    installation = here(job)
     for name in REPORTS if job.get("reports") else ():
         _report(os.path.join(job["reports"], name))
-    definitions = Definitions(seen.shares, _module_directories(prefixes))
-    tasks = list(_node_tasks(job, _programs(job, seen), definitions)) + list(_launch_tasks(job, seen, definitions))
+    tasks = list(_node_tasks(job, _programs(job, installation), installation)) + list(_launch_tasks(job, installation))
     done = set(job.get("done", []))
     only = set(job.get("only", []))
     todo = [task for task in tasks if task.frame["hash"] not in done and (not only or task.frame["hash"] in only)]
@@ -85,7 +83,7 @@ def run_all(job: Job) -> int:
         for future in as_completed(waiting):
             record = dict(future.result(), **waiting[future].frame)
             if record["kind"] == "node":
-                record["messages"] = used([record], definitions)
+                record["messages"] = installation.messages(record)
             left += len(record["left"])
             say(record)
     return max(left, len(processes.end_all()))
@@ -96,10 +94,10 @@ def _do(task: Task) -> Record:
     return task.call()
 
 
-def _programs(job: Job, seen: discover.Packages) -> List[discover.Found]:
+def _programs(job: Job, installation: Installation) -> List[discover.Found]:
     """The programs of the packages that the job names, sorted."""
+    seen = installation.packages
     wanted = job.get("packages") or sorted(seen.programs if job.get("everything") or not seen.sources else seen.sources)
-    loader = _loader(seen)
     programs: List[discover.Found] = []
     skip = set(job.get("skip", []))
     for package in wanted:
@@ -108,15 +106,14 @@ def _programs(job: Job, seen: discover.Packages) -> List[discover.Found]:
         known = package in seen.programs
         say({"kind": "package", "package": package, "status": "found" if known else "missing", "version": _version(seen, package)})
         if known:
-            programs.extend(discover.executables(package, seen.programs[package], seen.sources.get(package)))
-            programs.extend(discover.nodelets(package, seen.shares.get(package, []), loader))
+            programs.extend(installation.programs(package))
     labels = {program.label for program in programs}
     chosen = set(job.get("programs", []))
     for label in sorted((set(job.get("nodes", {})) | chosen) - labels):
         say({"kind": "unknown", "label": label})
     programs = [program for program in programs if not chosen or program.label in chosen]
     programs = [program for program in programs if program.label not in skip and is_mine(program.label, job.get("shard"))]
-    return sorted(programs, key=lambda each: (each.package, each.kind == "nodelet", each.name))
+    return sorted(programs, key=lambda each: (each.package, each.kind in ("nodelet", "component"), each.name))
 
 
 def _version(seen: discover.Packages, package: str) -> str:
@@ -127,11 +124,6 @@ def _version(seen: discover.Packages, package: str) -> str:
     return ""
 
 
-def _loader(seen: discover.Packages) -> Optional[str]:
-    paths = [os.path.join(directory, "nodelet") for directory in seen.programs.get("nodelet", [])]
-    return next((path for path in paths if os.access(path, os.X_OK)), None)
-
-
 def is_mine(label: str, shard: Optional[List[int]]) -> bool:
     """Whether a program belongs to shard ``[number, count]`` (numbers begin at 1)."""
     if not shard:
@@ -139,7 +131,7 @@ def is_mine(label: str, shard: Optional[List[int]]) -> bool:
     return int(hashlib.sha256(label.encode("utf-8", "replace")).hexdigest(), 16) % shard[1] == shard[0] - 1
 
 
-def _node_tasks(job: Job, programs: List[discover.Found], definitions: Definitions) -> Iterator[Task]:
+def _node_tasks(job: Job, programs: List[discover.Found], installation: Installation) -> Iterator[Task]:
     for program in programs:
         for variant, settings, plan in plans(job, program):
             mark = discover.fingerprint(program, [variant, settings, _times(job), job.get("image")])
@@ -157,7 +149,7 @@ def _node_tasks(job: Job, programs: List[discover.Found], definitions: Definitio
                 if variant == "default":
                     yield Task(frame, partial(_not_run, "not-a-node"))
             else:
-                yield Task(frame, partial(_twice, plan, definitions))
+                yield Task(frame, partial(_twice, plan, installation))
 
 
 def _times(job: Job) -> List[Any]:
@@ -166,7 +158,7 @@ def _times(job: Job) -> List[Any]:
     return [limits.get("quiet"), limits.get("limit")]
 
 
-def plans(job: Job, program: discover.Found) -> Iterator[Tuple[str, Dict[str, Any], session.Plan]]:
+def plans(job: Job, program: discover.Found) -> Iterator[Tuple[str, Dict[str, Any], Plan]]:
     """The ways in which a program is run: the default one, and the variants that the job asks for."""
     override = job.get("nodes", {}).get(program.label, {})
     variants = dict(override.get("variants", {}))
@@ -179,7 +171,7 @@ def plans(job: Job, program: discover.Found) -> Iterator[Tuple[str, Dict[str, An
         yield (
             name,
             settings,
-            session.Plan(
+            Plan(
                 program.label,
                 program.command,
                 settings.get("params"),
@@ -189,6 +181,7 @@ def plans(job: Job, program: discover.Found) -> Iterator[Tuple[str, Dict[str, An
                 settings.get("quiet", limits.get("quiet", 1.0)),
                 settings.get("limit", limits.get("limit", 15.0)),
                 arguments=settings.get("args", ""),
+                component=(program.package, program.name) if program.kind == "component" else None,
                 bounds=_bounds(limits),
             ),
         )
@@ -200,16 +193,17 @@ def _bounds(limits: Dict[str, Any]) -> Bounds:
     return Bounds(int(limits.get("memory", known.memory)), int(limits.get("disk", known.disk)), int(limits.get("processes", known.count)))
 
 
-def _twice(plan: session.Plan, definitions: Definitions) -> Record:
+def _twice(plan: Plan, installation: Installation) -> Record:
     """Run a node; without a name where it refuses that; then once more, to see which of its names are made up on the spot.
 
     The second run is in a hurry and ends as soon as all names have come again. Where they do not, a third one is made like the first.
     """
-    first = session.run(plan, definitions)
+    opposite = installation.opposite
+    first = session.run(plan, opposite)
     record = first.record
     if record["status"] == "failed" and _refuses_name(record):
         plan.with_name = False
-        again = session.run(plan, definitions)
+        again = session.run(plan, opposite)
         if again.record["status"] != "failed" or _quotes_name(record):
             first, record = again, again.record
         else:
@@ -217,11 +211,18 @@ def _twice(plan: session.Plan, definitions: Definitions) -> Record:
     if record["status"] != "ok":
         return record
     problems = list(record["problems"])
-    second = session.run(plan, definitions, first.every)
-    if not second.reached:
-        other = session.run(plan, definitions)
-        for key in ("left", "seconds"):
-            second.record[key] = second.record[key] + other.record[key]
+    second = session.run(installation.second(plan), opposite, first.every)
+    others = [second.record]
+    final = installation.final(plan, second)
+    if final is not None:
+        other = session.run(final, opposite)
+        others.append(other.record)
+        if other.record["status"] == "ok":
+            record = dict(other.record)
+            problems = list(record["problems"])
+    elif not second.reached:
+        other = session.run(plan, opposite)
+        others.append(other.record)
         if other.record["status"] != "ok":
             problems.append({"code": "unsteady", "detail": "it ran once and not a second time"})
         else:
@@ -229,12 +230,13 @@ def _twice(plan: session.Plan, definitions: Definitions) -> Record:
             if left_out:
                 detail = "a second run had other names: {}".format(", ".join(left_out[:5]))
                 problems.append({"code": "unsteady", "detail": detail[:300]})
+    runs = [first.record] + others
     return dict(
-        record,
+        installation.joined(record, second.record),
         interface=changing.today(record["interface"]),
         problems=problems,
-        left=record["left"] + second.record["left"],
-        seconds=round(record["seconds"] + second.record["seconds"], 3),
+        left=[process for run in runs for process in run["left"]],
+        seconds=round(sum(run["seconds"] for run in runs), 3),
     )
 
 
@@ -245,22 +247,23 @@ def _refuses_name(record: Record) -> bool:
 
 def _quotes_name(record: Record) -> bool:
     texts = " ".join(problem["detail"] for problem in record["problems"])
-    return "__name" in texts or "__log" in texts
+    return any(word in texts for word in ("__name", "__log", "--ros-args", "__node"))
 
 
-def _launched(plan: session.Plan, definitions: Definitions) -> Record:
-    return session.run(plan, definitions).record
+def _launched(plan: Plan, installation: Installation) -> Record:
+    return session.run(plan, installation.opposite).record
 
 
-def _launch_tasks(job: Job, seen: discover.Packages, definitions: Definitions) -> Iterator[Task]:
+def _launch_tasks(job: Job, installation: Installation) -> Iterator[Task]:
     """The launch files, each a run of roslaunch."""
+    shares = installation.packages.shares
     limits = job.get("limits", {})
     for entry in job.get("launch", []):
         package, _, file = entry["file"].partition("/")
         label = entry["file"]
         if not is_mine(label, job.get("shard")):
             continue
-        path = next((path for path in (os.path.join(each, file) for each in seen.shares.get(package, [])) if os.path.isfile(path)), "")
+        path = next((path for path in (os.path.join(each, file) for each in shares.get(package, [])) if os.path.isfile(path)), "")
         words = ["{}:={}".format(name, value) for name, value in sorted(entry.get("args", {}).items())]
         program = discover.Found(package, label, "launch", ["roslaunch", path] + words, path)
         frame = {
@@ -271,28 +274,22 @@ def _launch_tasks(job: Job, seen: discover.Packages, definitions: Definitions) -
             "args": entry.get("args", {}),
             "hash": discover.fingerprint(program, [_times(job), job.get("image")]),
         }
-        plan = session.Plan(
+        plan = Plan(
             label, program.command, quiet=limits.get("quiet", 1.0), limit=2 * limits.get("limit", 15.0), with_name=False, many=True
         )
-        if path:
-            yield Task(frame, partial(_launched, plan, definitions))
+        if path and not installation.runs_launch_files:
+            why = "launch files of ROS 2 are not run"
+            yield Task(frame, partial(_not_run, "failed", {"code": "launch-not-run", "detail": why}))
+        elif path:
+            yield Task(frame, partial(_launched, plan, installation))
         else:
-            why = "there is no such file in the package" if package in seen.shares else "there is no such package"
+            why = "there is no such file in the package" if package in shares else "there is no such package"
             yield Task(frame, partial(_not_run, "failed", {"code": "launch-missing", "detail": why}))
 
 
 def _not_run(status: str, *problems: Dict[str, str]) -> Record:
     """The record of what need not be started."""
     return {"status": status, "interface": {}, "problems": list(problems), "seconds": 0.0, "left": []}
-
-
-def _module_directories(prefixes: List[str]) -> List[str]:
-    """Where Python modules of messages are."""
-    found = [each for each in os.environ.get("PYTHONPATH", "").split(os.pathsep) if each]
-    for prefix in prefixes:
-        found.append(os.path.join(prefix, "lib", "python3", "dist-packages"))
-        found.append(os.path.join(prefix, "lib", "python2.7", "dist-packages"))
-    return [each for each in dict.fromkeys(found) if os.path.isdir(each)]
 
 
 def _report(path: str) -> None:
@@ -307,21 +304,7 @@ def _report(path: str) -> None:
 
 def environment() -> Record:
     """What this machine or container is."""
-    return {"kind": "environment", "distro": (os.environ.get("ROS_DISTRO") or _ros_version()).lower(), "base": _os_name()}
-
-
-def _ros_version() -> str:
-    try:
-        done = subprocess.run(
-            ["dpkg-query", "-W", "-f", "${Version}", "libroscpp4d", "python3-rospy"],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            timeout=10,
-        )
-        version = done.stdout.decode("ascii", "replace").strip()
-        return "debian" if version else ""
-    except (OSError, subprocess.TimeoutExpired):
-        return ""
+    return {"kind": "environment", "base": _os_name(), **about()}
 
 
 def _os_name() -> str:
