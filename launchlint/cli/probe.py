@@ -174,7 +174,7 @@ def _with_earlier(document: dict[str, Any], output: str) -> Mapping[str, Any]:
         again = document["packages"].get(name, {})
         packages[name] = {
             key: {program: known for program, known in value.items() if program not in again.get(key, {})}
-            if key in ("executables", "nodelets")
+            if key in ("executables", "nodelets", "components")
             else value
             for key, value in package.items()
         }

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from launchlint import __version__
-from launchlint.library.format import CATEGORIES, FORMAT, VERSION
+from launchlint.library.format import CATEGORIES, FORMAT, version_for
 from launchlint.library.merge import merge_programs
+from launchlint.model import ROS1, ROS2
 from launchlint.probe.configuration import ProbeConfiguration
-from launchlint.probe.record import LaunchRecord, NodeRecord, Note, Problem
+from launchlint.probe.record import PROGRAMS, LaunchRecord, NodeRecord, Note, Problem
 from launchlint.probe.sources import Tree
 
 TYPE_CHECKING = False
@@ -39,8 +40,15 @@ OPEN = {
     "arguments-required": "it wanted arguments: {}",
     "display-required": "it had no display: {}",
     "network": "it had no network: {}",
+    "not-configured": "{}, so what it has when it is configured was not seen",
+    "not-active": "{}, so what it has when it is active was not seen",
+    "observer-ended": "{}",
 }
 """Problems of a node that ran, after which its interface is not taken to be the whole one."""
+PARAMS_OPEN = {"params-unanswered": "{}"}
+"""Those after which only its params are not."""
+TABLES_OF = {"nodelet": "nodelets", "component": "components"}
+"""Where a package lists its programs of a kind, if not among the executables."""
 CLIENTS_OPEN = "a service client is seen only when it waits for its service or calls it"
 
 
@@ -68,7 +76,7 @@ def assemble(
     run = f"local, {base}" if local else base
     document: dict[str, Any] = {
         "format": FORMAT,
-        "version": VERSION,
+        "version": 1,
         "generator": f"launchlint {__version__} probe",
         "environment": {
             "base": base,
@@ -85,16 +93,20 @@ def assemble(
     messages = {kind: dict(message) for record in nodes for kind, message in record.messages.items()}
     if messages:
         document["messages"] = {kind: messages[kind] for kind in sorted(messages)}
+    middleware = facts.get("middleware", ROS1)
     packages = _packages(notes, origins, ids)
     programs: dict[tuple[str, str, str], list[dict[str, Any]]] = {}
     for record in sorted(nodes, key=lambda each: (each.variant != "default", each.variant)):
-        table = "nodelets" if record.program == "nodelet" else "executables"
+        table = TABLES_OF.get(record.program, "executables")
         programs.setdefault((record.package, table, record.name), []).append(program(record, configuration, run))
     for (package, table, name), known in sorted(programs.items()):
         packages.setdefault(package, {}).setdefault(table, {})[name] = merge_programs(known)
     for launch in sorted(launches, key=lambda each: (each.label, sorted(each.args.items()))):
         packages.setdefault(launch.package, {}).setdefault("launch", []).append(_launch(launch))
+    if middleware == ROS2:
+        packages = {name: {"middleware": ROS2, **package} for name, package in packages.items()}
     document["packages"] = {name: packages[name] for name in sorted(packages)}
+    document["version"] = version_for(packages.values())
     return document
 
 
@@ -152,13 +164,16 @@ def program(record: NodeRecord, configuration: ProbeConfiguration, run: str) -> 
         value = _joined(settings.get(key), own.get(key))
         if value:
             variant[key] = value
+    variant.update(record.traits)
     evidence = [{"by": "dynamic", "run": run}]
     for category in CATEGORIES:
         if category in record.interface:
             variant[category] = [
                 {**_with_md5(category, entry, record.messages), "evidence": evidence} for entry in record.interface[category]
             ]
-    variant["open"] = _open(record.problems)
+    opened = _open(record.problems, PROGRAMS[record.program])
+    if opened:
+        variant["open"] = opened
     return {**found, "variants": {record.variant: variant}}
 
 
@@ -181,11 +196,13 @@ def _with_md5(category: str, entry: Mapping[str, Any], messages: Mapping[str, Ma
     return dict(entry)
 
 
-def _open(problems: Iterable[Problem]) -> dict[str, str]:
+def _open(problems: Sequence[Problem], middleware: str) -> dict[str, str]:
+    """What is open: after a problem everything, or the params; and service clients in ROS 1, whose master does not learn of them."""
     reasons = [OPEN[problem.code].format(problem.detail) for problem in problems if problem.code in OPEN]
     if reasons:
         return dict.fromkeys(CATEGORIES, reasons[0])
-    return {"clients": CLIENTS_OPEN}
+    found = {"params": PARAMS_OPEN[problem.code].format(problem.detail) for problem in problems if problem.code in PARAMS_OPEN}
+    return {**found, **({"clients": CLIENTS_OPEN} if middleware == ROS1 else {})}
 
 
 def _launch(record: LaunchRecord) -> dict[str, Any]:

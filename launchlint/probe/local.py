@@ -80,7 +80,7 @@ def program(job: bytes) -> Iterator[Local]:
     """
     if not has_ros():
         raise UsageError(
-            "this machine has no ROS 1 that could be probed: source its setup.bash first, or leave --local out to probe in a container"
+            "this machine has no ROS that could be probed: source its setup.bash first, or leave --local out to probe in a container"
         )
     command = [sys.executable, "-I", os.path.join(program_directory(), "launchlint_probe", "__main__.py")]
     with tempfile.TemporaryFile() as complaints:
@@ -103,9 +103,9 @@ def program(job: bytes) -> Iterator[Local]:
 
 
 def has_ros() -> bool:
-    """Whether something of ROS 1 is installed here."""
+    """Whether something of ROS is installed here."""
     return (
-        bool(os.environ.get("ROS_DISTRO"))
+        bool(os.environ.get("ROS_DISTRO") or os.environ.get("AMENT_PREFIX_PATH"))
         or shutil.which("rosversion") is not None
         or shutil.which("roslaunch") is not None
         or any(os.path.isdir(path) for path in ("/usr/share/roscpp", "/usr/lib/python3/dist-packages/rospy", "/usr/share/rosout"))

@@ -11,8 +11,9 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from launchlint.library.format import CATEGORIES, FORMAT, VERSION
+from launchlint.library.format import CATEGORIES, FORMAT, VERSION, VERSION_2
 from launchlint.library.validate import faults
+from launchlint.model import ROS1, ROS2
 from launchlint.probe.words import is_a, is_package, plain
 
 TYPE_CHECKING = False
@@ -24,7 +25,20 @@ MOST_ENTRIES = 5_000
 MOST_PROBLEMS = 20
 LONGEST_DETAIL = 300
 STATUSES = ("ok", "failed", "not-a-node")
-PROGRAMS = ("roscpp", "rospy", "nodelet", "none")
+PROGRAMS: Mapping[str, str] = {
+    "roscpp": ROS1,
+    "rospy": ROS1,
+    "nodelet": ROS1,
+    "rclcpp": ROS2,
+    "rclpy": ROS2,
+    "component": ROS2,
+    "none": ROS1,
+}
+"""Kinds of programs, and the middleware by whose format their interface is checked; what is no node has none."""
+LOADED = ("nodelet", "component")
+"""Those that are classes."""
+TRAITS = ("node", "namespace", "lifecycle", "undeclared")
+"""Keys of a variant that a record may have besides its interface."""
 RESULTS = ("ok", "partial", "failed")
 
 _CODE = re.compile(r"[a-z][a-z-]{0,39}")
@@ -42,8 +56,8 @@ class Problem(NamedTuple):
 
 
 class NodeRecord(NamedTuple):
-    """One run of one program. ``interface`` is a variant of the library format without evidence; ``line`` is the record as one line of
-    JSON.
+    """One run of one program. ``interface`` is a variant of the library format without evidence, ``traits`` are its other keys; ``line``
+    is the record as one line of JSON.
     ``hash`` changes with whatever may change the result of a run, ``digest`` with the program's file.
     """
 
@@ -56,6 +70,7 @@ class NodeRecord(NamedTuple):
     digest: str
     status: str
     interface: Mapping[str, Any]
+    traits: Mapping[str, Any]
     messages: Mapping[str, Mapping[str, str]]
     problems: tuple[Problem, ...]
     seconds: float
@@ -155,13 +170,17 @@ def _hash(value: Any) -> str:
     return value if isinstance(value, str) and _HASH.fullmatch(value) else ""
 
 
+def _middleware(value: Any) -> str:
+    return ROS2 if value == ROS2 else ROS1
+
+
 def _frame(value: Any) -> dict[str, Any]:
     """What names a run; it is checked when a record is made of it."""
     return value if isinstance(value, dict) else {}
 
 
 _NOTES: Mapping[str, Mapping[str, Any]] = {
-    "environment": {"distro": _text, "base": _text},
+    "environment": {"distro": _text, "base": _text, "middleware": _middleware},
     "build": {"package": _package, "result": _result, "errors": _texts, "log": _texts},
     "dependency": {"name": _text, "needed_by": _texts, "detail": _text},
     "package": {"package": _package, "status": _text, "version": _text},
@@ -174,18 +193,19 @@ _NOTES: Mapping[str, Mapping[str, Any]] = {
 
 def _node(data: Mapping[str, Any]) -> NodeRecord:
     package, name, program, variant = _package(data.get("package")), data.get("name"), data.get("program"), data.get("variant")
-    if program not in PROGRAMS:
+    if not isinstance(program, str) or program not in PROGRAMS:
         raise Refused("its program is of no known kind")
-    if not isinstance(name, str) or not (_CLASS.fullmatch(name) if program == "nodelet" else is_a("file", name)):
+    if not isinstance(name, str) or not (_CLASS.fullmatch(name) if program in LOADED else is_a("file", name)):
         raise Refused("its program has a name that no program can have")
     if not isinstance(variant, str) or not is_a("variant", variant):
         raise Refused("its variant has a name that no variant can have")
-    interface, odd = _interface(data.get("interface"))
+    interface, odd = _interface(data.get("interface"), PROGRAMS[program])
+    traits = _traits(data.get("traits"), PROGRAMS[program])
     problems = _problems(data.get("problems"))
     if odd:
         problems = (*problems, Problem("odd-names", f"{odd} names that no node can have were left out"))
     status = _status(data)
-    label = name if program == "nodelet" else f"{package}/{name}"
+    label = name if program in LOADED else f"{package}/{name}"
     record = NodeRecord(
         label,
         package,
@@ -196,6 +216,7 @@ def _node(data: Mapping[str, Any]) -> NodeRecord:
         _hash(data.get("digest")),
         status,
         interface,
+        traits,
         _messages(data.get("messages")),
         problems,
         _seconds(data),
@@ -231,7 +252,7 @@ def _problems(value: Any) -> tuple[Problem, ...]:
     return tuple(found)
 
 
-def _interface(value: Any) -> tuple[dict[str, Any], int]:
+def _interface(value: Any, middleware: str) -> tuple[dict[str, Any], int]:
     """The interface as far as the library format allows it, and how many entries it does not."""
     if not isinstance(value, dict):
         return {}, 0
@@ -242,17 +263,23 @@ def _interface(value: Any) -> tuple[dict[str, Any], int]:
         if not isinstance(entries, list):
             continue
         plain_entries = [{key: item for key, item in entry.items() if key != "evidence"} for entry in entries if isinstance(entry, dict)]
-        good = [entry for entry in plain_entries[:MOST_ENTRIES] if not _is_odd(category, entry)]
+        good = [entry for entry in plain_entries[:MOST_ENTRIES] if not _is_odd({category: [entry]}, middleware)]
         odd += len(entries) - len(good)
         if good:
             kept[category] = good
     return kept, odd
 
 
-def _is_odd(category: str, entry: Mapping[str, Any]) -> bool:
-    variant = {category: [entry]}
-    program = {"executables": {"e": {"variants": {"default": variant}}}}
-    return bool(faults({"format": FORMAT, "version": VERSION, "packages": {"p": program}}))
+def _traits(value: Any, middleware: str) -> dict[str, Any]:
+    known = value if isinstance(value, dict) else {}
+    return {key: known[key] for key in TRAITS if key in known and not _is_odd({key: known[key]}, middleware)}
+
+
+def _is_odd(variant: Mapping[str, Any], middleware: str = ROS1) -> bool:
+    package = {"executables": {"e": {"variants": {"default": variant}}}}
+    if middleware == ROS2:
+        return bool(faults({"format": FORMAT, "version": VERSION_2, "packages": {"p": {"middleware": ROS2, **package}}}))
+    return bool(faults({"format": FORMAT, "version": VERSION, "packages": {"p": package}}))
 
 
 def _messages(value: Any) -> dict[str, dict[str, str]]:
@@ -279,12 +306,12 @@ def _launch(data: Mapping[str, Any]) -> LaunchRecord:
     nodes = []
     listed = seen.get("nodes")
     for node in listed[:MOST_ENTRIES] if isinstance(listed, list) else ():
-        if not isinstance(node, dict) or _is_odd("services", {"name": node.get("name")}):
+        if not isinstance(node, dict) or _is_odd({"services": [{"name": node.get("name")}]}):
             continue
-        interface, _ = _interface({key: node.get(key, []) for key in ("publishers", "subscribers", "services")})
+        interface, _ = _interface({key: node.get(key, []) for key in ("publishers", "subscribers", "services")}, ROS1)
         nodes.append({"name": node["name"], **interface})
     names = seen.get("params")
-    params = tuple(name for name in names[:MOST_ENTRIES] if not _is_odd("params", {"name": name})) if isinstance(names, list) else ()
+    params = tuple(name for name in names[:MOST_ENTRIES] if not _is_odd({"params": [{"name": name}]})) if isinstance(names, list) else ()
     record = LaunchRecord(
         f"{package}/{file}",
         package,

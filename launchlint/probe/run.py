@@ -93,7 +93,7 @@ def probe_local(configuration: ProbeConfiguration, journal: Journal, shard: Shar
 
     if not has_ros():
         raise UsageError(
-            "this machine has no ROS 1 that could be probed: source its setup.bash first, or leave --local out to probe in a container"
+            "this machine has no ROS that could be probed: source its setup.bash first, or leave --local out to probe in a container"
         )
     job = job_of(configuration, shard, sources=list(configuration.paths))
     return _Collector(program, job, configuration, journal, watcher).run((), {})

@@ -27,7 +27,7 @@ WHY = {
     "unsteady": ("different each time", ""),
     "network": ("network required", ""),
     "busy": ("still computing", "give them more time by `limit`"),
-    "silent": ("master never contacted", "give them more time by `limit` if they are slow to start"),
+    "silent": ("never seen on the graph", "give them more time by `limit` if they are slow to start"),
     "timed-out": ("nothing registered in time", "give them more time by `limit`"),
     "never-quiet": ("something new until the end", "give them more time by `limit`"),
     "too-many-names": ("names without end", ""),
@@ -43,6 +43,12 @@ WHY = {
     "broke-the-container": ("container taken down", ""),
     "launch-missing": ("no such launch file", "correct `launch`"),
     "ended": ("ended by itself", ""),
+    "not-loaded": ("component not loaded", ""),
+    "not-configured": ("not configured", "give it the params that it wants by `params`"),
+    "not-active": ("not activated", ""),
+    "params-unanswered": ("nothing said of its params", ""),
+    "observer-ended": ("observer ended", ""),
+    "launch-not-run": ("launch file of ROS 2", ""),
 }
 """Code of a problem → what it is, and what helps."""
 
@@ -72,10 +78,9 @@ def summary(outcome: Outcome, output: str) -> list[str]:
     launches = [record for record in outcome.records if isinstance(record, LaunchRecord)]
     ran, failed, none = (_labels(nodes, status) for status in ("ok", "failed", "not-a-node"))
     failed = [label for label in failed if label not in set(ran)]
-    nodelets = {record.label for record in nodes if record.program == "nodelet"} & set(ran)
-    recorded = counted(len(ran) - len(nodelets), "executable")
-    if nodelets:
-        recorded += f" and {counted(len(nodelets), 'nodelet')}"
+    loaded = {kind: {record.label for record in nodes if record.program == kind} & set(ran) for kind in ("nodelet", "component")}
+    recorded = counted(len(ran) - sum(map(len, loaded.values())), "executable")
+    recorded += "".join(f" and {counted(len(labels), kind)}" for kind, labels in loaded.items() if labels)
     programs = f"{counted(len(none), 'program')} {'is' if len(none) == 1 else 'are'} no node{'' if len(none) == 1 else 's'}"
     lines = [f"{output}: {recorded} recorded, {len(failed)} could not be run, {programs}"]
     if launches:

@@ -133,7 +133,7 @@ class Watch:
             if self.seen.excess is not None:
                 return False
             if self._expected is not None:
-                if self._expected <= counterpart.names():
+                if self._expected <= counterpart.names() and counterpart.is_there():
                     self.seen.reached = True
                     return False
                 self._hurry()
