@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import tempfile
 import threading
 import time
 from typing import Any, Dict, List, Optional, Set, Tuple
@@ -68,7 +69,7 @@ class Domain(Counterpart):
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
-            env=dict(os.environ, **self._variables()),
+            env=dict(os.environ, HOME=tempfile.gettempdir(), ROS_LOG_DIR=tempfile.gettempdir(), **self._variables()),
             start_new_session=True,
         )
         self._reader = threading.Thread(target=self._read)

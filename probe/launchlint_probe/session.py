@@ -98,6 +98,7 @@ class _Session:
         usage = Usage(plan.bounds, self.directory)
         seen = Watch(counterpart, process, self.mark, self.output, plan.quiet, plan.limit, usage, expected).run()
         counterpart.harvest(seen)
+        seen.excess = seen.excess or counterpart.refusal()
         alive = processes.belonging(self.mark, process.pid)
         busy = bool(alive) and not counterpart.known().registered and _is_busy(alive)
         devices = processes.open_devices(alive)

@@ -21,6 +21,8 @@ HALF = 0.5
 """Where there is more than one stage, the silence at the end of each is this part of ``quiet``."""
 RESTLESS = 4
 """What never rests is taken to be ready when nothing new has come for this many times as long."""
+SETTLED = 0.4
+"""Seconds without news after which a node in a hurry has begun, so that it is known whether it has states."""
 ANSWERING = 2.0
 """Seconds that publishers are given to answer after all else is quiet."""
 
@@ -112,7 +114,8 @@ class Watch:
 
     def _hurry(self) -> None:
         """All stages at once."""
-        self._counterpart.advance()
+        if time.monotonic() - self._counterpart.news() >= SETTLED:
+            self._counterpart.advance()
         self._counterpart.listen()
         self._counterpart.serve()
         self._counterpart.send()

@@ -1,8 +1,8 @@
-"""Builds the catkin packages of a workspace one by one, each as far as it goes: ``build.py WORKSPACE``.
+"""Builds the packages of a workspace one by one, each as far as it goes: ``build.py WORKSPACE``.
 
-Sources are in ``WORKSPACE/src``, all results in the devel space ``WORKSPACE/devel``. A package that cannot be configured or compiled
-does not
-stop the others; what went wrong is written to ``WORKSPACE/build.json``. Plain CMake, since catkin's own tools stop at the first error.
+Sources are in ``WORKSPACE/src``. All results are, in ROS 1, in the devel space ``WORKSPACE/devel``, in ROS 2 in the install space
+``WORKSPACE/install``. A package that cannot be configured or compiled does not stop the others; what went wrong is written to
+``WORKSPACE/build.json``. Plain CMake and setuptools, since the tools of ROS stop at the first error, and not every image has them.
 """
 
 import json
@@ -23,6 +23,8 @@ LAST_LINES = 12
 """Lines of a failed build that are shown."""
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 _ERROR = re.compile(r"(?m)^.*(?:\berror\b ?:|CMake Error|\*\*\* \[|undefined reference|No such file|Could NOT find|Could not find).*$")
+ROS2 = bool(os.environ.get("AMENT_PREFIX_PATH"))
+_VERSION = re.compile(r"\$ROS_VERSION\s*==\s*\W?([12])\b")
 _DEPENDS = {"depend", "build_depend", "build_export_depend", "buildtool_depend", "buildtool_export_depend", "exec_depend", "run_depend"}
 
 
@@ -41,7 +43,7 @@ def packages(space: str) -> Dict[str, Package]:
     found: Dict[str, Package] = {}
     for directory, inner, files in os.walk(space):
         inner[:] = sorted(name for name in inner if not name.startswith("."))
-        if "CATKIN_IGNORE" in files:
+        if "CATKIN_IGNORE" in files or (ROS2 and "COLCON_IGNORE" in files):
             inner[:] = []
         elif "package.xml" in files:
             inner[:] = []
@@ -50,11 +52,18 @@ def packages(space: str) -> Dict[str, Package]:
             except (ElementTree.ParseError, OSError, ValueError):
                 continue
             name = (root.findtext("name") or "").strip()
-            depends = {(each.text or "").strip() for each in root if each.tag in _DEPENDS}
-            kind = (root.findtext("export/build_type") or "catkin").strip()
+            depends = {(each.text or "").strip() for each in root if each.tag in _DEPENDS and _applies(each)}
+            kinds = [(each.text or "").strip() for each in root.iterfind("export/build_type") if _applies(each)]
+            kind = kinds[0] if kinds else "catkin"
             if _NAME.fullmatch(name):
                 found.setdefault(name, Package(name, directory, depends, kind))
     return found
+
+
+def _applies(element: ElementTree.Element) -> bool:
+    """Whether a tag of a manifest is for this version of ROS."""
+    wanted = _VERSION.search(element.get("condition") or "")
+    return wanted is None or (wanted.group(1) == "2") == ROS2
 
 
 def ordered(known: Dict[str, Package]) -> List[str]:
@@ -72,32 +81,79 @@ def ordered(known: Dict[str, Package]) -> List[str]:
 def build(package: Package, workspace: str, environment: Dict[str, str]) -> Dict[str, object]:
     """Configure and compile one package. Returns its record."""
     record: Dict[str, object] = {"kind": "build", "package": package.name, "result": "ok", "errors": []}
-    if package.kind.startswith("ament"):
-        return dict(record, result="failed", errors=["it is a package for ROS 2"])
+    if package.kind != "cmake" and package.kind.startswith("ament") != ROS2:
+        return dict(record, result="failed", errors=["it is a package for ROS {}".format(1 if ROS2 else 2)])
+    directory = os.path.join(workspace, "build", package.name)
+    log = os.path.join(directory, "launchlint-build.log")
+    if package.kind == "ament_python":
+        os.makedirs(directory, exist_ok=True)
+        if _run(_setuptools(package, workspace, directory), package.directory, log, environment):
+            return record
+        return dict(record, result="failed", errors=_errors(log, workspace), log=_last_lines(log, workspace))
     if not os.path.isfile(os.path.join(package.directory, "CMakeLists.txt")):
         return record
-    directory = os.path.join(workspace, "build", package.name)
     os.makedirs(directory, exist_ok=True)
-    log = os.path.join(directory, "launchlint-build.log")
-    configure = [
+    if not _run(_cmake(package, workspace), directory, log, environment):
+        return dict(record, result="failed", errors=_errors(log, workspace), log=_last_lines(log, workspace))
+    made = _run(["make", "-k", "-j{}".format(os.cpu_count() or 1)], directory, log, environment)
+    if not made:
+        record = dict(record, result="partial", errors=_errors(log, workspace), log=_last_lines(log, workspace))
+    if ROS2 and not _run(["cmake", "-P", "cmake_install.cmake"], directory, log, environment) and made:
+        record = dict(record, result="partial", errors=_errors(log, workspace), log=_last_lines(log, workspace))
+    return record
+
+
+def _cmake(package: Package, workspace: str) -> List[str]:
+    """The command that configures a package."""
+    own = ["-DBUILD_TESTING=OFF"]
+    if not ROS2:
+        own = [
+            "-DCATKIN_DEVEL_PREFIX=" + os.path.join(workspace, "devel"),
+            "-DCATKIN_ENABLE_TESTING=0",
+            "-DCATKIN_SKIP_TESTING=1",
+        ]
+    command = [
         "cmake",
         package.directory,
-        "-DCATKIN_DEVEL_PREFIX=" + os.path.join(workspace, "devel"),
+        *own,
         "-DCMAKE_INSTALL_PREFIX=" + os.path.join(workspace, "install"),
-        "-DCATKIN_ENABLE_TESTING=0",
-        "-DCATKIN_SKIP_TESTING=1",
         "-DCMAKE_BUILD_TYPE=None",
         "-DCMAKE_CXX_FLAGS=-O0",
         "-DCMAKE_POLICY_VERSION_MINIMUM=3.5",
         "-Wno-dev",
     ]
     if os.environ.get("LAUNCHLINT_CXX"):
-        configure.append("-DCMAKE_CXX_COMPILER=" + os.environ["LAUNCHLINT_CXX"])
-    if not _run(configure, directory, log, environment):
-        return dict(record, result="failed", errors=_errors(log, workspace), log=_last_lines(log, workspace))
-    if not _run(["make", "-k", "-j{}".format(os.cpu_count() or 1)], directory, log, environment):
-        return dict(record, result="partial", errors=_errors(log, workspace), log=_last_lines(log, workspace))
-    return record
+        command.append("-DCMAKE_CXX_COMPILER=" + os.environ["LAUNCHLINT_CXX"])
+    return command
+
+
+def _setuptools(package: Package, workspace: str, directory: str) -> List[str]:
+    """The command that installs a package of Python, its programs where ROS 2 looks for them."""
+    install = os.path.join(workspace, "install")
+    return [
+        "python3",
+        "setup.py",
+        "build",
+        "--build-base",
+        os.path.join(directory, "base"),
+        "install",
+        "--prefix",
+        install,
+        "--install-lib",
+        python_directory(install),
+        "--install-scripts",
+        os.path.join(install, "lib", package.name),
+        "--install-data",
+        install,
+        "--single-version-externally-managed",
+        "--record",
+        os.path.join(directory, "installed.txt"),
+    ]
+
+
+def python_directory(install: str) -> str:
+    """Where Python packages are below an install space."""
+    return os.path.join(install, "lib", "python{}.{}".format(*sys.version_info[:2]), "site-packages")
 
 
 def _run(command: List[str], directory: str, log: str, environment: Dict[str, str]) -> bool:
@@ -154,16 +210,29 @@ def _harmless(line: str, workspace: str) -> str:
 
 
 def _environment(workspace: str) -> Dict[str, str]:
-    """As after ``source devel/setup.sh``, which does not exist before the first package is built."""
-    devel = os.path.join(workspace, "devel")
-    ahead = {
-        "CMAKE_PREFIX_PATH": [devel],
-        "PYTHONPATH": [os.path.join(devel, "lib", "python3", "dist-packages"), os.path.join(devel, "lib", "python2.7", "dist-packages")],
-        "PKG_CONFIG_PATH": [os.path.join(devel, "lib", "pkgconfig")],
-        "LD_LIBRARY_PATH": [os.path.join(devel, "lib")],
-        "ROS_PACKAGE_PATH": [os.path.join(workspace, "src")],
-        "PATH": [os.path.join(devel, "bin")],
-    }
+    """As after sourcing the workspace's setup file, which does not exist before the first package is built."""
+    if ROS2:
+        install = os.path.join(workspace, "install")
+        ahead = {
+            "AMENT_PREFIX_PATH": [install],
+            "CMAKE_PREFIX_PATH": [install],
+            "PYTHONPATH": [
+                python_directory(install),
+                os.path.join(install, "local", "lib", "python{}.{}".format(*sys.version_info[:2]), "dist-packages"),
+            ],
+            "LD_LIBRARY_PATH": [os.path.join(install, "lib")],
+            "PATH": [os.path.join(install, "bin")],
+        }
+    else:
+        devel = os.path.join(workspace, "devel")
+        ahead = {
+            "CMAKE_PREFIX_PATH": [devel],
+            "PYTHONPATH": [os.path.join(devel, "lib", "python3", "dist-packages"), os.path.join(devel, "lib", "python2.7", "dist-packages")],
+            "PKG_CONFIG_PATH": [os.path.join(devel, "lib", "pkgconfig")],
+            "LD_LIBRARY_PATH": [os.path.join(devel, "lib")],
+            "ROS_PACKAGE_PATH": [os.path.join(workspace, "src")],
+            "PATH": [os.path.join(devel, "bin")],
+        }
     environment = dict(os.environ)
     for name, paths in ahead.items():
         environment[name] = os.pathsep.join(paths + [each for each in [environment.get(name, "")] if each])
@@ -175,7 +244,9 @@ def main() -> int:
     workspace = os.path.abspath(sys.argv[1])
     known = packages(os.path.join(workspace, "src"))
     environment = _environment(workspace)
-    records = []
+    if ROS2:
+        os.makedirs(python_directory(os.path.join(workspace, "install")), exist_ok=True)
+    records: List[Dict[str, object]] = []
     order = ordered(known)
     for number, name in enumerate(order, 1):
         record = build(known[name], workspace, environment)

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Installs what every probe needs. Where the base image has ROS already (osrf/ros, ros:noetic …) only what is missing; else Debian's ROS.
+# Installs what every probe needs. Where the base image has ROS already (osrf/ros, ros:noetic, ros:jazzy …) only what is missing; else Debian's ROS.
 set -eu
 export DEBIAN_FRONTEND=noninteractive
 install() { apt-get install -qy --no-install-recommends "$@"; }
 
 if command -v update-ca-certificates >/dev/null; then update-ca-certificates >/dev/null 2>&1 || true; fi
-if ls -d /opt/ros/*/setup.sh >/dev/null 2>&1; then
+if [ -n "$(sh "${0%/*}/find.sh")" ]; then
     missing=""
     for tool in python3 cmake make g++; do command -v "$tool" >/dev/null || missing="$missing $tool"; done
     if [ -n "$missing" ]; then
