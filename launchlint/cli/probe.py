@@ -151,6 +151,9 @@ def _unknown(paths: Sequence[str], output: str | None) -> Target | None:
     if found.absent:
         listed = ", ".join(found.absent[:10]) + (f" and {len(found.absent) - 10} more" if len(found.absent) > 10 else "")
         notices = (f"not probed, since their packages are not in the workspace: {listed}; name their repositories in a configuration",)
+    if found.aside:
+        listed = ", ".join(found.aside[:10]) + (f" and {len(found.aside) - 10} more" if len(found.aside) > 10 else "")
+        notices = (*notices, f"not probed, since they are of the other version of ROS, which needs another image: {listed}")
     if not found.programs:
         _print(notices or ("every program that these launch files start is known: there is nothing to probe",))
         return None

@@ -45,8 +45,8 @@ OPEN = {
     "observer-ended": "{}",
 }
 """Problems of a node that ran, after which its interface is not taken to be the whole one."""
-PARAMS_OPEN = {"params-unanswered": "{}"}
-"""Those after which only its params are not."""
+PARAMS_OPEN = "params-unanswered"
+"""That after which only its params are not."""
 TABLES_OF = {"nodelet": "nodelets", "component": "components"}
 """Where a package lists its programs of a kind, if not among the executables."""
 CLIENTS_OPEN = "a service client is seen only when it waits for its service or calls it"
@@ -201,8 +201,10 @@ def _open(problems: Sequence[Problem], middleware: str) -> dict[str, str]:
     reasons = [OPEN[problem.code].format(problem.detail) for problem in problems if problem.code in OPEN]
     if reasons:
         return dict.fromkeys(CATEGORIES, reasons[0])
-    found = {"params": PARAMS_OPEN[problem.code].format(problem.detail) for problem in problems if problem.code in PARAMS_OPEN}
-    return {**found, **({"clients": CLIENTS_OPEN} if middleware == ROS1 else {})}
+    found = {"clients": CLIENTS_OPEN} if middleware == ROS1 else {}
+    if unanswered := [problem.detail for problem in problems if problem.code == PARAMS_OPEN]:
+        found["params"] = unanswered[0]
+    return found
 
 
 def _launch(record: LaunchRecord) -> dict[str, Any]:

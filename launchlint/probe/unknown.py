@@ -8,7 +8,9 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
+from launchlint.model import ROS1, ROS2
 from launchlint.probe.words import is_a, is_package
+from launchlint.workspace.ros2_distributions import DEFAULT
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -27,12 +29,14 @@ class Unknown(NamedTuple):
     """What nobody knows.
 
     Args:
-        programs: package/executable, or the class of a nodelet, sorted: those that can be probed.
+        programs: package/executable, or the class of a nodelet or component, sorted: those that can be probed.
+        aside: those of the other version of ROS, where there are both: one image has one of them.
         absent: those whose package is not in the workspace.
         settings: the probe's configuration as plain values, to be written as YAML; paths are relative to the directory it was made for.
     """
 
     programs: tuple[str, ...]
+    aside: tuple[str, ...]
     absent: tuple[str, ...]
     settings: Mapping[str, Any]
 
@@ -43,20 +47,23 @@ def unknown(graphs: Iterable[ConnectionGraph], packages: Packages, directory: st
     ``directory`` is where the configuration will be: its paths are relative to that.
     """
     args: dict[str, Counter[str]] = {}
+    dialects: dict[str, str] = {}
+    distro = ""
     for graph in graphs:
+        distro = distro or graph.launch.distro
         for instance in graph.instances:
             if instance.knowledge == "unknown" and is_a("program", instance.program):
                 args.setdefault(instance.program, Counter())[_args(instance)] += 1
+                dialects[instance.program] = graph.launch.dialect
+    packages_here = {program: package for program in sorted(args) if (package := package_here(program, packages)) is not None}
+    many = Counter(dialects[program] for program in packages_here)
+    chosen = ROS2 if many[ROS2] > many[ROS1] else ROS1
+    present = [program for program in packages_here if dialects[program] == chosen]
     here: dict[str, Package] = {}
-    present, absent = [], []
-    for program in sorted(args):
-        package = package_here(program, packages)
-        if package is None:
-            absent.append(program)
-            continue
-        present.append(program)
-        _add_with_dependencies(package, packages, here)
+    for program in present:
+        _add_with_dependencies(packages_here[program], packages, here)
     settings: dict[str, Any] = {
+        **({"base": f"ros:{distro or DEFAULT}"} if chosen == ROS2 else {}),
         "repositories": [{"path": os.path.relpath(here[name].directory, directory)} for name in sorted(here)],
         "packages": sorted({program.partition("/")[0].partition("::")[0] for program in present}),
         "programs": present,
@@ -64,7 +71,9 @@ def unknown(graphs: Iterable[ConnectionGraph], packages: Packages, directory: st
     nodes = {program: {"args": text} for program in present if (text := args[program].most_common(1)[0][0])}
     if nodes:
         settings["nodes"] = nodes
-    return Unknown(tuple(present), tuple(absent), settings)
+    aside = tuple(program for program in packages_here if dialects[program] != chosen)
+    absent = tuple(program for program in sorted(args) if program not in packages_here)
+    return Unknown(tuple(present), aside, absent, settings)
 
 
 def package_here(program: str, packages: Packages) -> Package | None:

@@ -37,7 +37,7 @@ MEANT = {
     "apt": "the name of an apt package, with =version if need be",
     "pip": "the name of a package on PyPI, with ==version if need be",
     "package": "the name of a ROS package",
-    "program": "package/executable, or the class of a nodelet",
+    "program": "package/executable, or the class of a nodelet or component",
     "variant": "a name of letters, digits, _, - and .",
     "variable": "the name of an environment variable",
     "param": "the name of a param: ~private, relative or /global",

@@ -162,7 +162,11 @@ def packages(prefixes: List[str], own: FrozenSet[str] = frozenset(), marks: Mark
             top = os.path.join(prefix, place)
             for name in sorted(os.listdir(top)) if os.path.isdir(top) else ():
                 directory = os.path.join(top, name)
-                if _NAME.fullmatch(name) and os.path.isdir(directory) and (name in own or _manifest(prefix, name) or _has_nodes(directory, marks)):
+                if (
+                    _NAME.fullmatch(name)
+                    and os.path.isdir(directory)
+                    and (name in own or _manifest(prefix, name) or _has_nodes(directory, marks))
+                ):
                     found.setdefault(name, []).append(directory)
         share = os.path.join(prefix, "share")
         for name in sorted(os.listdir(share)) if os.path.isdir(share) else ():
@@ -284,9 +288,8 @@ def _entry_points(prefix: str, distribution: str) -> List[str]:
 def _texts_beside(place: str) -> List[str]:
     """The module of an entry point, and those in its directory and below: nodes are often in another one of the same package."""
     texts = [_text_of(place + ".py") or _text_of(os.path.join(place, "__init__.py"))]
-    for path in sorted(glob.glob(os.path.join(glob.escape(os.path.dirname(place)), "**", "*.py"), recursive=True))[:MOST_MODULES]:
-        texts.append(_text_of(path))
-    return texts
+    beside = sorted(glob.glob(os.path.join(glob.escape(os.path.dirname(place)), "**", "*.py"), recursive=True))
+    return texts + [_text_of(path) for path in beside[:MOST_MODULES]]
 
 
 def _text_of(path: str) -> str:

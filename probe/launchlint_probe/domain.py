@@ -262,7 +262,9 @@ class Domain(Counterpart):
     def send(self) -> bool:
         with self._lock:
             ticking = {
-                name: kinds[0][0] for (_, category, name), kinds in self.facts.seen.items() if category == "subscribers" and name == "/clock"
+                name: kinds[0][0]
+                for (_, category, name), kinds in self.facts.seen.items()
+                if category == "subscribers" and name == "/clock"
             }
         self._note("message")
         return self._offer("send", dict(self._open("subscribers", without="publishers"), **ticking))
@@ -344,7 +346,9 @@ class Domain(Counterpart):
         with self._lock:
             owners, own = list(self.facts.owners), self.facts.own()
             lost = {
-                category: sorted(spelled_for(owner, name, self.plan.tokens) for owner, each, name in own if each == category and name in self._refused)
+                category: sorted(
+                    spelled_for(owner, name, self.plan.tokens) for owner, each, name in own if each == category and name in self._refused
+                )
                 for category in ("subscribers", "clients")
             }
         return Known(

@@ -185,5 +185,3 @@ def _reconfigure(subscriptions: Dict[Tuple[str, str], Subscription]) -> Dict[str
             for param, known in reconfigure_description(each.message).items():
                 found["{}/{}".format(base, param)] = known
     return found
-
-

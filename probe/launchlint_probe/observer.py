@@ -10,6 +10,7 @@ import os
 import select
 import sys
 import time
+from functools import partial
 from typing import Any, Callable, Dict, List, Optional, Set, Tuple
 
 Json = Dict[str, Any]
@@ -131,7 +132,10 @@ class Observer:
                 found.setdefault((namespace, name), {"name": name, "namespace": namespace})
         topics = node.get_topic_names_and_types()
         for topic, _ in topics[:MOST_TOPICS]:
-            for category, look in (("publishers", node.get_publishers_info_by_topic), ("subscribers", node.get_subscriptions_info_by_topic)):
+            for category, look in (
+                ("publishers", node.get_publishers_info_by_topic),
+                ("subscribers", node.get_subscriptions_info_by_topic),
+            ):
                 for each in look(topic):
                     owner = found.get((each.node_namespace, each.node_name))
                     if owner is not None:
@@ -143,7 +147,7 @@ class Observer:
             ):
                 try:
                     owner[category] = sorted([each, kinds[0]] for each, kinds in ask(name, namespace))
-                except Exception:  # noqa: BLE001 (the node has gone in between; each version has another exception for that)
+                except Exception:  # (the node has gone in between; each version has another exception for that)
                     continue
         for owner in found.values():
             for category in ("publishers", "subscribers"):
@@ -165,21 +169,20 @@ class Observer:
         try:
             self.kept[key] = make()
             return True
-        except Exception:  # noqa: BLE001 (a type that is not installed, or a name that this version does not take)
+        except Exception:  # (a type that is not installed, or a name that this version does not take)
             self.refused.add(key)
             return False
 
     def listen(self, names: List[List[str]]) -> int:
         """Subscribe to topics; a subscriber with the least demands hears everybody."""
-        weak = self.qos.QoSProfile(depth=1, reliability=self.qos.ReliabilityPolicy.BEST_EFFORT, durability=self.qos.DurabilityPolicy.VOLATILE)
-        return sum(
-            self.offer(
-                "subscription",
-                name,
-                lambda name=name, kind=kind: self.node.create_subscription(interface_class(kind), name, lambda message: None, weak, raw=True),
-            )
-            for name, kind in names
+        return sum(self.offer("subscription", name, partial(self.subscription, name, kind)) for name, kind in names)
+
+    def subscription(self, name: str, kind: str) -> Any:
+        """A subscriber."""
+        weak = self.qos.QoSProfile(
+            depth=1, reliability=self.qos.ReliabilityPolicy.BEST_EFFORT, durability=self.qos.DurabilityPolicy.VOLATILE
         )
+        return self.node.create_subscription(interface_class(kind), name, _ignore, weak, raw=True)
 
     def serve(self, names: List[List[str]]) -> int:
         """Serve services with empty answers; each goal of an action succeeds."""
@@ -188,15 +191,17 @@ class Observer:
             base, _, last = name.rpartition("/_action/")
             if base:
                 if last == "send_goal":
-                    made += self.offer("action", base, lambda base=base, kind=kind: self.action_server(base, kind))
+                    made += self.offer("action", base, partial(self.action_server, base, kind))
             else:
-                made += self.offer("service", name, lambda name=name, kind=kind: self.service(name, kind))
+                made += self.offer("service", name, partial(self.service, name, kind))
         return made
 
     def service(self, name: str, kind: str) -> Any:
+        """A service that answers with what an answer is at first."""
         return self.node.create_service(interface_class(kind), name, lambda request, response: response)
 
     def action_server(self, name: str, kind: str) -> Any:
+        """A server whose goals succeed at once."""
         action = interface_class(kind[: -len("_SendGoal")])
 
         def succeed(goal: Any) -> Any:
@@ -207,9 +212,6 @@ class Observer:
 
     def send(self, names: List[List[str]]) -> int:
         """Publish an empty message on topics; a publisher that promises most is heard by everybody."""
-        strong = self.qos.QoSProfile(
-            depth=1, reliability=self.qos.ReliabilityPolicy.RELIABLE, durability=self.qos.DurabilityPolicy.TRANSIENT_LOCAL
-        )
         made = 0
         for name, kind in names:
             if name == "/clock":
@@ -217,14 +219,18 @@ class Observer:
                     self.clock = self.node.create_publisher(interface_class(kind), name, 10)
                     made += 1
             else:
-                made += self.offer("publisher", name, lambda name=name, kind=kind: self.publisher(name, kind, strong))
+                made += self.offer("publisher", name, partial(self.publisher, name, kind))
         return made
 
-    def publisher(self, name: str, kind: str, qos: Any) -> Any:
+    def publisher(self, name: str, kind: str) -> Any:
+        """A publisher that has sent its message, to whoever was there in time."""
+        strong = self.qos.QoSProfile(
+            depth=1, reliability=self.qos.ReliabilityPolicy.RELIABLE, durability=self.qos.DurabilityPolicy.TRANSIENT_LOCAL
+        )
         message = interface_class(kind)()
         if name.rpartition("/")[2] == "robot_description" and kind == "std_msgs/msg/String":
             message.data = ROBOT
-        publisher = self.node.create_publisher(type(message), name, qos)
+        publisher = self.node.create_publisher(type(message), name, strong)
         end = time.monotonic() + 1.0
         while publisher.get_subscription_count() == 0 and time.monotonic() < end:
             self.rclpy.spin_once(self.node, timeout_sec=STEP)
@@ -379,6 +385,10 @@ class Observer:
         if do == "state":
             return self.change_state(command["node"], command["transition"])
         return self.load(**command["what"])
+
+
+def _ignore(message: Any) -> None:
+    """Whatever is said: it is enough that somebody listens."""
 
 
 def _with(message: Any, **values: Any) -> Any:

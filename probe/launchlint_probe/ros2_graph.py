@@ -165,9 +165,7 @@ def _sorted(entries: List[Entry]) -> List[Entry]:
     return [unique[key] for key in sorted(unique)]
 
 
-def _of_node(
-    facts: Facts, owner: Owner, tokens: Dict[str, str], woken: Dict[Key, str], given: Set[str]
-) -> Dict[str, List[Entry]]:
+def _of_node(facts: Facts, owner: Owner, tokens: Dict[str, str], woken: Dict[Key, str], given: Set[str]) -> Dict[str, List[Entry]]:
     params, changeable = _params(facts, owner, given)
     found: Dict[str, List[Entry]] = {"params": params}
     actions: Dict[Tuple[str, str], Entry] = {}

@@ -26,6 +26,7 @@ SETTLED = 0.4
 ANSWERING = 2.0
 """Seconds that publishers are given to answer after all else is quiet."""
 
+
 class Watch:
     """One node that is watched. Times in seconds, as in the plan.
 

@@ -274,9 +274,7 @@ def _launch_tasks(job: Job, installation: Installation) -> Iterator[Task]:
             "args": entry.get("args", {}),
             "hash": discover.fingerprint(program, [_times(job), job.get("image")]),
         }
-        plan = Plan(
-            label, program.command, quiet=limits.get("quiet", 1.0), limit=2 * limits.get("limit", 15.0), with_name=False, many=True
-        )
+        plan = Plan(label, program.command, quiet=limits.get("quiet", 1.0), limit=2 * limits.get("limit", 15.0), with_name=False, many=True)
         if path and not installation.runs_launch_files:
             why = "launch files of ROS 2 are not run"
             yield Task(frame, partial(_not_run, "failed", {"code": "launch-not-run", "detail": why}))

@@ -227,7 +227,10 @@ def _environment(workspace: str) -> Dict[str, str]:
         devel = os.path.join(workspace, "devel")
         ahead = {
             "CMAKE_PREFIX_PATH": [devel],
-            "PYTHONPATH": [os.path.join(devel, "lib", "python3", "dist-packages"), os.path.join(devel, "lib", "python2.7", "dist-packages")],
+            "PYTHONPATH": [
+                os.path.join(devel, "lib", "python3", "dist-packages"),
+                os.path.join(devel, "lib", "python2.7", "dist-packages"),
+            ],
             "PKG_CONFIG_PATH": [os.path.join(devel, "lib", "pkgconfig")],
             "LD_LIBRARY_PATH": [os.path.join(devel, "lib")],
             "ROS_PACKAGE_PATH": [os.path.join(workspace, "src")],

@@ -110,12 +110,16 @@ def needed(directory: str) -> Dict[str, List[str]]:
             name = (element.text or "").strip()
             if element.tag in _DEPENDS and _NAME.fullmatch(name):
                 wanted.setdefault(name, []).append(package)
-    return {name: sorted(set(by)) for name, by in sorted(wanted.items()) if name not in own and name not in NOT_NEEDED and not is_here(name)}
+    return {
+        name: sorted(set(by)) for name, by in sorted(wanted.items()) if name not in own and name not in NOT_NEEDED and not is_here(name)
+    }
 
 
 def is_here(name: str) -> bool:
     """Whether an installation below ``/opt`` has a ROS package."""
-    return any(glob.glob(os.path.join(place, "share", name, "package.xml")) for place in ("/opt/ros/*", "/opt/ros/*/install", "/opt/*/install"))
+    return any(
+        glob.glob(os.path.join(place, "share", name, "package.xml")) for place in ("/opt/ros/*", "/opt/ros/*/install", "/opt/*/install")
+    )
 
 
 def packages_for(name: str, known: Set[str], distro: str) -> List[str]:

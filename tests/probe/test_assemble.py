@@ -36,8 +36,9 @@ def node(
     *problems: Problem,
     program: str = "roscpp",
     variant: str = "default",
+    traits: dict[str, Any] | None = None,
 ) -> NodeRecord:
-    label = name if program == "nodelet" else f"robot/{name}"
+    label = name if program in ("nodelet", "component") else f"robot/{name}"
     return NodeRecord(
         label,
         "robot",
@@ -48,6 +49,7 @@ def node(
         "0123456789abcdef",
         status,
         interface or {},
+        traits or {},
         STRING,
         problems,
         1.0,
@@ -105,6 +107,47 @@ def test_library(snapshot: Callable[[str, str], None]) -> None:
     text = canonical(document)
     assert examine(text.encode(), "library.json")[1] == []
     snapshot("library.json", text)
+
+
+QOS = {"reliability": "reliable", "durability": "volatile", "history": "keep_last", "depth": 10}
+OF_ROS2 = [
+    node(
+        "driver",
+        "ok",
+        {
+            "publishers": [{"name": "scan", "type": "sensor_msgs/msg/LaserScan", "qos": QOS, "exists": "configured"}],
+            "params": [{"name": "~rate", "type": "integer", "default": 10, "declared": True, "node": "clock"}],
+        },
+        program="rclcpp",
+        traits={"node": "driver", "namespace": "/lidar", "lifecycle": True},
+    ),
+    node("odd", "ok", {}, Problem("params-unanswered", "it said nothing of its params"), program="rclpy", traits={"undeclared": True}),
+    node("stuck", "ok", {}, Problem("not-configured", "it was told to configure and refused that"), program="rclpy"),
+    node("robot::Filter", "ok", {"services": [{"name": "~reset", "type": "std_srvs/srv/Empty"}]}, program="component"),
+    node("robot::Lost", "failed", {}, Problem("not-loaded", "it could not be loaded: no such class"), program="component"),
+]
+NOTES_OF_ROS2 = [Note("environment", {"distro": "jazzy", "base": "Ubuntu 24.04", "middleware": "ros2"}), NOTES[1]]
+
+
+def test_library_of_ros2(snapshot: Callable[[str, str], None]) -> None:
+    document = assemble(CONFIGURATION, OF_ROS2, NOTES_OF_ROS2, [TREE], {"robot": TREE.name}, local=False)
+    text = canonical(document)
+    assert examine(text.encode(), "library.json")[1] == []
+    snapshot("library_ros2.json", text)
+
+
+def test_summary_of_ros2() -> None:
+    assert "\n".join(summary(outcome(OF_ROS2, NOTES_OF_ROS2), "library.json")) == (
+        "library.json: 3 executables and 1 component recorded, 1 could not be run, 0 programs are no nodes\n"
+        "could not be run:\n"
+        "  component not loaded: 1\n"
+        "    robot::Lost: it could not be loaded: no such class\n"
+        "recorded, but there may be more to them:\n"
+        "  not configured: 1 (give it the params that it wants by `params`)\n"
+        "    robot/stuck: it was told to configure and refused that\n"
+        "  nothing said of its params: 1\n"
+        "    robot/odd: it said nothing of its params"
+    )
 
 
 def test_what_is_written_has_nothing_without_effect(tmp_path: Any) -> None:

@@ -139,8 +139,8 @@ REFUSED = {
         "probe.yaml:1:7: an item of pip cannot be -r/etc/passwd: write the name of a package on PyPI, with ==version if need be"
     ),
     "packages: [../x]": "probe.yaml:1:12: an item of packages cannot be ../x: write the name of a ROS package",
-    "nodes: {../x/y: {}}": "probe.yaml:1:9: nodes cannot have ../x/y: write package/executable, or the class of a nodelet",
-    "nodes: {a/..: {}}": "probe.yaml:1:9: nodes cannot have a/..: write package/executable, or the class of a nodelet",
+    "nodes: {../x/y: {}}": "probe.yaml:1:9: nodes cannot have ../x/y: write package/executable, or the class of a nodelet or component",
+    "nodes: {a/..: {}}": "probe.yaml:1:9: nodes cannot have a/..: write package/executable, or the class of a nodelet or component",
     "nodes: {a/b: {arg: x}}": (
         "probe.yaml:1:15: the node a/b has no key arg, and one that is misspelled would have no effect; did you mean args?"
     ),
@@ -168,7 +168,7 @@ REFUSED = {
     "limits: {quiet: nan}": "probe.yaml:1:17: quiet must be a number of seconds from 0.1 to 60, not nan",
     "limits: {memory: 1e9}": "probe.yaml:1:18: memory cannot be 1e9: write a number with m or g, such as 2g",
     "network: hots": "probe.yaml:1:10: network cannot be hots; did you mean host?",
-    "skip: [a b]": "probe.yaml:1:8: skip cannot hold a b: write a package or package/executable, or the class of a nodelet",
+    "skip: [a b]": "probe.yaml:1:8: skip cannot hold a b: write a package or package/executable, or the class of a nodelet or component",
 }
 
 

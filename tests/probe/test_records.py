@@ -53,6 +53,7 @@ def test_a_good_record() -> None:
         "fedcba9876543210",
         "ok",
         {"publishers": [{"name": "chatter", "type": "std_msgs/String"}]},
+        {},
         {"std_msgs/String": {"md5": "992ce8a1687cec8c8bd883ec73ca41d1", "text": "string data"}},
         (Problem("ended", "it ended"),),
         1.5,
@@ -202,7 +203,7 @@ def test_notes() -> None:
         {"kind": "plan", "count": True, "all": 7},
     ]
     assert records("".join(json.dumps(line) + "\n" for line in lines).encode()) == [
-        Note("environment", {"distro": "noetic", "base": ""}),
+        Note("environment", {"distro": "noetic", "base": "", "middleware": "ros1"}),
         Note("build", {"package": "demo", "result": "failed", "errors": ["a [0m", ""] * 10, "log": []}),
         Note("end", {"left": 0}),
         Note("plan", {"count": 0, "all": 7}),

@@ -126,3 +126,33 @@ def test_wrong_command_lines(place: Path, words: tuple[str, ...], said: str) -> 
     done = run(place, *words)
     assert done.returncode == 2
     assert said in done.stderr
+
+
+ROS2_LAUNCH = """<launch>
+  <node pkg="demo2" exec="talk" name="one" args="chatter"/>
+</launch>
+"""
+ROS2_MANIFEST = (
+    "<package format='3'><name>demo2</name><version>1.0.0</version><export><build_type>ament_cmake</build_type></export></package>"
+)
+
+
+def test_what_is_of_ros_2_gets_an_image_of_ros_2(place: Path) -> None:
+    (place / "demo2" / "launch").mkdir(parents=True)
+    (place / "demo2" / "package.xml").write_text(ROS2_MANIFEST)
+    (place / "demo2" / "launch" / "robot.launch.xml").write_text(ROS2_LAUNCH)
+    run(place, "probe", "--unknown", "--local", "demo2/launch/robot.launch.xml")
+    text = (place / ".launchlint" / "unknown.yaml").read_text()
+    assert text[text.index("base") :] == (
+        "base: ros:jazzy\nrepositories:\n- path: ../demo2\npackages:\n- demo2\nprograms:\n- demo2/talk\n"
+        "nodes:\n  demo2/talk:\n    args: '{}'\n"
+    )
+
+
+def test_two_versions_of_ros_are_not_probed_together(place: Path) -> None:
+    (place / "demo2" / "launch").mkdir(parents=True)
+    (place / "demo2" / "package.xml").write_text(ROS2_MANIFEST)
+    (place / "demo2" / "launch" / "robot.launch.xml").write_text(ROS2_LAUNCH)
+    done = run(place, "probe", "--unknown", "--local", "demo2/launch/robot.launch.xml", "demo/launch/robot.launch")
+    assert ".launchlint/unknown.yaml: 2 programs that nobody knows\n" in done.stderr
+    assert "not probed, since they are of the other version of ROS, which needs another image: demo2/talk\n" in done.stderr
