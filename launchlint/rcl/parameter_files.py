@@ -27,17 +27,27 @@ PARAMETERS = "ros__parameters"
 MOST_CHARACTERS = 50_000_000
 """Of all names together, each with its namespaces; nothing is said about a file that comes to more."""
 
+_ALIKE = {
+    frozenset(("int", "double")): "write all of them with a point (1.0), or none",
+    frozenset(("bool", "int")): "write true and false, or numbers",
+    frozenset(("bool", "double")): "write true and false, or numbers",
+}
+"""What to write in a list of two types."""
 LISTS: dict[str, Type] = {"bool": "bool[]", "int": "int[]", "double": "double[]", "str": "str[]"}
 TYPES = {"bool": "true or false", "int": "a whole number", "double": "a number with a point", "str": "a text"}
 
 
-class _Stop(Exception):
-    """rcl refuses the file here."""
+_FORM = f"write the name of a node (or /** for all), below it {PARAMETERS}, and below that the names with their values"
 
-    def __init__(self, reason: str, event: Event) -> None:
+
+class _Stop(Exception):
+    """rcl refuses the file here; ``instead`` is what to write."""
+
+    def __init__(self, reason: str, event: Event, instead: str = _FORM) -> None:
         super().__init__(reason)
         self.reason = reason
         self.span = Span(event.start, event.end)
+        self.instead = instead
 
 
 def read(source: Source) -> Table | Refused:
@@ -58,7 +68,7 @@ def add_events(given: Iterable[Event], source: Source, table: Table) -> Refused 
         for event in given:
             reading.take(event)
     except _Stop as stop:
-        return Refused(stop.reason, stop.span, source)
+        return Refused(stop.reason, stop.span, source, instead=stop.instead)
     except YamlError as error:
         return Refused(error.message, Span(error.offset, error.offset), source)
     return None
@@ -122,7 +132,7 @@ class _Reading:
         elif kind == events.SEQUENCE_END:
             self._list_ends(event)
         else:
-            raise _Stop(f"rcl takes no aliases, and *{event.value[:60]} is one", event)
+            raise _Stop(f"rcl takes no aliases, and *{event.value[:60]} is one", event, "write out what it stands for")
 
     def _close(self) -> None:
         if self.in_parameters:
@@ -137,7 +147,7 @@ class _Reading:
     def _key(self, event: Event) -> None:
         text = event.value.partition("\0")[0]
         if not event.value:
-            raise _Stop("a name is empty", event)
+            raise _Stop("a name is empty", event, "give it a name")
         if not self.in_parameters:
             if text.startswith(PARAMETERS):
                 self._parameters_begin(event)
@@ -168,7 +178,7 @@ class _Reading:
             raise _Stop(f"{PARAMETERS} must stand below the name of a node, and it stands below none", event)
         fault = _fault_of(name)
         if fault:
-            raise _Stop(fault, event._replace(start=self.node_span.start, end=self.node_span.end))
+            raise _Stop(fault, event._replace(start=self.node_span.start, end=self.node_span.end), "write the name that the node has")
         self.key = self.table.key(name, self.source, self.node_span)
         self.node = _without_last(self.node, "/")
         self.in_parameters = True
@@ -180,7 +190,7 @@ class _Reading:
         if key is None or not key.parameters:
             raise _Stop(f"{PARAMETERS} must hold names with values, and has itself a value", event)
         if not event.value and not event.quoted:
-            raise _Stop('a value is missing; write "" for an empty text', event)
+            raise _Stop("a value is missing", event, 'write "" for an empty text, [] for an empty list, or leave the name out')
         value = scalar(event.value, event.quoted, event.tag if self.table.tags else None)
         parameter = key.parameters[min(self.place, len(key.parameters) - 1)]
         if not self.in_list:
@@ -193,7 +203,8 @@ class _Reading:
             self.values.append(value.data)
         else:
             first, this = TYPES[self.list_type], TYPES[value.type]
-            raise _Stop(f"all items of a list must be of one type: the first is {first}, this is {this}", event)
+            instead = _ALIKE.get(frozenset((self.list_type, value.type)), "put quotes around all items that are meant as texts")
+            raise _Stop(f"all items of a list must be of one type: the first is {first}, this is {this}", event, instead)
 
     def _list_ends(self, event: Event) -> None:
         self.in_list = False

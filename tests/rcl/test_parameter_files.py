@@ -103,7 +103,7 @@ def test_places() -> None:
     [
         ("n:\n  a: 1\n", 2, 6, "a value stands here where a node name, or ros__parameters below one, must be"),
         ("n:\n  ros__parameters: {a: [1, 2.0]}\n", 2, 28, "the first is a whole number, this is a number with a point"),
-        ("n:\n  ros__parameters:\n    a:\n", 3, 7, 'a value is missing; write "" for an empty text'),
+        ("n:\n  ros__parameters:\n    a:\n", 3, 7, "a value is missing"),
         ("n:\n  ros__parameters: {a: &x 1, b: *x}\n", 2, 33, "rcl takes no aliases, and *x is one"),
         ("n:\n\tros__parameters: {a: 1}\n", 2, 1, "a tab stands here"),
         ("- a\n", 1, 1, "a list stands here where a name must be"),

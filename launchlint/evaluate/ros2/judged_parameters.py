@@ -101,6 +101,7 @@ def _file(given: Passed, node: str, asks: Performs) -> Iterator[Problem]:
             file=table.source.path,
             reason=table.reason,
             node=node,
+            instead=table.instead,
         )
 
 
@@ -125,6 +126,7 @@ def _content(given: Passed, file: str, text: str, node: str, asks: Performs) -> 
         file=source.path,
         reason=refused.reason,
         node=node,
+        instead=refused.instead,
     )
 
 

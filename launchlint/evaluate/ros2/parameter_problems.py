@@ -36,11 +36,12 @@ class ComponentFileRefused(Problem):
 
 
 class ParametersFileDies(Problem):
-    """A ``file`` of params that rcl refuses for this ``reason``, so that ``node`` dies when it starts."""
+    """A ``file`` of params that rcl refuses for this ``reason``, so that ``node`` dies when it starts; ``instead`` is what to write."""
 
     file: str
     reason: str
     node: str
+    instead: str
 
 
 class ParameterDies(Problem):

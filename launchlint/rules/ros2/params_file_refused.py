@@ -70,4 +70,5 @@ def tell(problem: ParametersFileDies | ParameterDies, view: object) -> Iterator[
         label="here",
         related=problem.related,
         notes=(f"ros2 launch starts {problem.node}, and it dies at once: rcl refuses the file",),
+        help=problem.instead,
     )

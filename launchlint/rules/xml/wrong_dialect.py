@@ -58,10 +58,12 @@ In ROS 1, `--unsafe-fixes` writes `type` for `exec`, `ns` for `namespace`, `args
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from launchlint.finding import Finding, Fix, Severity
+from launchlint.finding import Finding, Fix, Related, Severity
+from launchlint.plural import listed
 from launchlint.rules.edits import LOADS, LOADS2, Edits, fix, rename_attribute, replace, spot, write_over
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.source import Place, Span
 from launchlint.syntax.parts import Substitution
@@ -69,6 +71,7 @@ from launchlint.syntax.problems import WrongDialect
 from launchlint.syntax.ros1.substitutions import parse
 from launchlint.syntax.ros2.problems import OfRos1
 
+MOST_NAMED = 5
 _SAME = {"var": "arg", "find-pkg-share": "find"}
 
 RULE = Rule("LL112", "wrong-dialect", Severity.ERROR, roslaunch="refuses", fixable="safe")
@@ -127,7 +130,21 @@ def _ros2(problem: OfRos1) -> Finding:
         if instead
         else "ROS 2 has nothing like it: remove it",
         fix=fix(f"write {problem.renamed}", _renamed(problem), safe=True, changes=LOADS2) if problem.renamed else None,
-        cause=f"{problem.place.source.path} {problem.tag} {shown}",
+        cause=problem.place.source.path,
+        topic=shown,
+    )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """All that is left of ROS 1 in one file."""
+    told = joined(findings)
+    shown = list(dict.fromkeys(each.topic for each in findings))
+    if len(shown) == 1:
+        return told
+    elsewhere = {each.location: Related(each.location, f"{each.message}; {each.help}") for each in findings}
+    return told._replace(
+        message=f"{shown[0]} is of ROS 1, and so {'is' if len(shown) == 2 else 'are'} {listed(shown[1:], MOST_NAMED)} in this file",
+        related=tuple(elsewhere.get(each.location, each) for each in told.related),
     )
 
 
