@@ -10,7 +10,7 @@ import { read } from "../../launchlint/report/html/js/unpack.js";
 const extent = { width: innerWidth, height: innerHeight };
 const START = {
   ...{ entry: 0, configuration: -1, grouping: "namespace", expanded: "auto", focus: null, layers: { topics: true, services: true, actions: true, params: false } },
-  ...{ topicsAsNodes: false, hubs: false, danglingOnly: false, findingsOnly: false, hidden: new Set(), matches: null },
+  ...{ topicsAsNodes: false, hubs: false, danglingOnly: false, findingsOnly: false, tray: true, filter: "", hidden: new Set(), matches: null },
 };
 let data;
 let drawing;

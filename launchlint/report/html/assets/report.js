@@ -1,6 +1,6 @@
 (() => {
   // launchlint/report/html/js/drawing/drawing.css
-  var drawing_default = '/* The drawing brings its own rules, so that an exported picture looks as it does in the page. */\n:is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #fbfcfe;\n  --ll-node: #ffffff;\n  --ll-edge: #8b99a8;\n  --ll-text: #17212b;\n  --ll-muted: #566474;\n  --ll-box: #5f7ea1;\n  --ll-box-line: #bfcad6;\n  --ll-folded: #eef3f8;\n  --ll-topic: #4b78a8;\n  --ll-service: #1e857a;\n  --ll-action: #7b55b5;\n  --ll-param: #97702a;\n  --ll-error: #c5283d;\n  --ll-warning: #a65f00;\n  --ll-info: #2f6fae;\n  --ll-added: #1a7f37;\n  --ll-removed: #cf222e;\n  --ll-changed: #9a6700;\n  --ll-chosen: #0b63ce;\n  --ll-on-badge: #ffffff;\n  --ll-hatch: #dbe2e9;\n}\n@media (prefers-color-scheme: dark) {\n  :root:not([data-theme="light"]) :is(.ll-drawing, .ll-drawing-host) {\n    --ll-ground: #13181e;\n    --ll-node: #1d252e;\n    --ll-edge: #5f6f7f;\n    --ll-text: #e4ebf2;\n    --ll-muted: #9fadbb;\n    --ll-box: #8fb2d8;\n    --ll-box-line: #3a4755;\n    --ll-folded: #232e39;\n    --ll-topic: #79a8da;\n    --ll-service: #56c2b4;\n    --ll-action: #b795ea;\n    --ll-param: #d4aa5c;\n    --ll-error: #ff6b7a;\n    --ll-warning: #e9a23b;\n    --ll-info: #6cb0f0;\n    --ll-added: #4ac26b;\n    --ll-removed: #ff7b72;\n    --ll-changed: #d4a72c;\n    --ll-chosen: #6cb2ff;\n    --ll-on-badge: #13181e;\n    --ll-hatch: #303b47;\n  }\n}\n:root[data-theme="dark"] :is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #13181e;\n  --ll-node: #1d252e;\n  --ll-edge: #5f6f7f;\n  --ll-text: #e4ebf2;\n  --ll-muted: #9fadbb;\n  --ll-box: #8fb2d8;\n  --ll-box-line: #3a4755;\n  --ll-folded: #232e39;\n  --ll-topic: #79a8da;\n  --ll-service: #56c2b4;\n  --ll-action: #b795ea;\n  --ll-param: #d4aa5c;\n  --ll-error: #ff6b7a;\n  --ll-warning: #e9a23b;\n  --ll-info: #6cb0f0;\n  --ll-added: #4ac26b;\n  --ll-removed: #ff7b72;\n  --ll-changed: #d4a72c;\n  --ll-chosen: #6cb2ff;\n  --ll-on-badge: #13181e;\n  --ll-hatch: #303b47;\n}\n@media print {\n  .ll-drawing-host .ll-legend { display: none; }\n}\n\n.ll-drawing-host { position: relative; overflow: hidden; }\nsvg.ll-drawing { display: block; width: 100%; height: 100%; background: var(--ll-ground); touch-action: none; cursor: grab; user-select: none; outline: none; }\nsvg.ll-drawing:focus-visible { box-shadow: inset 0 0 0 2px var(--ll-chosen); }\nsvg.ll-drawing.dragging { cursor: grabbing; }\n/* While it is dragged, the drawing is a layer of its own: moved, not painted again. */\nsvg.ll-drawing.dragging > g { will-change: transform; }\n.ll-drawing text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; font-size: 11px; fill: var(--ll-text); }\n.ll-drawing .hatching path { stroke: var(--ll-hatch); stroke-width: 1.4; fill: none; }\n\n.ll-drawing .box { cursor: pointer; outline: none; }\n.ll-drawing .box .shape { fill: var(--ll-node); stroke: var(--ll-edge); stroke-width: 1; }\n.ll-drawing .box .behind { fill: var(--ll-folded); stroke: var(--ll-box-line); stroke-width: 1; }\n.ll-drawing .box .title { font-size: 13px; font-weight: 600; }\n.ll-drawing .box .detail, .ll-drawing .box .host, .ll-drawing .box .count, .ll-drawing .box .tag { fill: var(--ll-muted); }\n.ll-drawing .box .condition { fill: var(--ll-muted); font-style: italic; }\n.ll-drawing .box.folded .shape { fill: var(--ll-folded); stroke: var(--ll-edge); }\n.ll-drawing .box.open .shape { fill: var(--ll-box); fill-opacity: 0.055; stroke: var(--ll-box-line); stroke-width: 1.2; }\n.ll-drawing .box.open.machine > .shape { stroke-width: 2.4; }\n.ll-drawing .box.open .title { fill: var(--ll-muted); }\n.ll-drawing .box.open { cursor: grab; }\n.ll-drawing .box.open .head { cursor: pointer; }\n.ll-drawing .box.open .tag { font-size: 10px; }\n.ll-drawing .box.conditional .shape { stroke-dasharray: 6 4; }\n.ll-drawing .box.unknown .title { fill: var(--ll-muted); }\n.ll-drawing .box.stub .shape { stroke-dasharray: 1 3; stroke-linecap: round; fill: var(--ll-ground); }\n.ll-drawing .box.stub .title { font-weight: 400; fill: var(--ll-muted); }\n.ll-drawing .box.pill .shape { stroke: var(--ll-topic); fill: var(--ll-ground); }\n.ll-drawing .box.pill .title { font-size: 11px; font-weight: 400; }\n.ll-drawing .box.pill.service .shape { stroke: var(--ll-service); }\n.ll-drawing .box.pill.action .shape { stroke: var(--ll-action); }\n.ll-drawing .box.pill.param .shape { stroke: var(--ll-param); }\n.ll-drawing .box.pill.dangling .shape { stroke-dasharray: 3 3; }\n.ll-drawing .box.added > .shape { stroke: var(--ll-added); stroke-width: 2.5; }\n.ll-drawing .box.removed > .shape { stroke: var(--ll-removed); stroke-width: 2.5; stroke-dasharray: 3 4; }\n.ll-drawing .box.changed > .shape { stroke: var(--ll-changed); stroke-width: 2; stroke-dasharray: 12 3; }\n.ll-drawing .box.removed .title { text-decoration: line-through; }\n.ll-drawing .box:hover > .shape { stroke: var(--ll-chosen); }\n.ll-drawing .box:focus-visible > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .box.chosen > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n\n.ll-drawing .fold { cursor: pointer; }\n.ll-drawing .fold rect { fill: transparent; }\n.ll-drawing .fold path { stroke: var(--ll-muted); stroke-width: 1.5; fill: none; }\n.ll-drawing .fold:hover path { stroke: var(--ll-chosen); }\n.ll-drawing .badge circle { fill: var(--ll-node); stroke: var(--ll-info); stroke-width: 1.3; }\n.ll-drawing .badge.warning circle { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.error circle { fill: var(--ll-error); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.warning text, .ll-drawing .badge.error text { fill: var(--ll-on-badge); }\n.ll-drawing .badge.elsewhere circle { fill: var(--ll-node); stroke: var(--ll-muted); stroke-width: 1.2; stroke-dasharray: 2.5 2; }\n.ll-drawing .badge.elsewhere.warning circle { stroke: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error circle { stroke: var(--ll-error); }\n.ll-drawing .badge.elsewhere.warning text { fill: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error text { fill: var(--ll-error); }\n.ll-drawing .badge text { fill: var(--ll-info); font-size: 10.5px; font-weight: 700; text-anchor: middle; }\n\n.ll-drawing .line { --ll-own: var(--ll-topic); cursor: pointer; }\n.ll-drawing .line.service { --ll-own: var(--ll-service); }\n.ll-drawing .line.action { --ll-own: var(--ll-action); }\n.ll-drawing .line.param { --ll-own: var(--ll-param); }\n.ll-drawing .line.added { --ll-own: var(--ll-added); }\n.ll-drawing .line.removed { --ll-own: var(--ll-removed); }\n.ll-drawing .line.changed { --ll-own: var(--ll-changed); }\n.ll-drawing .line path { fill: none; stroke: var(--ll-own); stroke-width: 1.3; stroke-linejoin: round; }\n.ll-drawing .line .hit { stroke: transparent; stroke-width: 11; pointer-events: stroke; }\n.ll-drawing .line .head { fill: var(--ll-own); stroke: none; }\n.ll-drawing .line .joint { fill: var(--ll-own); }\n.ll-drawing .line.bundle .course { stroke-width: 2.6; }\n.ll-drawing .line.service .head { fill: var(--ll-ground); stroke: var(--ll-own); stroke-width: 1.3; }\n.ll-drawing .line.action .course { stroke-width: 2; }\n.ll-drawing .line.param .course { stroke-width: 1; }\n.ll-drawing .line.conditional .course { stroke-dasharray: 7 4; }\n.ll-drawing .line.uncertain .course { stroke-dasharray: 1.5 4; stroke-linecap: round; }\n.ll-drawing .line.added .course, .ll-drawing .line.removed .course, .ll-drawing .line.changed .course { stroke-width: 2.4; }\n.ll-drawing .line.removed .course { stroke-dasharray: 3 4; }\n.ll-drawing .line.changed .course { stroke-dasharray: 12 3; }\n.ll-drawing .line:hover .course, .ll-drawing .line.chosen .course { stroke: var(--ll-chosen); stroke-width: 3; }\n.ll-drawing .name { cursor: pointer; }\n.ll-drawing .name text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 3px; stroke-linejoin: round; fill: var(--ll-muted); }\n.ll-drawing .name.info text { fill: var(--ll-info); }\n.ll-drawing .name.warning text { fill: var(--ll-warning); font-weight: 600; }\n.ll-drawing .name.error text { fill: var(--ll-error); font-weight: 600; }\n.ll-drawing .box.unknown text { paint-order: stroke; stroke: var(--ll-node); stroke-width: 3.5px; stroke-linejoin: round; }\n.ll-drawing .box.unknown .badge text { stroke: none; }\n.ll-drawing .port { fill: var(--ll-topic); stroke: var(--ll-ground); stroke-width: 1; }\n.ll-drawing .port.service { fill: var(--ll-service); }\n.ll-drawing .port.action { fill: var(--ll-action); }\n.ll-drawing .port.param { fill: var(--ll-param); }\n.ll-drawing .loose { cursor: pointer; }\n.ll-drawing .loose > circle { fill: var(--ll-node); stroke: var(--ll-topic); stroke-width: 1.4; }\n.ll-drawing .loose.service > circle { stroke: var(--ll-service); }\n.ll-drawing .loose.action > circle { stroke: var(--ll-action); }\n.ll-drawing .loose.added > circle { stroke: var(--ll-added); stroke-width: 2.4; }\n.ll-drawing .loose.removed > circle { stroke: var(--ll-removed); stroke-width: 2.4; stroke-dasharray: 2 2; }\n.ll-drawing .loose.changed > circle { stroke: var(--ll-changed); stroke-width: 2.4; }\n.ll-drawing .loose.added .name text { fill: var(--ll-added); }\n.ll-drawing .loose.removed .name text { fill: var(--ll-removed); text-decoration: line-through; }\n.ll-drawing .loose.uncertain > circle { stroke-dasharray: 1.5 2; }\n.ll-drawing .loose .name text { font-style: italic; }\n\n.ll-drawing.selecting .box:not(.lit):not(.open), .ll-drawing.searching .box:not(.match):not(.open) { opacity: 0.34; }\n.ll-drawing.selecting .line:not(.lit) { opacity: 0.18; }\n.ll-drawing.selecting .names > :not(.lit) { opacity: 0.22; }\n.ll-drawing.selecting .port:not(.lit) { opacity: 0.25; }\n.ll-drawing.searching .box.match > .shape { stroke: var(--ll-chosen); stroke-width: 2; }\n.ll-drawing.searching .line, .ll-drawing.searching .names > :not(.match) { opacity: 0.35; }\n.ll-drawing .line.lit .course { stroke-width: 2.4; }\n.ll-drawing .name.lit text { fill: var(--ll-text); }\n\n/* From far away, what could not be read anyway is not drawn. */\n.ll-drawing[data-distance="far"] .name, .ll-drawing[data-distance="far"] .loose,\n.ll-drawing[data-distance="far"] .box:not(.open) .detail, .ll-drawing[data-distance="far"] .box .condition,\n.ll-drawing[data-distance="far"] .box .host, .ll-drawing[data-distance="far"] .box .count, .ll-drawing[data-distance="far"] .port { display: none; }\n.ll-drawing[data-distance="far"] .line path.course { stroke-width: 2; }\n\n.ll-legend { position: absolute; left: 10px; bottom: 10px; max-width: min(92%, 640px); font: 12px/1.35 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; color: var(--ll-text); background: var(--ll-node); border: 1px solid var(--ll-box-line); border-radius: 8px; }\n.ll-legend summary { padding: 4px 10px; cursor: pointer; color: var(--ll-muted); }\n.ll-legend ul { margin: 0; padding: 2px 12px 8px; list-style: none; display: grid; grid-template-columns: repeat(auto-fill, minmax(180px, 1fr)); gap: 2px 14px; max-height: 40vh; overflow: auto; }\n.ll-legend li { display: flex; align-items: center; gap: 8px; }\n.ll-legend svg.ll-drawing { flex: none; width: 44px; height: 20px; background: none; cursor: default; }\n';
+  var drawing_default = '/* The drawing brings its own rules, so that an exported picture looks as it does in the page. */\n:is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #fbfcfe;\n  --ll-node: #ffffff;\n  --ll-edge: #8b99a8;\n  --ll-text: #17212b;\n  --ll-muted: #566474;\n  --ll-box: #5f7ea1;\n  --ll-box-line: #bfcad6;\n  --ll-folded: #eef3f8;\n  --ll-topic: #4b78a8;\n  --ll-service: #1e857a;\n  --ll-action: #7b55b5;\n  --ll-param: #97702a;\n  --ll-error: #c5283d;\n  --ll-warning: #a65f00;\n  --ll-info: #2f6fae;\n  --ll-added: #1a7f37;\n  --ll-removed: #cf222e;\n  --ll-changed: #9a6700;\n  --ll-chosen: #0b63ce;\n  --ll-on-badge: #ffffff;\n  --ll-hatch: #dbe2e9;\n}\n@media (prefers-color-scheme: dark) {\n  :root:not([data-theme="light"]) :is(.ll-drawing, .ll-drawing-host) {\n    --ll-ground: #13181e;\n    --ll-node: #1d252e;\n    --ll-edge: #5f6f7f;\n    --ll-text: #e4ebf2;\n    --ll-muted: #9fadbb;\n    --ll-box: #8fb2d8;\n    --ll-box-line: #3a4755;\n    --ll-folded: #232e39;\n    --ll-topic: #79a8da;\n    --ll-service: #56c2b4;\n    --ll-action: #b795ea;\n    --ll-param: #d4aa5c;\n    --ll-error: #ff6b7a;\n    --ll-warning: #e9a23b;\n    --ll-info: #6cb0f0;\n    --ll-added: #4ac26b;\n    --ll-removed: #ff7b72;\n    --ll-changed: #d4a72c;\n    --ll-chosen: #6cb2ff;\n    --ll-on-badge: #13181e;\n    --ll-hatch: #303b47;\n  }\n}\n:root[data-theme="dark"] :is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #13181e;\n  --ll-node: #1d252e;\n  --ll-edge: #5f6f7f;\n  --ll-text: #e4ebf2;\n  --ll-muted: #9fadbb;\n  --ll-box: #8fb2d8;\n  --ll-box-line: #3a4755;\n  --ll-folded: #232e39;\n  --ll-topic: #79a8da;\n  --ll-service: #56c2b4;\n  --ll-action: #b795ea;\n  --ll-param: #d4aa5c;\n  --ll-error: #ff6b7a;\n  --ll-warning: #e9a23b;\n  --ll-info: #6cb0f0;\n  --ll-added: #4ac26b;\n  --ll-removed: #ff7b72;\n  --ll-changed: #d4a72c;\n  --ll-chosen: #6cb2ff;\n  --ll-on-badge: #13181e;\n  --ll-hatch: #303b47;\n}\n@media print {\n  .ll-drawing-host .ll-legend { display: none; }\n}\n\n.ll-drawing-host { position: relative; overflow: hidden; }\nsvg.ll-drawing { display: block; width: 100%; height: 100%; background: var(--ll-ground); touch-action: none; cursor: grab; user-select: none; outline: none; }\nsvg.ll-drawing:focus-visible { box-shadow: inset 0 0 0 2px var(--ll-chosen); }\nsvg.ll-drawing.dragging { cursor: grabbing; }\n/* While it is dragged, the drawing is a layer of its own: moved, not painted again. */\nsvg.ll-drawing.dragging > g { will-change: transform; }\n.ll-drawing text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; font-size: 12px; fill: var(--ll-text); }\n.ll-drawing .hatching path { stroke: var(--ll-hatch); stroke-width: 1.4; fill: none; }\n\n.ll-drawing .box { cursor: pointer; outline: none; }\n.ll-drawing .box .shape { fill: var(--ll-node); stroke: var(--ll-edge); stroke-width: 1; }\n.ll-drawing .box .behind { fill: var(--ll-folded); stroke: var(--ll-box-line); stroke-width: 1; }\n.ll-drawing .box .title { font-size: 13px; font-weight: 600; }\n.ll-drawing .box .detail, .ll-drawing .box .host, .ll-drawing .box .count, .ll-drawing .box .tag { fill: var(--ll-muted); }\n.ll-drawing .box .condition { fill: var(--ll-muted); font-style: italic; }\n.ll-drawing .box.folded .shape { fill: var(--ll-folded); stroke: var(--ll-edge); }\n.ll-drawing .box.open .shape { fill: var(--ll-box); fill-opacity: 0.055; stroke: var(--ll-box-line); stroke-width: 1.2; }\n.ll-drawing .box.open.machine > .shape { stroke-width: 2.4; }\n.ll-drawing .box.open .title { fill: var(--ll-muted); }\n.ll-drawing .box.open { cursor: grab; }\n.ll-drawing .box.open .head { cursor: pointer; }\n.ll-drawing .box.conditional .shape { stroke-dasharray: 6 4; }\n.ll-drawing .box.unknown .title { fill: var(--ll-muted); }\n.ll-drawing .box.stub .shape { stroke-dasharray: 1 3; stroke-linecap: round; fill: var(--ll-ground); }\n.ll-drawing .box.stub .title { font-weight: 400; fill: var(--ll-muted); }\n.ll-drawing .box.pill .shape { stroke: var(--ll-topic); fill: var(--ll-ground); }\n.ll-drawing .box.pill .title { font-size: 12px; font-weight: 400; }\n.ll-drawing .box.pill.service .shape { stroke: var(--ll-service); }\n.ll-drawing .box.pill.action .shape { stroke: var(--ll-action); }\n.ll-drawing .box.pill.param .shape { stroke: var(--ll-param); }\n.ll-drawing .box.pill.dangling .shape { stroke-dasharray: 3 3; }\n.ll-drawing .box.added > .shape { stroke: var(--ll-added); stroke-width: 2.5; }\n.ll-drawing .box.removed > .shape { stroke: var(--ll-removed); stroke-width: 2.5; stroke-dasharray: 3 4; }\n.ll-drawing .box.changed > .shape { stroke: var(--ll-changed); stroke-width: 2; stroke-dasharray: 12 3; }\n.ll-drawing .box.removed .title { text-decoration: line-through; }\n.ll-drawing .box:hover > .shape { stroke: var(--ll-chosen); }\n.ll-drawing .box:focus-visible > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .box.chosen > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n\n.ll-drawing .fold { cursor: pointer; }\n.ll-drawing .fold rect { fill: transparent; }\n.ll-drawing .fold path { stroke: var(--ll-muted); stroke-width: 1.5; fill: none; }\n.ll-drawing .fold:hover path { stroke: var(--ll-chosen); }\n.ll-drawing .badge circle { fill: var(--ll-node); stroke: var(--ll-info); stroke-width: 1.3; }\n.ll-drawing .badge.warning circle { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.error circle { fill: var(--ll-error); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.warning text, .ll-drawing .badge.error text { fill: var(--ll-on-badge); }\n.ll-drawing .badge.elsewhere circle { fill: var(--ll-node); stroke: var(--ll-muted); stroke-width: 1.2; stroke-dasharray: 2.5 2; }\n.ll-drawing .badge.elsewhere.warning circle { stroke: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error circle { stroke: var(--ll-error); }\n.ll-drawing .badge.elsewhere.warning text { fill: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error text { fill: var(--ll-error); }\n.ll-drawing .badge text { fill: var(--ll-info); font-size: 12px; font-weight: 700; text-anchor: middle; }\n\n.ll-drawing .line { --ll-own: var(--ll-topic); cursor: pointer; }\n.ll-drawing .line.service { --ll-own: var(--ll-service); }\n.ll-drawing .line.action { --ll-own: var(--ll-action); }\n.ll-drawing .line.param { --ll-own: var(--ll-param); }\n.ll-drawing .line.added { --ll-own: var(--ll-added); }\n.ll-drawing .line.removed { --ll-own: var(--ll-removed); }\n.ll-drawing .line.changed { --ll-own: var(--ll-changed); }\n.ll-drawing .line path { fill: none; stroke: var(--ll-own); stroke-width: 1.3; stroke-linejoin: round; }\n.ll-drawing .line .hit { stroke: transparent; stroke-width: 11; pointer-events: stroke; }\n.ll-drawing .line .head { fill: var(--ll-own); stroke: none; }\n.ll-drawing .line .joint { fill: var(--ll-own); }\n.ll-drawing .line.bundle .course { stroke-width: 2.6; }\n.ll-drawing .line.service .head { fill: var(--ll-ground); stroke: var(--ll-own); stroke-width: 1.3; }\n.ll-drawing .line.action .course { stroke-width: 2; }\n.ll-drawing .line.param .course { stroke-width: 1; }\n.ll-drawing .line.conditional .course { stroke-dasharray: 7 4; }\n.ll-drawing .line.uncertain .course { stroke-dasharray: 1.5 4; stroke-linecap: round; }\n.ll-drawing .line.added .course, .ll-drawing .line.removed .course, .ll-drawing .line.changed .course { stroke-width: 2.4; }\n.ll-drawing .line.removed .course { stroke-dasharray: 3 4; }\n.ll-drawing .line.changed .course { stroke-dasharray: 12 3; }\n.ll-drawing .line:hover .course, .ll-drawing .line.chosen .course { stroke: var(--ll-chosen); stroke-width: 3; }\n.ll-drawing .name { cursor: pointer; }\n.ll-drawing .name text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 3px; stroke-linejoin: round; fill: var(--ll-muted); }\n.ll-drawing .name.info text { fill: var(--ll-info); }\n.ll-drawing .name.warning text { fill: var(--ll-warning); font-weight: 600; }\n.ll-drawing .name.error text { fill: var(--ll-error); font-weight: 600; }\n.ll-drawing .box.unknown text { paint-order: stroke; stroke: var(--ll-node); stroke-width: 3.5px; stroke-linejoin: round; }\n.ll-drawing .box.unknown .badge text { stroke: none; }\n.ll-drawing .port { fill: var(--ll-topic); stroke: var(--ll-ground); stroke-width: 1; }\n.ll-drawing .port.service { fill: var(--ll-service); }\n.ll-drawing .port.action { fill: var(--ll-action); }\n.ll-drawing .port.param { fill: var(--ll-param); }\n.ll-drawing .loose { cursor: pointer; }\n.ll-drawing .loose > circle { fill: var(--ll-node); stroke: var(--ll-topic); stroke-width: 1.4; }\n.ll-drawing .loose.service > circle { stroke: var(--ll-service); }\n.ll-drawing .loose.action > circle { stroke: var(--ll-action); }\n.ll-drawing .loose.added > circle { stroke: var(--ll-added); stroke-width: 2.4; }\n.ll-drawing .loose.removed > circle { stroke: var(--ll-removed); stroke-width: 2.4; stroke-dasharray: 2 2; }\n.ll-drawing .loose.changed > circle { stroke: var(--ll-changed); stroke-width: 2.4; }\n.ll-drawing .loose.added .name text { fill: var(--ll-added); }\n.ll-drawing .loose.removed .name text { fill: var(--ll-removed); text-decoration: line-through; }\n.ll-drawing .loose.uncertain > circle { stroke-dasharray: 1.5 2; }\n.ll-drawing .loose .name text { font-style: italic; }\n\n.ll-drawing.selecting .box:not(.lit):not(.open), .ll-drawing.searching .box:not(.match):not(.open) { opacity: 0.34; }\n.ll-drawing.selecting .line:not(.lit) { opacity: 0.18; }\n.ll-drawing.selecting .names > :not(.lit) { opacity: 0.22; }\n.ll-drawing.selecting .port:not(.lit) { opacity: 0.25; }\n.ll-drawing.searching .box.match > .shape { stroke: var(--ll-chosen); stroke-width: 2; }\n.ll-drawing.searching .line, .ll-drawing.searching .names > :not(.match) { opacity: 0.35; }\n.ll-drawing .line.lit .course { stroke-width: 2.4; }\n.ll-drawing .name.lit text { fill: var(--ll-text); }\n\n/* From far away, what could not be read anyway is not drawn. */\n.ll-drawing[data-distance="far"] .name, .ll-drawing[data-distance="far"] .loose,\n.ll-drawing[data-distance="far"] .box:not(.open) .detail, .ll-drawing[data-distance="far"] .box .condition,\n.ll-drawing[data-distance="far"] .box .host, .ll-drawing[data-distance="far"] .box .count, .ll-drawing[data-distance="far"] .port { display: none; }\n.ll-drawing[data-distance="far"] .line path.course { stroke-width: 2; }\n\n.ll-legend { position: absolute; left: 10px; bottom: 10px; max-width: min(92%, 640px); font: 12px/1.35 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; color: var(--ll-text); background: var(--ll-node); border: 1px solid var(--ll-box-line); border-radius: 8px; }\n.ll-legend summary { padding: 4px 10px; cursor: pointer; color: var(--ll-muted); }\n.ll-legend ul { margin: 0; padding: 2px 12px 8px; list-style: none; display: grid; grid-template-columns: repeat(auto-fill, minmax(180px, 1fr)); gap: 2px 14px; max-height: 40vh; overflow: auto; }\n.ll-legend li { display: flex; align-items: center; gap: 8px; }\n.ll-legend svg.ll-drawing { flex: none; width: 44px; height: 20px; background: none; cursor: default; }\n';
 
   // launchlint/report/html/js/drawing/export.js
   var MARGIN = 16;
@@ -133,21 +133,21 @@
 
   // launchlint/report/html/js/drawing/measure.js
   var FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif';
-  var SIZES = { title: 13, detail: 11, condition: 11, host: 11, count: 11, label: 11 };
+  var SIZES = { title: 13, detail: 12, condition: 12, host: 12, count: 12, label: 12 };
   var GUESS = 0.58;
   function measurer() {
     const canvas = typeof document === "undefined" ? null : document.createElement("canvas").getContext("2d");
-    const known3 = /* @__PURE__ */ new Map();
+    const known6 = /* @__PURE__ */ new Map();
     return (text2, kind) => {
       const size = SIZES[kind];
       if (!canvas) return text2.length * size * GUESS;
       const font = `${kind === "title" ? 600 : 400} ${size}px ${FONT}`;
       const key = `${kind === "title" ? "b" : ""}${size} ${text2}`;
-      let width = known3.get(key);
+      let width = known6.get(key);
       if (width === void 0) {
         canvas.font = font;
         width = canvas.measureText(text2).width;
-        known3.set(key, width);
+        known6.set(key, width);
       }
       return width;
     };
@@ -198,6 +198,22 @@
   function machineName(name, address) {
     return address && address !== name ? `${name} (${address})` : name;
   }
+  function inLines(text2, most) {
+    if (text2.length <= most) return [text2];
+    const middle2 = text2.length / 2;
+    let [best, cost] = [0, Infinity];
+    for (let at = 1; at < text2.length; at++) {
+      const [before = "", after = ""] = [text2[at - 1], text2[at]];
+      const kind = before === "/" || before === "_" || before === "-" || before === "." ? 0 : /[a-z]/.test(before) && /[A-Z]/.test(after) ? 2 : Infinity;
+      const own = Math.abs(at - middle2) + kind;
+      if (own < cost) [best, cost] = [at, own];
+    }
+    return cost > most / 2 ? [text2] : [text2.slice(0, best), text2.slice(best)];
+  }
+  function isLocal(name, address) {
+    const host2 = address || name;
+    return host2 === "localhost" || host2 === "127.0.0.1" || host2 === "::1";
+  }
 
   // launchlint/report/html/js/drawing/tree.js
   var DEEPEST = 32;
@@ -226,18 +242,18 @@
   }
   function byNamespace(entry) {
     const root = group2("root", "g:namespace:/", "/", "/");
-    const known3 = /* @__PURE__ */ new Map();
+    const known6 = /* @__PURE__ */ new Map();
     entry.nodes.forEach((node, index) => {
       let around3 = root;
       let from = 1;
       for (let depth = 1; node.namespace.length > from && from > 0; depth++) {
         const end = depth < DEEPEST ? node.namespace.indexOf("/", from) : -1;
         const namespace = end < 0 ? node.namespace : node.namespace.slice(0, end);
-        let inner = known3.get(namespace);
+        let inner = known6.get(namespace);
         if (!inner) {
           const label2 = around3 === root ? namespace : namespace.slice(around3.namespace.length + 1);
           inner = group2("namespace", `g:namespace:${namespace}`, label2, namespace);
-          known3.set(namespace, inner);
+          known6.set(namespace, inner);
           around3.groups.push(inner);
         }
         around3 = inner;
@@ -273,13 +289,13 @@
   }
   function byKey(entry, kind, keyOf2) {
     const root = group2("root", `g:${kind}:`, "/", "/");
-    const known3 = /* @__PURE__ */ new Map();
+    const known6 = /* @__PURE__ */ new Map();
     entry.nodes.forEach((node, index) => {
       const [key, label2] = keyOf2(node);
-      let around3 = known3.get(key);
+      let around3 = known6.get(key);
       if (!around3) {
         around3 = group2(kind, `g:${kind}:${key}`, label2);
-        known3.set(key, around3);
+        known6.set(key, around3);
         root.groups.push(around3);
       }
       around3.nodes.push(index);
@@ -349,8 +365,8 @@
     for (const node of own.nodes) {
       let at = ((_a = entry.nodes[node]) == null ? void 0 : _a.container) ?? -1;
       for (let seen = 0; at >= 0 && ((_b = entry.containers[at]) == null ? void 0 : _b.kind) !== "include" && seen < DEEPEST; seen++) at = ((_c = entry.containers[at]) == null ? void 0 : _c.parent) ?? -1;
-      const known3 = files.get(at);
-      if (known3) known3.push(node);
+      const known6 = files.get(at);
+      if (known6) known6.push(node);
       else files.set(at, [node]);
     }
     const large = Array.from(files).filter(([file, nodes]) => file >= 0 && nodes.length > 1);
@@ -382,10 +398,12 @@
   }
 
   // launchlint/report/html/js/drawing/boxes.js
-  var LINE_HEIGHTS = { title: 17, detail: 14, condition: 14, host: 14, count: 14 };
+  var LINE_HEIGHTS = { title: 17, detail: 15, condition: 15, host: 15, count: 15 };
   var PADDING = { x: 12, y: 8 };
   var FOLD = 18;
-  var LONGEST = { title: 36, detail: 34, condition: 34, label: 26, open: 48 };
+  var LONGEST = { title: 40, detail: 24, condition: 24, label: 20, open: 48 };
+  var BROAD = 20;
+  var BRIEF = 26;
   var BUNDLE = 3;
   var SEVERITIES = (
     /** @type {const} */
@@ -402,18 +420,19 @@
   function nodeBox(view, index, group3, measure) {
     const node = view.entry.nodes[index];
     if (!node) throw new RangeError(`there is no node ${index}`);
-    const inNamespace = group3.namespace === node.namespace || view.state.grouping === "namespace";
-    const lines = [{ kind: "title", text: inNamespace ? cut(lastPart(node.name), LONGEST.title) : shortName(node.name, "", LONGEST.title) }];
-    if (node.program) lines.push({ kind: "detail", text: cut(node.program, LONGEST.detail) });
+    const isBrief = group3.kind === "tray";
+    const inNamespace = group3.namespace === node.namespace || view.state.grouping === "namespace" && !isBrief;
+    const lines = isBrief ? [{ kind: "title", text: shortName(node.name, "", BRIEF) }] : titles(inNamespace ? cut(lastPart(node.name), LONGEST.title) : shortName(node.name, "", LONGEST.title));
+    if (node.program && !isBrief) lines.push({ kind: "detail", text: cut(node.program, LONGEST.detail) });
     const classes = ["node"];
     const when2 = view.presence.of(node.only, node.mark);
     const conditional = node.conditions.length > 0 || view.presence.conditional(when2, view.now);
     if (conditional) classes.push("conditional");
-    if (node.conditions.length) lines.push({ kind: "condition", text: cut(node.conditions.join(" and "), LONGEST.condition) });
+    if (node.conditions.length && !isBrief) lines.push({ kind: "condition", text: cut(node.conditions.join(" and "), LONGEST.condition) });
     const guest = node.host !== "" && node.host !== node.name;
-    if (guest) lines.push({ kind: "host", text: `in ${shortName(node.host, node.namespace, LONGEST.detail)}` });
+    if (guest && !isBrief) lines.push({ kind: "host", text: `in ${shortName(node.host, node.namespace, LONGEST.detail)}` });
     const [machine2 = "", address = ""] = node.machine;
-    if (machine2) {
+    if (machine2 && !isLocal(machine2, address) && view.machines > 1 && view.state.grouping !== "machine" && !isBrief) {
       classes.push("machine");
       lines.push({ kind: "host", text: `on ${cut(machine2, LONGEST.detail)}` });
     }
@@ -432,13 +451,16 @@
     const badge3 = badgeOf(view, node.findings) ?? badgeOf(view, node.related, true);
     return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said.join("\n"), badge: badge3, loose, level: null, wires: [] }, measure);
   }
+  function titles(text2) {
+    return inLines(text2, BROAD).map((each) => ({ kind: "title", text: each }));
+  }
   function foldedBox(view, group3, measure) {
     var _a;
     const about = contents(view, group3);
-    const lines = [{ kind: "title", text: cut(group3.label, LONGEST.title) }];
+    const lines = titles(cut(group3.label, LONGEST.title));
     const unknown = about.unknown && about.unknown < about.nodes ? ` · ${about.unknown} unknown` : "";
-    const only = about.nodes === 1 ? `: ${cut(lastPart(((_a = view.entry.nodes[about.first]) == null ? void 0 : _a.name) ?? ""), LONGEST.label)}` : unknown;
-    lines.push({ kind: "detail", text: `${counted(about.nodes, "node")}${only}` });
+    const only2 = about.nodes === 1 ? `: ${cut(lastPart(((_a = view.entry.nodes[about.first]) == null ? void 0 : _a.name) ?? ""), LONGEST.label)}` : unknown;
+    lines.push({ kind: "detail", text: `${counted(about.nodes, "node")}${only2}` });
     const classes = ["folded", group3.kind];
     if (about.nodes && about.unknown === about.nodes) classes.push("unknown");
     if (about.mark) classes.push(about.mark);
@@ -503,12 +525,11 @@ ${counted(about.nodes, "node")}`;
       const side = all.filter((each) => each.gives === out);
       const alone = view.state.danglingOnly ? side : side.filter((each) => each.wire.findings.length || each.mark && !isNew(view, box2));
       const rest = side.filter((each) => !alone.includes(each));
-      const groups = [...alone.map((each) => [each]), ...rest.length < BUNDLE ? rest.map((each) => [each]) : [rest]];
-      for (const each of groups) {
+      for (const each of [...alone.map((each2) => [each2]), rest]) {
         const [first] = each;
         if (!first) continue;
         const wires = each.map((loose) => loose.wire);
-        const label2 = each.length === 1 ? shortName(first.wire.name, group3.namespace, LONGEST.label) : `${each.length} unconnected`;
+        const label2 = each !== rest ? shortName(first.wire.name, group3.namespace, LONGEST.label) : each.length > 1 && group3.kind !== "tray" ? String(each.length) : "";
         const classes = [each.length === 1 ? first.wire.kind : "several"];
         if (!each.some((loose) => loose.certain)) classes.push("uncertain");
         if (first.mark && each.every((loose) => loose.mark === first.mark)) classes.push(first.mark);
@@ -531,12 +552,13 @@ ${counted(about.nodes, "node")}`;
   }
 
   // launchlint/report/html/js/drawing/engine.js
-  var LABEL_HEIGHT = 13;
+  var LABEL_HEIGHT = 14;
   var BADGE = 17;
   var MARGIN2 = 16;
-  var LONG = 1500;
-  var WIDER = 1.6;
-  var GAIN = 0.75;
+  var LONG = 700;
+  var WIDER = 1.25;
+  var GAIN = 0.9;
+  var ROWS = [1, 0.4];
   var KEPT = 600;
   var OPTIONS = {
     "elk.algorithm": "layered",
@@ -551,7 +573,8 @@ ${counted(about.nodes, "node")}`;
     "elk.layered.spacing.nodeNodeBetweenLayers": "26",
     "elk.layered.spacing.edgeNodeBetweenLayers": "12",
     "elk.layered.spacing.edgeEdgeBetweenLayers": "10",
-    "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
+    "elk.layered.nodePlacement.strategy": "BRANDES_KOEPF",
+    "elk.layered.nodePlacement.bk.fixedAlignment": "LEFTUP",
     "elk.layered.crossingMinimization.strategy": "LAYER_SWEEP",
     "elk.layered.thoroughness": "7",
     "elk.layered.considerModelOrder.strategy": "NODES_AND_EDGES",
@@ -578,11 +601,25 @@ ${counted(about.nodes, "node")}`;
       layoutOptions: { "elk.algorithm": "layered", "elk.padding": "[left=0,top=0,right=0,bottom=0]" },
       children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...options } }]
     });
-    const placed = asPlaced(await engine.layout(root()), names);
-    if (part2.ports.length || placed.width < LONG || placed.width < WIDER * aspect * placed.height) return placed;
-    const folded = asPlaced(await engine.layout(root({ "elk.layered.wrapping.strategy": "MULTI_EDGE" })), names);
-    const cost = (each) => Math.max(each.width / aspect, each.height);
-    return cost(folded) < GAIN * cost(placed) ? folded : placed;
+    let best = asPlaced(await engine.layout(root()), names);
+    if (!part2.ports.length) {
+      for (const ratio of ROWS) {
+        if (best.width < LONG || best.width < WIDER * aspect * best.height) break;
+        const rows2 = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": "ARD", "elk.aspectRatio": String(ratio * aspect) };
+        const tried = asPlaced(await engine.layout(root(rows2)), names);
+        if (isStraight(tried) && costOf(tried, aspect) < GAIN * costOf(best, aspect)) best = tried;
+      }
+    }
+    return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names);
+  }
+  function costOf({ width, height }, aspect) {
+    return Math.max(width / aspect, height);
+  }
+  function isStraight({ edges }) {
+    return Array.from(edges.values()).every(({ points }) => points.every((point, at) => {
+      const next = points[at + 1];
+      return !next || Math.abs(next.x - point.x) < 0.5 || Math.abs(next.y - point.y) < 0.5;
+    }));
   }
   var Names = class {
     constructor() {
@@ -663,7 +700,7 @@ ${counted(about.nodes, "node")}`;
   }
   function asPort(id, out, label2, measure, more = 0) {
     const width = Math.ceil(Math.max(0, ...label2.map((line4) => measure(line4, "label")))) + more;
-    const labels = label2.length ? [{ text: "x", width: width + PADDING.x, height: label2.length * LABEL_HEIGHT + 2 }] : [];
+    const labels = width ? [{ text: "x", width: width + PADDING.x, height: label2.length * LABEL_HEIGHT + 2 }] : [];
     return { id, width: 0, height: 0, labels, layoutOptions: { "elk.port.side": out ? "EAST" : "WEST" } };
   }
   function labelAt(edges, port) {
@@ -671,8 +708,8 @@ ${counted(about.nodes, "node")}`;
     return ((_a = edges.find((edge) => edge.from === port)) == null ? void 0 : _a.label) ?? [];
   }
   function add(map, key, edge) {
-    const known3 = map.get(key);
-    if (known3) known3.push(edge);
+    const known6 = map.get(key);
+    if (known6) known6.push(edge);
     else map.set(key, [edge]);
   }
   function asPlaced(root, names) {
@@ -787,7 +824,7 @@ ${counted(about.nodes, "node")}`;
     const sign = about.count > 99 ? "99" : about.count > 1 ? String(about.count) : about.severity === "info" ? "i" : "!";
     const found2 = about.count > 1 ? `${about.count} findings` : `1 ${about.severity}`;
     const words2 = about.elsewhere ? `${found2} elsewhere, about this, too` : found2;
-    return element("g", { class: `badge ${about.severity} ${about.elsewhere ? "elsewhere" : ""}`.trim(), transform: `translate(${x} ${y})` }, [title(words2), element("circle", { r: 8.5 }), text(sign, { y: 3.8 })]);
+    return element("g", { class: `badge ${about.severity} ${about.elsewhere ? "elsewhere" : ""}`.trim(), transform: `translate(${x} ${y})` }, [title(words2), element("circle", { r: 8.5 }), text(sign, { y: 4.2 })]);
   }
   function lineElement({ edge, points, junctions, arrives }) {
     const bundle = edge.wires.length > 2 ? " bundle" : "";
@@ -826,15 +863,116 @@ ${counted(about.nodes, "node")}`;
     return drawn;
   }
 
+  // launchlint/report/html/js/drawing/raster.js
+  var MARGIN3 = 16;
+  var DENSITY = 2;
+  var LARGEST = 12e3;
+  function rastered(svg, size) {
+    var _a;
+    const [width, height] = [size.width + 2 * MARGIN3, size.height + 2 * MARGIN3];
+    const density = Math.min(DENSITY, LARGEST / Math.max(width, height));
+    const canvas = document.createElement("canvas");
+    Object.assign(canvas, { width: Math.ceil(width * density), height: Math.ceil(height * density) });
+    const pen = canvas.getContext("2d");
+    const content = svg.querySelector(":scope > g");
+    if (!pen || !(content instanceof SVGGElement)) return canvas;
+    const colours = getComputedStyle(svg);
+    pen.fillStyle = colours.getPropertyValue("--ll-ground").trim();
+    pen.fillRect(0, 0, canvas.width, canvas.height);
+    const hatch = hatching(colours.getPropertyValue("--ll-hatch").trim());
+    const screen = (_a = content.getScreenCTM()) == null ? void 0 : _a.inverse();
+    const { distance } = svg.dataset;
+    delete svg.dataset["distance"];
+    for (const each of content.querySelectorAll("rect, circle, path, text")) {
+      const style = getComputedStyle(each);
+      if (!(each instanceof SVGGraphicsElement) || style.display === "none" || each.matches(".hit, .fold *")) continue;
+      const at = each.getScreenCTM();
+      if (!at || !screen) continue;
+      const { a, b, c, d, e, f } = screen.multiply(at);
+      pen.setTransform(new DOMMatrix([density, 0, 0, density, MARGIN3 * density, MARGIN3 * density]).multiply(new DOMMatrix([a, b, c, d, e, f])));
+      paint2(pen, each, style, hatch);
+    }
+    if (distance) svg.dataset["distance"] = distance;
+    return canvas;
+  }
+  function paint2(pen, shape2, style, hatch) {
+    const stroke = style.stroke !== "none" && parseFloat(style.strokeWidth) > 0;
+    pen.globalAlpha = opacityOf(shape2);
+    pen.strokeStyle = stroke ? style.stroke : "transparent";
+    pen.lineWidth = parseFloat(style.strokeWidth) || 0;
+    pen.lineJoin = "round";
+    pen.lineCap = style.strokeLinecap === "round" ? "round" : "butt";
+    pen.setLineDash(style.strokeDasharray === "none" ? [] : style.strokeDasharray.split(/[ ,]+/).map(parseFloat));
+    const fill2 = style.fill.startsWith("url") ? hatch : style.fill;
+    pen.fillStyle = fill2 && fill2 !== "none" ? fill2 : "transparent";
+    if (shape2 instanceof SVGTextElement) {
+      pen.font = `${style.fontStyle} ${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
+      pen.textAlign = style.textAnchor === "middle" ? "center" : style.textAnchor === "end" ? "right" : "left";
+      const [x, y] = [numberOf(shape2, "x"), numberOf(shape2, "y")];
+      if (stroke) pen.strokeText(shape2.textContent ?? "", x, y);
+      pen.fillText(shape2.textContent ?? "", x, y);
+      return;
+    }
+    const outline = outlineOf(shape2);
+    const solid = pen.globalAlpha;
+    pen.globalAlpha = solid * parseFloat(style.fillOpacity || "1");
+    pen.fill(outline);
+    pen.globalAlpha = solid;
+    if (stroke) pen.stroke(outline);
+  }
+  function outlineOf(shape2) {
+    if (shape2 instanceof SVGPathElement) return new Path2D(shape2.getAttribute("d") ?? "");
+    const outline = new Path2D();
+    if (shape2 instanceof SVGCircleElement) outline.arc(numberOf(shape2, "cx"), numberOf(shape2, "cy"), numberOf(shape2, "r"), 0, 2 * Math.PI);
+    else rounded(outline, numberOf(shape2, "x"), numberOf(shape2, "y"), numberOf(shape2, "width"), numberOf(shape2, "height"), numberOf(shape2, "rx"));
+    return outline;
+  }
+  function rounded(outline, x, y, width, height, radius) {
+    const corner = Math.max(0, Math.min(radius, width / 2, height / 2));
+    outline.moveTo(x + corner, y);
+    outline.arcTo(x + width, y, x + width, y + height, corner);
+    outline.arcTo(x + width, y + height, x, y + height, corner);
+    outline.arcTo(x, y + height, x, y, corner);
+    outline.arcTo(x, y, x + width, y, corner);
+    outline.closePath();
+  }
+  function opacityOf(shape2) {
+    let opacity = 1;
+    for (let at = (
+      /** @type {Element | null} */
+      shape2
+    ); at && !(at instanceof SVGSVGElement); at = at.parentElement) opacity *= parseFloat(getComputedStyle(at).opacity);
+    return opacity;
+  }
+  function numberOf(shape2, name) {
+    return Number(shape2.getAttribute(name) ?? 0);
+  }
+  function hatching(colour) {
+    const tile = document.createElement("canvas");
+    Object.assign(tile, { width: 7, height: 7 });
+    const pen = tile.getContext("2d");
+    if (!pen) return null;
+    pen.strokeStyle = colour;
+    pen.lineWidth = 1.4;
+    pen.stroke(new Path2D("M-1 8L8 -1M-1 1L1 -1M6 8L8 6"));
+    return pen.createPattern(tile, "repeat");
+  }
+
   // launchlint/report/html/js/drawing/arrange.js
   var HEAD = 32;
   var GAP = 24;
+  var NARROW_GAP = 10;
   var PITCH = 17;
   var TRIALS = 16;
+  var NARROWER = 0.75;
+  var BROADER = 2.2;
+  var STEP = 40;
   async function layOut(engine, level, measure, cache, aspect) {
-    const inside2 = await Promise.all(level.boxes.map((box2) => box2.level ? layOut(engine, box2.level, measure, cache, aspect) : null));
+    const alone = level.boxes.filter((box2) => !box2.classes.includes("tray")).length === 1;
+    const form = (box2) => box2.classes.includes("tray") ? aspect * BROADER : level.group.kind === "root" && !alone ? Math.min(aspect, 1) * NARROWER : aspect;
+    const inside = await Promise.all(level.boxes.map((box2) => box2.level ? layOut(engine, box2.level, measure, cache, form(box2)) : null));
     const all = /* @__PURE__ */ new Map();
-    for (const each of inside2) each == null ? void 0 : each.forEach((placed, id) => all.set(id, placed));
+    for (const each of inside) each == null ? void 0 : each.forEach((placed, id) => all.set(id, placed));
     const parts3 = connectedParts(level);
     const singles = parts3.filter((part2) => part2.boxes.length === 1 && !part2.edges.length && !part2.ports.length).map((part2) => (
       /** @type {Box} */
@@ -849,7 +987,8 @@ ${counted(about.nodes, "node")}`;
     );
     const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 92;
     const head2 = level.group.kind === "root" ? MARGIN2 : HEAD;
-    all.set(level.group.id, pack(parts3, blocks, head2, least, aspect));
+    const shape2 = { head: head2, least, aspect, gap: level.group.kind === "tray" ? NARROW_GAP : GAP };
+    all.set(level.group.id, pack(parts3, blocks, shape2));
     return all;
   }
   function connectedParts(level) {
@@ -873,16 +1012,20 @@ ${counted(about.nodes, "node")}`;
       else parts3.set(key, { group: level.group, boxes: [box2], ports: [], edges: [] });
     }
     for (const edge of level.edges) (_a = parts3.get(leader(edge.fromBox))) == null ? void 0 : _a.edges.push(edge);
-    return Array.from(parts3.values()).sort((a, b) => Number(!a.ports.length) - Number(!b.ports.length) || b.boxes.length - a.boxes.length);
+    return Array.from(parts3.values()).sort((a, b) => rank(a) - rank(b));
+  }
+  function rank({ ports, edges, boxes }) {
+    var _a;
+    return ports.length ? 0 : edges.length ? 1 : ((_a = boxes[0]) == null ? void 0 : _a.classes.includes("tray")) ? 3 : 2;
   }
   function evenWidths(boxes) {
     const widths = /* @__PURE__ */ new Map();
-    for (const { kind, level, width } of boxes) if (!level) widths.set(kind, Math.max(widths.get(kind) ?? 0, width));
+    for (const { kind, level, width } of boxes) if (!level) widths.set(kind, Math.max(widths.get(kind) ?? 0, Math.ceil(width / STEP) * STEP));
     return widths;
   }
   function single(box2, inner, width, measure) {
     const sides2 = [false, true].map((out) => box2.loose.filter((port) => port.out === out));
-    const [left, right] = sides2.map((ports) => Math.max(0, ...ports.map((port) => Math.ceil(measure(port.label, "label")) + PADDING.x + (port.badge ? BADGE : 0))));
+    const [left, right] = sides2.map((ports) => Math.max(0, ...ports.map((port) => port.label || port.badge ? Math.ceil(measure(port.label, "label")) + PADDING.x + (port.badge ? BADGE : 0) : 0)));
     const size = { width: (inner == null ? void 0 : inner.width) ?? (box2.kind === "pill" ? box2.width : width), height: Math.max((inner == null ? void 0 : inner.height) ?? box2.height, ...sides2.map((ports) => ports.length * PITCH + 6)) };
     const placed = { width: size.width + (left ?? 0) + (right ?? 0), height: size.height, boxes: /* @__PURE__ */ new Map(), ports: /* @__PURE__ */ new Map(), labels: /* @__PURE__ */ new Map(), edges: /* @__PURE__ */ new Map() };
     placed.boxes.set(box2.id, { x: left ?? 0, y: 0, ...size });
@@ -896,12 +1039,13 @@ ${counted(about.nodes, "node")}`;
     );
     return placed;
   }
-  function pack(parts3, blocks, head2, least, aspect) {
+  function pack(parts3, blocks, shape2) {
     var _a, _b;
+    const { head: head2, least, gap } = shape2;
     const spanning = ((_a = parts3[0]) == null ? void 0 : _a.ports.length) ? blocks[0] : void 0;
     const rest = spanning ? blocks.slice(1) : blocks;
-    const from = spanning ? head2 + spanning.height + (rest.length ? GAP : 0) : head2;
-    const rows2 = inRows(rest, spanning ? spanning.width - 2 * MARGIN2 : 0, from, aspect);
+    const from = spanning ? head2 + spanning.height + (rest.length ? gap : 0) : head2;
+    const rows2 = inRows(rest, spanning ? spanning.width - 2 * MARGIN2 : 0, from, shape2);
     const all = { width: Math.max(least, (spanning == null ? void 0 : spanning.width) ?? 0, rows2.width + 2 * MARGIN2), height: from + rows2.height + MARGIN2, boxes: /* @__PURE__ */ new Map(), ports: /* @__PURE__ */ new Map(), labels: /* @__PURE__ */ new Map(), edges: /* @__PURE__ */ new Map() };
     if (spanning) {
       add2(all, spanning, 0, head2);
@@ -913,32 +1057,32 @@ ${counted(about.nodes, "node")}`;
     });
     return all;
   }
-  function inRows(blocks, width, above, aspect) {
+  function inRows(blocks, width, above, { aspect, gap }) {
     const widest = Math.max(width, ...blocks.map((block2) => block2.width));
-    const longest = blocks.reduce((sum, block2) => sum + block2.width + GAP, 0);
-    let best = shelves(blocks, widest);
-    const cost = (rows2) => Math.max(rows2.width / aspect, rows2.height + above);
+    const longest = blocks.reduce((sum, block2) => sum + block2.width + gap, 0);
+    let best = shelves(blocks, widest, gap);
+    const cost = (rows2) => costOf({ width: rows2.width, height: rows2.height + above }, aspect);
     for (let trial = 1; trial <= TRIALS && widest < longest; trial++) {
-      const rows2 = shelves(blocks, widest + (longest - widest) * trial * trial / TRIALS ** 2);
+      const rows2 = shelves(blocks, widest + (longest - widest) * trial * trial / TRIALS ** 2, gap);
       if (cost(rows2) < cost(best)) best = rows2;
     }
     return best;
   }
-  function shelves(blocks, most) {
+  function shelves(blocks, most, gap) {
     const places = [];
     const row2 = { y: 0, height: 0 };
     const column = { x: 0, width: 0, bottom: 0 };
     let width = 0;
     for (const block2 of blocks) {
       const first = column.width === 0;
-      if (!first && column.bottom + GAP + block2.height <= row2.height && block2.width <= Math.max(column.width, 60) * 1.25 && column.x + block2.width <= most) {
-        places.push({ x: column.x, y: row2.y + column.bottom + GAP });
-        column.bottom += GAP + block2.height;
+      if (!first && column.bottom + gap + block2.height <= row2.height && block2.width <= Math.max(column.width, 60) * 1.25 && column.x + block2.width <= most) {
+        places.push({ x: column.x, y: row2.y + column.bottom + gap });
+        column.bottom += gap + block2.height;
         column.width = Math.max(column.width, block2.width);
       } else {
-        if (!first) column.x += column.width + GAP;
+        if (!first) column.x += column.width + gap;
         if (!first && column.x + block2.width > most) {
-          row2.y += row2.height + GAP;
+          row2.y += row2.height + gap;
           row2.height = 0;
           column.x = 0;
         }
@@ -996,7 +1140,8 @@ ${counted(about.nodes, "node")}`;
   }
 
   // launchlint/report/html/js/drawing/bundles.js
-  var LABEL = 26;
+  var LABEL = 32;
+  var BROAD2 = 20;
   var Lines = class {
     /** @param {View} view @param {Level} level */
     constructor(view, level) {
@@ -1009,8 +1154,8 @@ ${counted(about.nodes, "node")}`;
       const when2 = this.view.presence.both(from.when, to.when);
       const [certain, changed] = [from.certain && to.certain, from.changed || to.changed];
       const key = `e:${from.id}>${to.id}:${wire.kind}:${when2}${certain ? "" : "?"}${changed ? "!" : ""}`;
-      const known3 = this.found.get(key);
-      if (known3) known3.wires.push(wire);
+      const known6 = this.found.get(key);
+      if (known6) known6.wires.push(wire);
       else this.found.set(key, { from, to, when: when2, certain, changed, wires: [wire] });
     }
     /**
@@ -1064,7 +1209,9 @@ ${counted(about.nodes, "node")}`;
   function labelOf(wires, namespace) {
     var _a;
     const kind = ((_a = wires[0]) == null ? void 0 : _a.kind) ?? "topic";
-    return wires.length < BUNDLE ? wires.map((wire) => shortName(wire.name, namespace, LABEL)) : [counted(wires.length, kind)];
+    const [only2, more] = wires;
+    if (only2 && !more) return inLines(shortName(only2.name, namespace, LABEL), BROAD2);
+    return wires.length < BUNDLE ? wires.map((wire) => shortName(wire.name, namespace, BROAD2)) : [counted(wires.length, kind)];
   }
   var Ports = class {
     /** @param {Level} level */
@@ -1077,16 +1224,16 @@ ${counted(about.nodes, "node")}`;
       const alike = /* @__PURE__ */ new Map();
       for (const tip of all) {
         const look = `${tip.when}${tip.certain ? "" : "?"}${tip.changed ? "!" : ""}`;
-        const known3 = alike.get(look);
-        if (known3) known3.push(tip);
+        const known6 = alike.get(look);
+        if (known6) known6.push(tip);
         else alike.set(look, [tip]);
       }
       for (const [look, own] of alike) {
         const [first] = own;
         if (!first) continue;
         const key = `${out ? "out" : "in"} ${wire.kind} ${look} ${Array.from(new Set(own.map((tip) => tip.id)), String).sort().join(" ")}`;
-        const known3 = this.found.get(key);
-        if (known3) known3.port.wires.push(wire);
+        const known6 = this.found.get(key);
+        if (known6) known6.port.wires.push(wire);
         else {
           const id = `${this.level.group.id}|${out ? "out" : "in"}|${look}|${wire.id}`;
           const { when: when2, certain, changed } = first;
@@ -1116,8 +1263,8 @@ ${counted(about.nodes, "node")}`;
     add(wire, givers, takers) {
       const look = (tip) => `${tip.id} ${tip.when}${tip.certain ? "" : "?"}${tip.changed ? "!" : ""}`;
       const key = `${wire.kind}|${givers.map(look).join()}|${takers.map(look).join()}`;
-      const known3 = this.found.get(key);
-      if (known3) known3.wires.push(wire);
+      const known6 = this.found.get(key);
+      if (known6) known6.wires.push(wire);
       else this.found.set(key, { wires: [wire], givers, takers });
     }
     connect() {
@@ -1142,8 +1289,8 @@ ${counted(about.nodes, "node")}`;
     const borders = /* @__PURE__ */ new Map();
     for (const edge of edges) {
       const net = netOf(edge);
-      const known3 = nets.get(net);
-      if (known3) known3.push(edge);
+      const known6 = nets.get(net);
+      if (known6) known6.push(edge);
       else nets.set(net, [edge]);
       for (const border of bordersOf(edge)) borders.set(border, (borders.get(border) ?? /* @__PURE__ */ new Set()).add(net));
     }
@@ -1184,14 +1331,14 @@ ${counted(about.nodes, "node")}`;
     return new Builder(view, open, measure, parts3, chain).level(view.root);
   }
   function chains(view) {
-    const known3 = /* @__PURE__ */ new Map([[view.root.id, [view.root]]]);
+    const known6 = /* @__PURE__ */ new Map([[view.root.id, [view.root]]]);
     const fill2 = (group3, around3) => {
       const own = [...around3, group3];
-      known3.set(group3.id, own);
+      known6.set(group3.id, own);
       group3.groups.forEach((each) => fill2(each, own));
     };
     view.root.groups.forEach((each) => fill2(each, [view.root]));
-    return (group3) => known3.get((group3 == null ? void 0 : group3.id) ?? "") ?? [];
+    return (group3) => known6.get((group3 == null ? void 0 : group3.id) ?? "") ?? [];
   }
   function place(wire, side, end, path, open, parts3) {
     var _a;
@@ -1252,7 +1399,8 @@ ${counted(about.nodes, "node")}`;
         const isOpen = this.open.has(each.id) && !view.stubs.has(each.id);
         own.boxes.push(isOpen ? openBox(view, this.level(each)) : foldedBox(view, each, measure));
       }
-      for (const node of group3.nodes) if (view.shown[node]) own.boxes.push(nodeBox(view, node, group3, measure));
+      const nodes = group3.nodes.filter((node) => view.shown[node]).sort((a, b) => (view.ranks[a] ?? 0) - (view.ranks[b] ?? 0));
+      for (const node of nodes) own.boxes.push(nodeBox(view, node, group3, measure));
       const lines = new Lines(view, own);
       const ports = new Ports(own);
       const pills = new Pills(view, own, measure, lines);
@@ -1291,10 +1439,10 @@ ${counted(about.nodes, "node")}`;
      * @param {"givers" | "takers"} side
      * @param {Map<string, End[]>} inside
      */
-    outside(wire, side, inside2) {
+    outside(wire, side, inside) {
       const counts = /* @__PURE__ */ new Map();
       for (const end of wire[side]) counts.set(end.when, (counts.get(end.when) ?? 0) + 1);
-      for (const ends of inside2.values()) for (const end of ends) counts.set(end.when, (counts.get(end.when) ?? 0) - 1);
+      for (const ends of inside.values()) for (const end of ends) counts.set(end.when, (counts.get(end.when) ?? 0) - 1);
       return Array.from(counts).flatMap(([when2, count3]) => count3 > 0 ? [when2] : []);
     }
   };
@@ -1308,10 +1456,10 @@ ${counted(about.nodes, "node")}`;
       }
       const byTime = /* @__PURE__ */ new Map();
       for (const end of own) {
-        const known3 = byTime.get(end.when);
-        if (known3) {
-          known3.certain ||= end.certain;
-          known3.changed ||= end.changed;
+        const known6 = byTime.get(end.when);
+        if (known6) {
+          known6.certain ||= end.certain;
+          known6.changed ||= end.changed;
         } else byTime.set(end.when, { id, box: id, when: end.when, certain: end.certain, changed: end.changed });
       }
       found2.push(...byTime.values());
@@ -1326,6 +1474,109 @@ ${counted(about.nodes, "node")}`;
         if (view.presence.meet(from.when, to.when)) lines.add(wire, from, to);
       }
     }
+  }
+
+  // launchlint/report/html/js/drawing/mask.js
+  function masked(whole, view, measure) {
+    return new Mask(view, measure).level(whole);
+  }
+  var Mask = class {
+    /** @param {View} view @param {Measure} measure */
+    constructor(view, measure) {
+      var _a;
+      this.view = view;
+      this.measure = measure;
+      this.wires = new Set(view.wires.map((wire) => wire.id));
+      this.ends = /* @__PURE__ */ new Map();
+      for (const wire of view.wires) {
+        for (const { node } of [...wire.givers, ...wire.takers]) {
+          put(this.ends, `n:${node}`, wire.id);
+          for (let group3 = view.home.get(node); group3 && !((_a = this.ends.get(group3.id)) == null ? void 0 : _a.has(wire.id)); group3 = view.groups.get(group3.parent)) put(this.ends, group3.id, wire.id);
+        }
+      }
+    }
+    /** @param {Level} whole @returns {Level} */
+    level(whole) {
+      const [kept2] = this.inside(whole);
+      return this.used(kept2, null);
+    }
+    /**
+     * A level without what is not shown, and which wires its ports lead to something that is.
+     * @param {Level} level
+     * @returns {[level: Level, alive: Map<string, Set<string>>]}
+     */
+    inside(level) {
+      const alive = /* @__PURE__ */ new Map();
+      const boxes = level.boxes.flatMap((box2) => this.box(box2, alive));
+      const there = new Set(boxes.map((box2) => box2.id));
+      const leads = (end, box2, wire) => {
+        var _a, _b;
+        if (box2 === "") return true;
+        if (!there.has(box2)) return false;
+        if (box2.startsWith("w:")) return true;
+        return end === box2 ? Boolean((_a = this.ends.get(box2)) == null ? void 0 : _a.has(wire)) : Boolean((_b = alive.get(end)) == null ? void 0 : _b.has(wire));
+      };
+      const edges = level.edges.flatMap((edge) => only(edge, ({ id }) => this.wires.has(id) && leads(edge.from, edge.fromBox, id) && leads(edge.to, edge.toBox, id), level));
+      const own = /* @__PURE__ */ new Map();
+      for (const edge of edges) {
+        const port = edge.fromBox === "" ? edge.from : edge.toBox === "" ? edge.to : "";
+        if (port) for (const wire of edge.wires) put(own, port, wire.id);
+      }
+      return [{ ...level, boxes, edges }, own];
+    }
+    /** @param {Box} box @param {Map<string, Set<string>>} alive gets the ports of an open box @returns {Box[]} */
+    box(box2, alive) {
+      const { view } = this;
+      if (box2.kind === "node") {
+        if (!view.shown[Number(box2.id.slice(2))]) return [];
+        const known6 = new Set((view.loose.get(Number(box2.id.slice(2))) ?? []).map((each) => each.wire.id));
+        const loose = box2.loose.flatMap((port) => {
+          const wires = port.wires.filter((wire) => known6.has(wire.id));
+          return wires.length ? [wires.length === port.wires.length ? port : { ...port, wires, label: wires.length > 1 ? String(wires.length) : "" }] : [];
+        });
+        return [{ ...box2, loose }];
+      }
+      if (box2.kind === "pill") {
+        const wires = box2.wires.filter((wire) => this.wires.has(wire.id));
+        return wires.length ? [{ ...box2, wires }] : [];
+      }
+      const group3 = view.groups.get(box2.id);
+      if (!group3 || !view.counts.get(box2.id)) return [];
+      if (!box2.level) return [foldedBox(view, group3, this.measure)];
+      const [level, own] = this.inside(box2.level);
+      own.forEach((wires, port) => alive.set(port, wires));
+      return [openBox(view, level)];
+    }
+    /**
+     * A level without lines to ports of its border that lead to nothing outside.
+     * @param {Level} level
+     * @param {Map<string, Set<string>> | null} outside wires by the port; null: it has no border
+     * @returns {Level}
+     */
+    used(level, outside) {
+      const edges = level.edges.flatMap((edge) => {
+        const port = edge.fromBox === "" ? edge.from : edge.toBox === "" ? edge.to : "";
+        return port && outside ? only(edge, ({ id }) => {
+          var _a;
+          return Boolean((_a = outside.get(port)) == null ? void 0 : _a.has(id));
+        }, level) : [edge];
+      });
+      const used = /* @__PURE__ */ new Map();
+      for (const { from, to, wires } of edges) for (const wire of wires) for (const end of [from, to]) put(used, end, wire.id);
+      const ports = level.ports.filter((port) => outside == null ? void 0 : outside.has(port.id));
+      const boxes = level.boxes.map((box2) => box2.level ? { ...box2, level: this.used(box2.level, used) } : box2);
+      return { ...level, boxes, edges, ports };
+    }
+  };
+  function only(edge, isKept, level) {
+    const wires = edge.wires.filter(isKept);
+    if (!wires.length || wires.length === edge.wires.length) return wires.length ? [edge] : [];
+    return [{ ...edge, wires, label: edge.label.length ? labelOf(wires, level.group.namespace) : [] }];
+  }
+  function put(map, key, value) {
+    const known6 = map.get(key);
+    if (known6) known6.add(value);
+    else map.set(key, /* @__PURE__ */ new Set([value]));
   }
 
   // launchlint/report/html/js/drawing/sheet.js
@@ -1397,13 +1648,13 @@ ${counted(about.nodes, "node")}`;
      * @param {Mark | undefined} mark
      * @returns {number}
      */
-    of(only, mark) {
-      if (!only.length && !mark) return this.whole;
-      const key = `${only.join()} ${mark ?? ""}`;
+    of(only2, mark) {
+      if (!only2.length && !mark) return this.whole;
+      const key = `${only2.join()} ${mark ?? ""}`;
       let found2 = this.read.get(key);
       if (found2 === void 0) {
-        let half = only.length ? 0n : this.half;
-        for (const each of only) if (each >= 0 && BigInt(each) < this.count) half |= 1n << BigInt(each);
+        let half = only2.length ? 0n : this.half;
+        for (const each of only2) if (each >= 0 && BigInt(each) < this.count) half |= 1n << BigInt(each);
         const before = mark === "added" ? 0n : half;
         const after = mark === "removed" ? 0n : half;
         found2 = this.number(this.compared ? before << this.count | after : half);
@@ -1462,6 +1713,123 @@ ${counted(about.nodes, "node")}`;
     }
   };
 
+  // launchlint/report/html/js/drawing/filter.js
+  var KEYS = /* @__PURE__ */ new Map(
+    /** @type {const} */
+    [["name", "name"], ["type", "type"], ["package", "package"], ["pkg", "package"]]
+  );
+  var MOST_TERMS = 16;
+  var LONGEST2 = 200;
+  function termsOf(text2) {
+    return text2.slice(0, LONGEST2).split(/\s+/).filter(Boolean).slice(0, MOST_TERMS).flatMap((word) => {
+      const without = word.length > 1 && word.startsWith("-");
+      const plain = without ? word.slice(1) : word;
+      const colon = plain.indexOf(":");
+      const key = KEYS.get(
+        /** @type {"name"} */
+        plain.slice(0, Math.max(0, colon)).toLowerCase()
+      );
+      const pattern = key ? plain.slice(colon + 1) : plain;
+      return pattern ? [{ without, key: key ?? "name", fits: globbed(pattern.toLowerCase()) }] : [];
+    });
+  }
+  function globbed(pattern) {
+    if (!pattern.includes("*")) return (text2) => text2.toLowerCase().includes(pattern);
+    const pieces = pattern.split("*");
+    const [first = "", last = ""] = [pieces[0], pieces[pieces.length - 1]];
+    return (text2) => {
+      const whole = text2.toLowerCase();
+      if (!whole.startsWith(first) || !whole.endsWith(last) || whole.length < first.length + last.length) return false;
+      let at = first.length;
+      for (const piece of pieces.slice(1, -1)) {
+        const found2 = whole.indexOf(piece, at);
+        if (found2 < 0) return false;
+        at = found2 + piece.length;
+      }
+      return at <= whole.length - last.length;
+    };
+  }
+  function fittingNodes(entry, terms) {
+    var _a, _b;
+    const channels2 = entry.nodes.map(() => /* @__PURE__ */ new Set());
+    for (const { node, channel } of entry.connections) if (!((_a = entry.channels[channel]) == null ? void 0 : _a.plumbing)) (_b = channels2[node]) == null ? void 0 : _b.add(channel);
+    return Uint8Array.from(entry.nodes, (node, index) => {
+      const own = [...channels2[index] ?? []].flatMap((at) => entry.channels[at] ?? []);
+      const fits = ({ key, without, fits: is }) => {
+        if (key === "package") return is(node.package);
+        if (key === "type") return own.some((each) => each.types.some(is));
+        return is(node.name) || !without && own.some((each) => !each.hub && is(each.name));
+      };
+      return Number(terms.every((term) => fits(term) !== term.without));
+    });
+  }
+  function fitsType(terms, types) {
+    return terms.every(({ key, without, fits }) => key !== "type" || types.some(fits) !== without);
+  }
+
+  // launchlint/report/html/js/drawing/order.js
+  var DEEPEST2 = 32;
+  var known2 = /* @__PURE__ */ new WeakMap();
+  function ranksOf(entry) {
+    let ranks = known2.get(entry);
+    if (!ranks) {
+      const chains2 = entry.nodes.map((node) => chainOf(entry, node.container, node.place));
+      const order = entry.nodes.map((_, index) => index).sort((a, b) => compare(chains2[a] ?? [], chains2[b] ?? []) || a - b);
+      ranks = new Int32Array(order.length);
+      for (const [rank2, node] of order.entries()) ranks[node] = rank2;
+      known2.set(entry, ranks);
+    }
+    return ranks;
+  }
+  function chainOf(entry, container, place2) {
+    var _a, _b;
+    const chain = [place2];
+    for (let at = container; at >= 0 && chain.length < DEEPEST2; at = ((_a = entry.containers[at]) == null ? void 0 : _a.parent) ?? -1) chain.unshift(((_b = entry.containers[at]) == null ? void 0 : _b.place) ?? null);
+    return chain.map((each) => each ?? [0, 0, 0]);
+  }
+  function compare(one2, other) {
+    for (let at = 0; at < one2.length && at < other.length; at++) {
+      const [a, b] = [one2[at] ?? [], other[at] ?? []];
+      for (let part2 = 0; part2 < 3; part2++) if (a[part2] !== b[part2]) return (a[part2] ?? 0) - (b[part2] ?? 0);
+    }
+    return one2.length - other.length;
+  }
+
+  // launchlint/report/html/js/drawing/tray.js
+  var FEWEST2 = 3;
+  var known3 = /* @__PURE__ */ new WeakMap();
+  var trayId = (grouping) => `g:${grouping}:~tray`;
+  function inTray(entry) {
+    var _a;
+    let found2 = known3.get(entry);
+    if (!found2) {
+      const sides2 = entry.channels.map(() => ({ offers: /* @__PURE__ */ new Set(), uses: /* @__PURE__ */ new Set() }));
+      for (const { channel, offers, node } of entry.connections) (_a = sides2[channel]) == null ? void 0 : _a[offers ? "offers" : "uses"].add(node);
+      const connected = /* @__PURE__ */ new Set();
+      sides2.forEach(({ offers, uses }, at) => {
+        const { hub = true, plumbing = true } = entry.channels[at] ?? {};
+        if (hub || plumbing || !offers.size || !uses.size || offers.size === 1 && uses.size === 1 && offers.has([...uses][0])) return;
+        for (const each of [...offers, ...uses]) connected.add(each);
+      });
+      found2 = entry.nodes.flatMap((node, index) => connected.has(index) || node.mark ? [] : [index]);
+      if (found2.length < FEWEST2 || found2.length === entry.nodes.length) found2 = [];
+      known3.set(entry, found2);
+    }
+    return found2;
+  }
+  function withTray(root, grouping, nodes) {
+    const gone = new Set(nodes);
+    const without = (group3) => ({ ...group3, groups: group3.groups.map(without), nodes: group3.nodes.filter((each) => !gone.has(each)) });
+    const own = without(root);
+    own.groups.push(trayOf(grouping, nodes, root.id));
+    return own;
+  }
+  function trayOf(grouping, nodes, parent = "") {
+    const label2 = `${nodes.length} nodes without a connection`;
+    const title2 = `${label2}: they share no topic, service or action with another node of this launch file, as far as is known`;
+    return { id: trayId(grouping), kind: "tray", label: label2, title: title2, namespace: "", container: -1, own: [], groups: [], nodes: [...nodes], count: nodes.length, parent };
+  }
+
   // launchlint/report/html/js/drawing/view.js
   var MANY_READERS = 12;
   function viewOf(data, state) {
@@ -1469,17 +1837,22 @@ ${counted(about.nodes, "node")}`;
     if (!entry) throw new RangeError(`there is no entry ${state.entry}`);
     const presence = new Presence(entry.configurations.length, data.base !== null);
     const now = presence.at(state.configuration);
-    const tree = containersOf(entry, state.grouping);
+    const whole = containersOf(entry, state.grouping);
+    const tray = state.focus === null && !state.danglingOnly ? inTray(entry) : [];
+    const tree = tray.length ? withTray(whole, state.grouping, tray) : whole;
     const groups = new Map(Array.from(walk(tree), (each) => [each.id, each]));
     const home = /* @__PURE__ */ new Map();
     for (const group3 of groups.values()) for (const node of group3.nodes) home.set(node, group3);
     const exists = Uint8Array.from(entry.nodes, (node) => Number(presence.meet(presence.of(node.only, node.mark), now)));
     const all = wiresOf(entry, state, presence, now, exists);
     const shown = Uint8Array.from(exists);
-    for (const node of hiddenNodes(state, groups)) shown[node] = 0;
+    for (const node of hiddenNodes(state, whole)) shown[node] = 0;
+    if (!state.tray || state.hidden.has(trayId(state.grouping))) for (const node of tray) shown[node] = 0;
     const loose = looseEnds(all, presence);
     if (state.danglingOnly) shown.forEach((_, node) => loose.has(node) || (shown[node] = 0));
     if (state.findingsOnly) keepFindings(entry, all, shown);
+    const terms = termsOf(state.filter);
+    if (terms.length) fittingNodes(entry, terms).forEach((fits, node) => fits || (shown[node] = 0));
     let root = tree;
     const stubs = /* @__PURE__ */ new Set();
     const focus = state.focus === null ? void 0 : groups.get(state.focus);
@@ -1492,7 +1865,7 @@ ${counted(about.nodes, "node")}`;
     const params = state.layers.params ? ownParams(entry, presence, now, shown) : /* @__PURE__ */ new Map();
     const counts = /* @__PURE__ */ new Map();
     count(root, shown, counts);
-    const wires = state.danglingOnly ? [] : all.map((wire) => within(wire, shown)).filter((wire) => wire.givers.length + wire.takers.length > 1);
+    const wires = state.danglingOnly ? [] : all.filter((wire) => fitsType(terms, wire.types)).map((wire) => within(wire, shown)).filter((wire) => wire.givers.length + wire.takers.length > 1);
     if (state.topicsAsNodes) {
       wires.length = 0;
       for (const wire of all) {
@@ -1502,13 +1875,12 @@ ${counted(about.nodes, "node")}`;
       loose.clear();
     }
     const touched = new Set(entry.connections.filter((each) => each.mark).map((each) => each.node));
-    return { entry, state, findings: data.findings, presence, now, root, groups, shown, counts, home, wires, loose, params, stubs, touched };
+    return { entry, state, findings: data.findings, presence, now, root, groups, shown, counts, home, wires, loose, params, stubs, touched, ranks: ranksOf(entry), machines: new Set(entry.nodes.map((node) => node.machine.join(" "))).size };
   }
-  function* hiddenNodes(state, groups) {
-    for (const id of state.hidden) {
-      if (id.startsWith("n:")) yield Number(id.slice(2));
-      const group3 = groups.get(id);
-      if (group3) for (const each of walk(group3)) yield* each.nodes;
+  function* hiddenNodes({ hidden }, tree) {
+    for (const id of hidden) if (id.startsWith("n:")) yield Number(id.slice(2));
+    if (hidden.size) {
+      for (const group3 of walk(tree)) if (hidden.has(group3.id)) for (const each of walk(group3)) yield* each.nodes;
     }
   }
   function wiresOf(entry, state, presence, now, exists) {
@@ -1526,10 +1898,10 @@ ${counted(about.nodes, "node")}`;
       const when2 = presence.both(presence.both(presence.of(each.only, each.mark), presence.of(node.only, node.mark)), now);
       if (!presence.meet(when2, now)) continue;
       const ends = each.offers === (wire.kind === "topic") ? wire.givers : wire.takers;
-      const known3 = ends.find((end) => end.node === each.node);
-      if (known3) {
-        known3.when = presence.either(known3.when, when2);
-        known3.certain ||= each.certain;
+      const known6 = ends.find((end) => end.node === each.node);
+      if (known6) {
+        known6.when = presence.either(known6.when, when2);
+        known6.certain ||= each.certain;
       } else ends.push({ node: each.node, when: when2, certain: each.certain, changed: each.mark === "changed" });
     }
     const found2 = [];
@@ -1590,11 +1962,11 @@ ${counted(about.nodes, "node")}`;
     shown.forEach((_, node) => kept2.has(node) || (shown[node] = 0));
   }
   function keepAround(focus, wires, shown) {
-    const inside2 = new Set(Array.from(walk(focus), (each) => each.nodes).flat());
-    const kept2 = new Set(inside2);
+    const inside = new Set(Array.from(walk(focus), (each) => each.nodes).flat());
+    const kept2 = new Set(inside);
     for (const { givers, takers } of wires) {
-      if (givers.some((end) => inside2.has(end.node))) for (const end of takers) kept2.add(end.node);
-      if (takers.some((end) => inside2.has(end.node))) for (const end of givers) kept2.add(end.node);
+      if (givers.some((end) => inside.has(end.node))) for (const end of takers) kept2.add(end.node);
+      if (takers.some((end) => inside.has(end.node))) for (const end of givers) kept2.add(end.node);
     }
     shown.forEach((_, node) => kept2.has(node) || (shown[node] = 0));
   }
@@ -1627,6 +1999,185 @@ ${counted(about.nodes, "node")}`;
     if (wire.givers.every(isShown2) && wire.takers.every(isShown2)) return wire;
     return { ...wire, givers: wire.givers.filter(isShown2), takers: wire.takers.filter(isShown2) };
   }
+
+  // launchlint/report/html/js/drawing/viewport.js
+  var LARGEST2 = 3;
+  var SMALLEST = 0.04;
+  var FIT_LARGEST = 1.6;
+  var MARGIN4 = 16;
+  var FOOT = 36;
+  var LEGIBLE = 9.02 / 12;
+  var STILL = 4;
+  var STEP2 = 60;
+  var READABLE = 0.5;
+  function fitting(size, extent) {
+    return Math.min((extent.width - 2 * MARGIN4) / Math.max(1, size.width), (extent.height - 2 * MARGIN4 - FOOT) / Math.max(1, size.height));
+  }
+  var Viewport = class {
+    /**
+     * @param {SVGSVGElement} svg
+     * @param {SVGGElement} content
+     * @param {(all: boolean) => void} moved somebody moved it, or shows all of it
+     */
+    constructor(svg, content, moved) {
+      this.svg = svg;
+      this.tell = moved;
+      this.content = content;
+      this.place = { x: 0, y: 0, scale: 1 };
+      this.size = { width: 1, height: 1 };
+      this.touched = false;
+      this.frame = 0;
+      this.pointers = /* @__PURE__ */ new Map();
+      this.moved = 0;
+      svg.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+      svg.addEventListener("pointerdown", (event) => this.down(event));
+      svg.addEventListener("pointermove", (event) => this.move(event));
+      for (
+        const end of
+        /** @type {const} */
+        ["pointerup", "pointercancel"]
+      ) svg.addEventListener(end, (event) => this.up(event));
+      svg.addEventListener("keydown", (event) => this.key(event));
+    }
+    /** Whether the pointer was dragged, so that its release is no click. */
+    get dragged() {
+      return this.moved > STILL;
+    }
+    get extent() {
+      const { clientWidth, clientHeight } = this.svg;
+      return { width: clientWidth || 800, height: clientHeight || 600 };
+    }
+    /** @param {Place} place */
+    set(place2) {
+      this.place = { ...place2, scale: Math.min(LARGEST2, Math.max(SMALLEST, place2.scale)) };
+      this.frame ||= requestAnimationFrame(() => this.apply());
+    }
+    apply() {
+      cancelAnimationFrame(this.frame);
+      this.frame = 0;
+      const { x, y, scale } = this.place;
+      this.content.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) scale(${scale.toFixed(4)})`);
+      const distance = scale < 0.3 ? "far" : scale < 0.55 ? "middle" : "near";
+      if (this.svg.dataset.distance !== distance) this.svg.dataset.distance = distance;
+    }
+    /** Shows all of the drawing. @param {number} [least] scale below which only a part of it is shown, from its beginning */
+    fit(least = 0) {
+      const { width, height } = this.extent;
+      const scale = Math.max(least, Math.min(FIT_LARGEST, fitting(this.size, this.extent)));
+      this.touched = false;
+      this.set({ scale, x: Math.max(least && MARGIN4, (width - this.size.width * scale) / 2), y: Math.max(least && MARGIN4, (height - FOOT - this.size.height * scale) / 2) });
+      this.apply();
+    }
+    /** Somebody wants to see all of it. */
+    showAll() {
+      this.fit();
+      this.tell(true);
+    }
+    /** Shows all of the drawing, or as much of it as can be read. */
+    begin() {
+      this.fit(fitting(this.size, this.extent) < LEGIBLE ? LEGIBLE : 0);
+    }
+    /**
+     * @param {number} factor
+     * @param {number} [x] where on the screen what is there stays
+     * @param {number} [y]
+     */
+    zoom(factor, x = this.extent.width / 2, y = this.extent.height / 2) {
+      const { place: place2 } = this;
+      const scale = Math.min(LARGEST2, Math.max(SMALLEST, place2.scale * factor));
+      const ratio = scale / place2.scale;
+      this.touched = true;
+      this.set({ scale, x: x - (x - place2.x) * ratio, y: y - (y - place2.y) * ratio });
+      this.tell(false);
+    }
+    /** @param {number} dx @param {number} dy */
+    pan(dx, dy) {
+      this.touched = true;
+      this.set({ ...this.place, x: this.place.x + dx, y: this.place.y + dy });
+      this.tell(false);
+    }
+    /**
+     * Brings an area of the drawing into view, at a scale at which it can be read; what can be read already stays where it is.
+     * @param {{ x: number, y: number, width: number, height: number }} area
+     */
+    show(area) {
+      const { width, height } = this.extent;
+      const { x, y, scale: now } = this.place;
+      const [left, top] = [x + area.x * now, y + area.y * now];
+      const isSeen = left >= 0 && top >= 0 && left + area.width * now <= width && top + area.height * now <= height;
+      if (isSeen && now >= READABLE) return;
+      const most = Math.min((width - 2 * MARGIN4) / area.width, (height - 2 * MARGIN4) / area.height);
+      const scale = Math.min(Math.max(this.place.scale, 0.7), Math.max(most, SMALLEST));
+      this.touched = true;
+      this.set({ scale, x: width / 2 - (area.x + area.width / 2) * scale, y: height / 2 - (area.y + area.height / 2) * scale });
+      this.apply();
+    }
+    /** @param {WheelEvent} event */
+    wheel(event) {
+      event.preventDefault();
+      const unit = event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1;
+      const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
+      if (!event.ctrlKey && (event.shiftKey || dx !== 0)) {
+        this.pan(event.shiftKey && !dx ? -dy : -dx, event.shiftKey ? 0 : -dy);
+        return;
+      }
+      const at = this.svg.getBoundingClientRect();
+      this.zoom(Math.exp(-dy * (event.ctrlKey ? 8e-3 : 16e-4)), event.clientX - at.left, event.clientY - at.top);
+    }
+    /** @param {PointerEvent} event */
+    down(event) {
+      if (event.button !== 0 && event.button !== 1) return;
+      if (!this.pointers.size) this.moved = 0;
+      this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    }
+    /** @param {PointerEvent} event */
+    move(event) {
+      var _a;
+      const last = this.pointers.get(event.pointerId);
+      if (!last) return;
+      const now = { x: event.clientX, y: event.clientY };
+      const other = (_a = Array.from(this.pointers).find(([id]) => id !== event.pointerId)) == null ? void 0 : _a[1];
+      this.moved += Math.abs(now.x - last.x) + Math.abs(now.y - last.y);
+      if (!this.dragged) {
+        this.pointers.set(event.pointerId, now);
+        return;
+      }
+      if (!this.svg.hasPointerCapture(event.pointerId)) {
+        this.svg.setPointerCapture(event.pointerId);
+        this.svg.classList.add("dragging");
+      }
+      if (other) {
+        const at = this.svg.getBoundingClientRect();
+        const [before, after] = [Math.hypot(last.x - other.x, last.y - other.y), Math.hypot(now.x - other.x, now.y - other.y)];
+        this.zoom(after / Math.max(1, before), (now.x + other.x) / 2 - at.left, (now.y + other.y) / 2 - at.top);
+        this.pan((now.x - last.x) / 2, (now.y - last.y) / 2);
+      } else this.pan(now.x - last.x, now.y - last.y);
+      this.pointers.set(event.pointerId, now);
+    }
+    /** @param {PointerEvent} event */
+    up(event) {
+      this.pointers.delete(event.pointerId);
+      if (!this.pointers.size) this.svg.classList.remove("dragging");
+    }
+    /** @param {KeyboardEvent} event */
+    key(event) {
+      if (event.altKey || event.ctrlKey || event.metaKey || event.target !== this.svg) return;
+      const keys = {
+        ArrowLeft: () => this.pan(STEP2, 0),
+        ArrowRight: () => this.pan(-STEP2, 0),
+        ArrowUp: () => this.pan(0, STEP2),
+        ArrowDown: () => this.pan(0, -STEP2),
+        "+": () => this.zoom(1.25),
+        "=": () => this.zoom(1.25),
+        "-": () => this.zoom(0.8),
+        0: () => this.showAll()
+      };
+      const act = Object.hasOwn(keys, event.key) ? keys[event.key] : void 0;
+      if (!act) return;
+      event.preventDefault();
+      act();
+    }
+  };
 
   // launchlint/report/html/js/drawing/walk.js
   var Drawn = class {
@@ -1669,7 +2220,7 @@ ${counted(about.nodes, "node")}`;
     follow(start2, wire, forward, edges) {
       var _a;
       const reached = /* @__PURE__ */ new Set();
-      const known3 = /* @__PURE__ */ new Set([start2]);
+      const known6 = /* @__PURE__ */ new Set([start2]);
       const waiting = [start2];
       for (let at = waiting.pop(); at !== void 0; at = waiting.pop()) {
         for (const edge of (forward ? this.leaving : this.entering).get(at) ?? []) {
@@ -1678,8 +2229,8 @@ ${counted(about.nodes, "node")}`;
           const next = forward ? edge.to : edge.from;
           if (((_a = this.boxes.get(next)) == null ? void 0 : _a.kind) === "pill") reached.add(next);
           if (this.isEnd(next)) reached.add(next);
-          else if (!known3.has(next)) {
-            known3.add(next);
+          else if (!known6.has(next)) {
+            known6.add(next);
             waiting.push(next);
           }
         }
@@ -1747,13 +2298,12 @@ ${counted(about.nodes, "node")}`;
     return { chosen, boxes, edges };
   }
   function push(map, key, value) {
-    const known3 = map.get(key);
-    if (known3) known3.push(value);
+    const known6 = map.get(key);
+    if (known6) known6.push(value);
     else map.set(key, [value]);
   }
 
   // launchlint/report/html/js/drawing/scene.js
-  var LEGIBLE = 0.66;
   var TRIALS2 = 4;
   var WIDEST = 2.4;
   var Director = class {
@@ -1764,10 +2314,28 @@ ${counted(about.nodes, "node")}`;
       this.measure = measure;
       this.cache = /* @__PURE__ */ new Map();
       this.aspect = 1;
-      this.seen = { key: "", view: (
+      this.seen = { key: "", place: "", view: (
         /** @type {View | null} */
         null
       ) };
+      this.laid = { key: "", view: (
+        /** @type {View | null} */
+        null
+      ) };
+    }
+    /**
+     * The view whose layout a view is a part of: that of everything which could be switched off, filtered or hidden.
+     * @param {View} view
+     * @returns {View}
+     */
+    whole(view) {
+      const state = wholeState(view.state);
+      const key = viewKey(state);
+      if (key === viewKey(view.state)) return view;
+      const known6 = this.laid.key === key ? this.laid.view : null;
+      const made2 = known6 ?? viewOf(this.data, state);
+      this.laid = { key, view: made2 };
+      return made2;
     }
     /**
      * The view of a state, made anew only where more than the expansion changed.
@@ -1777,10 +2345,11 @@ ${counted(about.nodes, "node")}`;
      */
     view(state, extent) {
       const key = viewKey(state);
-      const known3 = this.seen.key === key ? this.seen.view : null;
-      const view = known3 ? { ...known3, state } : viewOf(this.data, state);
-      if (!known3) this.aspect = Math.min(WIDEST, Math.max(1 / WIDEST, extent.width / extent.height));
-      this.seen = { key, view };
+      const known6 = this.seen.key === key ? this.seen.view : null;
+      const view = known6 ? { ...known6, state } : viewOf(this.data, state);
+      const place2 = placeKey(state);
+      if (this.seen.place !== place2) this.aspect = Math.min(WIDEST, Math.max(1 / WIDEST, extent.width / extent.height));
+      this.seen = { key, place: place2, view };
       return view;
     }
     /**
@@ -1789,21 +2358,45 @@ ${counted(about.nodes, "node")}`;
      * @returns {Promise<Scene>}
      */
     async scene(state, extent) {
-      const view = this.view(state, extent);
-      if (state.expanded !== "auto") return this.stage(view, withFocus(view, state.expanded));
+      const shown = this.view(state, extent);
+      const view = this.whole(shown);
+      if (state.expanded !== "auto") return this.stage(view, withFocus(view, state.expanded), shown);
+      return this.stage(view, await this.opened(view, extent), shown);
+    }
+    /**
+     * The containers that are open at first: as many as leave all names legible.
+     * @param {View} view
+     * @param {{ width: number, height: number }} extent
+     * @returns {Promise<Set<string>>}
+     */
+    async opened(view, extent) {
       const changed = this.data.base === null ? null : changedGroups(view);
       const mayOpen = (group3) => Boolean(view.counts.get(group3.id)) && !view.stubs.has(group3.id) && (!(changed == null ? void 0 : changed.size) || changed.has(group3.id));
-      const most = (changed == null ? void 0 : changed.size) ? MOST2 : boxesIn(extent.width, extent.height);
-      const order = opening(view.root, most, mayOpen);
+      const order = opening(view.root, (changed == null ? void 0 : changed.size) ? MOST2 : boxesIn(extent.width, extent.height), mayOpen);
       if (view.state.focus !== null && !order.includes(view.state.focus)) order.unshift(view.state.focus);
-      let scene = await this.stage(view, withFocus(view, order));
-      if ((changed == null ? void 0 : changed.size) || isLegible(scene.sheet, extent)) return scene;
+      if (changed == null ? void 0 : changed.size) return withFocus(view, order);
+      return (await this.legible(view, order, extent)).open;
+    }
+    /**
+     * What was guessed is measured: the longest start of the order is looked for that can be read.
+     * @param {View} view
+     * @param {string[]} order
+     * @param {{ width: number, height: number }} extent
+     * @returns {Promise<Scene>}
+     */
+    async legible(view, order, extent) {
+      const trial = async (ids) => {
+        const tried = await this.stage(view, withFocus(view, ids));
+        return [fitting(tried.sheet, extent) >= LEGIBLE, tried];
+      };
+      const [all, everything] = await trial(order);
+      if (all) return everything;
       let [fits, tooMany] = [0, order.length];
-      scene = await this.stage(view, withFocus(view, []));
-      for (let trial = 0; trial < TRIALS2 && tooMany - fits > 1; trial++) {
+      let [, scene] = await trial([]);
+      for (let count3 = 0; count3 < TRIALS2 && tooMany - fits > 1; count3++) {
         const middle2 = Math.floor((fits + tooMany) / 2);
-        const tried = await this.stage(view, withFocus(view, order.slice(0, middle2)));
-        if (isLegible(tried.sheet, extent)) [fits, scene] = [middle2, tried];
+        const [isSeen, tried] = await trial(order.slice(0, middle2));
+        if (isSeen) [fits, scene] = [middle2, tried];
         else tooMany = middle2;
       }
       const open = new Set(scene.open);
@@ -1812,23 +2405,30 @@ ${counted(about.nodes, "node")}`;
         return open.has(((_a = view.groups.get(id)) == null ? void 0 : _a.parent) ?? "") || view.root.groups.some((each) => each.id === id);
       });
       for (const id of rest.slice(0, TRIALS2)) {
-        const tried = await this.stage(view, withFocus(view, [...open, id]));
-        if (!isLegible(tried.sheet, extent)) continue;
+        const [isSeen, tried] = await trial([...open, id]);
+        if (!isSeen) continue;
         open.add(id);
         scene = tried;
       }
       return scene;
     }
-    /** @param {View} view @param {Set<string>} open @returns {Promise<Scene>} */
-    async stage(view, open) {
-      const root = levelsOf(view, open, this.measure);
-      const sheet = sheetOf(root, await layOut(this.engine, root, this.measure, this.cache, this.aspect));
-      return { view, open, root, sheet, drawn: new Drawn(root) };
+    /** @param {View} view that is laid out @param {Set<string>} open @param {View} [shown] what of it is seen @returns {Promise<Scene>} */
+    async stage(view, open, shown = view) {
+      const whole = levelsOf(view, open, this.measure);
+      const placed = await layOut(this.engine, whole, this.measure, this.cache, this.aspect);
+      const root = shown === view ? whole : masked(whole, shown, this.measure);
+      return { view: shown, open, root, sheet: sheetOf(root, placed), drawn: new Drawn(root) };
     }
   };
-  function viewKey({ entry, configuration, grouping, focus, layers, topicsAsNodes, hubs, danglingOnly, findingsOnly, hidden }) {
+  function wholeState(state) {
+    return { ...state, layers: { topics: true, services: true, actions: true, params: state.layers.params }, findingsOnly: false, tray: true, hidden: /* @__PURE__ */ new Set(), filter: "" };
+  }
+  function placeKey(state) {
+    return viewKey(wholeState(state));
+  }
+  function viewKey({ entry, configuration, grouping, focus, layers, topicsAsNodes, hubs, danglingOnly, findingsOnly, tray, hidden, filter }) {
     const { topics, services, actions, params } = layers;
-    return JSON.stringify([entry, configuration, grouping, focus, topics, services, actions, params, topicsAsNodes, hubs, danglingOnly, findingsOnly, [...hidden].sort()]);
+    return JSON.stringify([entry, configuration, grouping, focus, topics, services, actions, params, topicsAsNodes, hubs, danglingOnly, findingsOnly, tray, [...hidden].sort(), filter]);
   }
   function changedGroups({ entry, groups, home, touched }) {
     const nodes = new Set(touched);
@@ -1844,179 +2444,10 @@ ${counted(about.nodes, "node")}`;
     if (view.state.focus !== null && view.groups.has(view.state.focus)) open.add(view.state.focus);
     return open;
   }
-  function isLegible(sheet, extent) {
-    return Math.min(extent.width / sheet.width, extent.height / sheet.height) >= LEGIBLE;
-  }
-
-  // launchlint/report/html/js/drawing/viewport.js
-  var LARGEST = 3;
-  var SMALLEST = 0.04;
-  var FIT_LARGEST = 1.15;
-  var MARGIN3 = 18;
-  var FOOT = 34;
-  var STILL = 4;
-  var STEP = 60;
-  var READABLE = 0.5;
-  var Viewport = class {
-    /**
-     * @param {SVGSVGElement} svg
-     * @param {SVGGElement} content
-     */
-    constructor(svg, content) {
-      this.svg = svg;
-      this.content = content;
-      this.place = { x: 0, y: 0, scale: 1 };
-      this.size = { width: 1, height: 1 };
-      this.touched = false;
-      this.frame = 0;
-      this.pointers = /* @__PURE__ */ new Map();
-      this.moved = 0;
-      svg.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
-      svg.addEventListener("pointerdown", (event) => this.down(event));
-      svg.addEventListener("pointermove", (event) => this.move(event));
-      for (
-        const end of
-        /** @type {const} */
-        ["pointerup", "pointercancel"]
-      ) svg.addEventListener(end, (event) => this.up(event));
-      svg.addEventListener("keydown", (event) => this.key(event));
-    }
-    /** Whether the pointer was dragged, so that its release is no click. */
-    get dragged() {
-      return this.moved > STILL;
-    }
-    get extent() {
-      const { clientWidth, clientHeight } = this.svg;
-      return { width: clientWidth || 800, height: clientHeight || 600 };
-    }
-    /** @param {Place} place */
-    set(place2) {
-      this.place = { ...place2, scale: Math.min(LARGEST, Math.max(SMALLEST, place2.scale)) };
-      this.frame ||= requestAnimationFrame(() => this.apply());
-    }
-    apply() {
-      cancelAnimationFrame(this.frame);
-      this.frame = 0;
-      const { x, y, scale } = this.place;
-      this.content.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)}) scale(${scale.toFixed(4)})`);
-      const distance = scale < 0.3 ? "far" : scale < 0.55 ? "middle" : "near";
-      if (this.svg.dataset.distance !== distance) this.svg.dataset.distance = distance;
-    }
-    /** Shows all of the drawing. */
-    fit() {
-      const { width, height } = this.extent;
-      const scale = Math.min(FIT_LARGEST, this.fitting());
-      this.touched = false;
-      this.set({ scale, x: (width - this.size.width * scale) / 2, y: (height - FOOT - this.size.height * scale) / 2 });
-      this.apply();
-    }
-    /** The scale at which all of the drawing is seen. */
-    fitting() {
-      const { width, height } = this.extent;
-      return Math.min((width - 2 * MARGIN3) / Math.max(1, this.size.width), (height - 2 * MARGIN3 - FOOT) / Math.max(1, this.size.height));
-    }
-    /**
-     * @param {number} factor
-     * @param {number} [x] where on the screen what is there stays
-     * @param {number} [y]
-     */
-    zoom(factor, x = this.extent.width / 2, y = this.extent.height / 2) {
-      const { place: place2 } = this;
-      const scale = Math.min(LARGEST, Math.max(SMALLEST, place2.scale * factor));
-      const ratio = scale / place2.scale;
-      this.touched = true;
-      this.set({ scale, x: x - (x - place2.x) * ratio, y: y - (y - place2.y) * ratio });
-    }
-    /** @param {number} dx @param {number} dy */
-    pan(dx, dy) {
-      this.touched = true;
-      this.set({ ...this.place, x: this.place.x + dx, y: this.place.y + dy });
-    }
-    /**
-     * Brings an area of the drawing into view, at a scale at which it can be read; what can be read already stays where it is.
-     * @param {{ x: number, y: number, width: number, height: number }} area
-     */
-    show(area) {
-      const { width, height } = this.extent;
-      const { x, y, scale: now } = this.place;
-      const [left, top] = [x + area.x * now, y + area.y * now];
-      const isSeen = left >= 0 && top >= 0 && left + area.width * now <= width && top + area.height * now <= height;
-      if (isSeen && now >= READABLE) return;
-      const most = Math.min((width - 2 * MARGIN3) / area.width, (height - 2 * MARGIN3) / area.height);
-      const scale = Math.min(Math.max(this.place.scale, 0.7), Math.max(most, SMALLEST));
-      this.touched = true;
-      this.set({ scale, x: width / 2 - (area.x + area.width / 2) * scale, y: height / 2 - (area.y + area.height / 2) * scale });
-      this.apply();
-    }
-    /** @param {WheelEvent} event */
-    wheel(event) {
-      event.preventDefault();
-      const unit = event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1;
-      const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
-      if (!event.ctrlKey && (event.shiftKey || dx !== 0)) {
-        this.pan(event.shiftKey && !dx ? -dy : -dx, event.shiftKey ? 0 : -dy);
-        return;
-      }
-      const at = this.svg.getBoundingClientRect();
-      this.zoom(Math.exp(-dy * (event.ctrlKey ? 8e-3 : 16e-4)), event.clientX - at.left, event.clientY - at.top);
-    }
-    /** @param {PointerEvent} event */
-    down(event) {
-      if (event.button !== 0 && event.button !== 1) return;
-      if (!this.pointers.size) this.moved = 0;
-      this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    }
-    /** @param {PointerEvent} event */
-    move(event) {
-      var _a;
-      const last = this.pointers.get(event.pointerId);
-      if (!last) return;
-      const now = { x: event.clientX, y: event.clientY };
-      const other = (_a = Array.from(this.pointers).find(([id]) => id !== event.pointerId)) == null ? void 0 : _a[1];
-      this.moved += Math.abs(now.x - last.x) + Math.abs(now.y - last.y);
-      if (!this.dragged) {
-        this.pointers.set(event.pointerId, now);
-        return;
-      }
-      if (!this.svg.hasPointerCapture(event.pointerId)) {
-        this.svg.setPointerCapture(event.pointerId);
-        this.svg.classList.add("dragging");
-      }
-      if (other) {
-        const at = this.svg.getBoundingClientRect();
-        const [before, after] = [Math.hypot(last.x - other.x, last.y - other.y), Math.hypot(now.x - other.x, now.y - other.y)];
-        this.zoom(after / Math.max(1, before), (now.x + other.x) / 2 - at.left, (now.y + other.y) / 2 - at.top);
-        this.pan((now.x - last.x) / 2, (now.y - last.y) / 2);
-      } else this.pan(now.x - last.x, now.y - last.y);
-      this.pointers.set(event.pointerId, now);
-    }
-    /** @param {PointerEvent} event */
-    up(event) {
-      this.pointers.delete(event.pointerId);
-      if (!this.pointers.size) this.svg.classList.remove("dragging");
-    }
-    /** @param {KeyboardEvent} event */
-    key(event) {
-      if (event.altKey || event.ctrlKey || event.metaKey || event.target !== this.svg) return;
-      const keys = {
-        ArrowLeft: () => this.pan(STEP, 0),
-        ArrowRight: () => this.pan(-STEP, 0),
-        ArrowUp: () => this.pan(0, STEP),
-        ArrowDown: () => this.pan(0, -STEP),
-        "+": () => this.zoom(1.25),
-        "=": () => this.zoom(1.25),
-        "-": () => this.zoom(0.8),
-        0: () => this.fit()
-      };
-      const act = Object.hasOwn(keys, event.key) ? keys[event.key] : void 0;
-      if (!act) return;
-      event.preventDefault();
-      act();
-    }
-  };
 
   // launchlint/report/html/js/drawing/surface.js
   var GLIDE = 220;
+  var PAUSE = 250;
   var Surface = class {
     /** @param {ReportData} data @param {HTMLElement} host @param {DrawingEvents} events */
     constructor(data, host2, events) {
@@ -2033,14 +2464,19 @@ ${counted(about.nodes, "node")}`;
       );
       if (!ELK) throw new Error("elk.js is not loaded");
       this.director = new Director(data, new ELK(), measurer());
-      this.svgElement = element("svg", { class: "ll-drawing", tabindex: 0, role: "group", "aria-label": "Connection graph" }, [hatching()]);
+      this.svgElement = element("svg", { class: "ll-drawing", tabindex: 0, role: "group", "aria-label": "Connection graph" }, [hatching2()]);
       this.content = this.svgElement.appendChild(element("g"));
       this.legend = document.createElement("details");
       this.legend.className = "ll-legend";
       this.legend.append(document.createElement("summary"));
       (_a = this.legend.firstElementChild) == null ? void 0 : _a.append("Legend");
       host2.replaceChildren(this.svgElement, this.legend);
-      this.viewport = new Viewport(this.svgElement, this.content);
+      this.pause = 0;
+      this.viewport = new Viewport(this.svgElement, this.content, (all) => {
+        clearTimeout(this.pause);
+        if (all) this.events.moved(null);
+        else this.pause = window.setTimeout(() => this.events.moved(this.spot()), PAUSE);
+      });
       this.scene = null;
       this.painted = null;
       this.open = /* @__PURE__ */ new Set();
@@ -2049,7 +2485,7 @@ ${counted(about.nodes, "node")}`;
       this.shownKey = "";
       this.svgElement.addEventListener("click", (event) => this.click(event));
       this.svgElement.addEventListener("dblclick", (event) => this.doubleClick(event));
-      new ResizeObserver(() => this.viewport.touched || this.viewport.fit()).observe(host2);
+      new ResizeObserver(() => this.viewport.touched || this.viewport.begin()).observe(host2);
     }
     /** @param {ViewState} state */
     async show(state) {
@@ -2062,10 +2498,9 @@ ${counted(about.nodes, "node")}`;
         if (turn !== this.turn) return;
         scene.view.state = state;
         const before = this.scene;
-        const steady = before !== null && keyOf(before.view.state).view === key.view;
         if (!same || !before) {
           this.scene = scene;
-          this.put(scene, steady ? before : null);
+          this.put(scene, before && isAlike(before.view.state, state) ? before : null);
         }
         this.shownKey = key.all;
         this.match(state.matches);
@@ -2083,7 +2518,7 @@ ${counted(about.nodes, "node")}`;
       this.open = scene.open;
       this.viewport.size = { width: scene.sheet.width, height: scene.sheet.height };
       if (before) this.hold(before, scene, previous);
-      else this.viewport.fit();
+      else this.viewport.begin();
       showLegend(scene.sheet, this.legend);
     }
     /** Keeps what was opened or folded where it is on the screen, and lets the boxes glide. @param {Scene} before @param {Scene} after @param {Set<string>} previous */
@@ -2094,7 +2529,7 @@ ${counted(about.nodes, "node")}`;
       const anchor = toggled2 ?? [...old.keys()].find((id) => now.has(id));
       const [from, to] = [old.get(anchor ?? ""), now.get(anchor ?? "")];
       if (!from || !to) {
-        this.viewport.fit();
+        this.viewport.begin();
         return;
       }
       const { place: place2 } = this.viewport;
@@ -2162,6 +2597,49 @@ ${counted(about.nodes, "node")}`;
       const area = around([...found2, ...edges]);
       if (area) this.viewport.show(area);
     }
+    /** The middle of the screen, told by the box that is nearest to it. @returns {import("./types").Spot | null} */
+    spot() {
+      var _a;
+      const { place: place2, extent } = this.viewport;
+      const [x, y] = [(extent.width / 2 - place2.x) / place2.scale, (extent.height / 2 - place2.y) / place2.scale];
+      let [nearest2, least] = [
+        /** @type {Scene["sheet"]["boxes"][number] | null} */
+        null,
+        Infinity
+      ];
+      for (const each of ((_a = this.scene) == null ? void 0 : _a.sheet.boxes) ?? []) {
+        const distance = Math.hypot(each.x + each.width / 2 - x, each.y + each.height / 2 - y);
+        if (each.box.kind !== "pill" && distance < least) [nearest2, least] = [each, distance];
+      }
+      return nearest2 && { id: nearest2.box.id, x: x - nearest2.x, y: y - nearest2.y, scale: place2.scale };
+    }
+    /** @param {import("./types").Spot} spot */
+    goTo({ id, x, y, scale }) {
+      var _a;
+      const found2 = (_a = this.scene) == null ? void 0 : _a.sheet.boxes.find((each) => each.box.id === id);
+      if (!found2) return false;
+      const { width, height } = this.viewport.extent;
+      this.viewport.touched = true;
+      this.viewport.set({ scale, x: width / 2 - (found2.x + x) * scale, y: height / 2 - (found2.y + y) * scale });
+      this.viewport.apply();
+      return true;
+    }
+    /** @returns {import("./types").Extent} */
+    extent() {
+      const { scene, viewport } = this;
+      const { place: place2, extent } = viewport;
+      const found2 = { folded: 0, boxes: 0, outside: 0 };
+      for (const { box: box2, x, y, width, height } of (scene == null ? void 0 : scene.sheet.boxes) ?? []) {
+        if (box2.kind === "folded") {
+          found2.boxes += 1;
+          found2.folded += (scene == null ? void 0 : scene.view.counts.get(box2.id)) ?? 0;
+        }
+        const [left, top] = [place2.x + x * place2.scale, place2.y + y * place2.scale];
+        const isSeen = left + width * place2.scale > 4 && top + height * place2.scale > 4 && left < extent.width - 4 && top < extent.height - 4;
+        if (!isSeen && box2.kind !== "open") found2.outside += 1;
+      }
+      return found2;
+    }
     /** @param {number} node @returns {string | null} */
     standsFor(node) {
       var _a;
@@ -2202,6 +2680,10 @@ ${counted(about.nodes, "node")}`;
     svg() {
       return this.scene ? exported(this.svgElement, this.viewport.size, drawing_default) : "";
     }
+    /** @returns {Promise<Blob | null>} */
+    png() {
+      return new Promise((resolve) => rastered(this.svgElement, this.viewport.size).toBlob(resolve, "image/png"));
+    }
     /** @param {MouseEvent} event */
     click(event) {
       var _a;
@@ -2231,9 +2713,12 @@ ${counted(about.nodes, "node")}`;
   function selectionOf(id, wires) {
     if (id.startsWith("n:")) return { kind: "node", id };
     if (id.startsWith("g:")) return { kind: "container", id };
-    const [only, more] = wires;
-    if (only && more === void 0) return { kind: only.startsWith("p:") ? "param" : "channel", id: only };
+    const [only2, more] = wires;
+    if (only2 && more === void 0) return { kind: only2.startsWith("p:") ? "param" : "channel", id: only2 };
     return id ? { kind: "edge", id } : null;
+  }
+  function isAlike(one2, other) {
+    return one2.entry === other.entry && one2.grouping === other.grouping && one2.focus === other.focus;
   }
   function keyOf(state) {
     const view = viewKey(state);
@@ -2247,7 +2732,7 @@ ${counted(about.nodes, "node")}`;
     const [x, y] = [Math.min(...all.map((each) => each.x)), Math.min(...all.map((each) => each.y))];
     return { x, y, width: Math.max(...all.map((each) => each.x + each.width)) - x, height: Math.max(...all.map((each) => each.y + each.height)) - y };
   }
-  function hatching() {
+  function hatching2() {
     const lines = element("pattern", { id: "ll-hatching", class: "hatching", width: 7, height: 7, patternUnits: "userSpaceOnUse" }, [element("path", { d: "M-1 8L8 -1M-1 1L1 -1M6 8L8 6" })]);
     return element("defs", {}, [lines]);
   }
@@ -2258,10 +2743,14 @@ ${counted(about.nodes, "node")}`;
     return {
       show: (state) => surface.show(state),
       select: (selection) => surface.select(selection),
-      fit: () => surface.viewport.fit(),
+      fit: () => surface.viewport.showAll(),
       zoom: (factor) => surface.viewport.zoom(factor),
+      goTo: (spot) => surface.goTo(spot),
+      spot: () => surface.spot(),
+      extent: () => surface.extent(),
       panTo: (selection) => surface.panTo(selection),
       svg: () => surface.svg(),
+      png: () => surface.png(),
       focusables: () => surface.focusables(),
       isDrawn: (selection) => surface.isDrawn(selection),
       expanded: () => new Set(surface.open),
@@ -2272,7 +2761,7 @@ ${counted(about.nodes, "node")}`;
 
   // launchlint/report/html/js/page/model.js
   function createModel(data) {
-    const known3 = /* @__PURE__ */ new Map();
+    const known6 = /* @__PURE__ */ new Map();
     let lines = null;
     const md5s = /* @__PURE__ */ new Map();
     for (const [type, md52] of data.md5s) md5s.set(type, [...md5s.get(type) ?? [], md52]);
@@ -2286,12 +2775,12 @@ ${counted(about.nodes, "node")}`;
        * @param {number} index
        */
       entry(index) {
-        let found2 = known3.get(index);
+        let found2 = known6.get(index);
         if (!found2) {
           const entry = data.entries[index];
           if (!entry) throw new Error(`the page has no entry ${index}`);
           found2 = related(entry, index);
-          known3.set(index, found2);
+          known6.set(index, found2);
         }
         return found2;
       },
@@ -2391,6 +2880,54 @@ ${counted(about.nodes, "node")}`;
     return found2;
   }
 
+  // launchlint/report/html/js/page/stable_names.js
+  var INDEXED = /(^|[:>|+])([ncp]):(\d+)(?=$|[|>+:])/g;
+  var NAMED = /(^|[:>|+])([ncp])\(([^()]*)\)/g;
+  var CONTAINED = /^(g:file:|g:[a-z]+:[^#]*#f)(\d+)(?=$|\|)/;
+  var CONTAINER = /^(g:file:|g:[a-z]+:[^#]*#f)\(([^()]*)\)/;
+  var RANGE2 = /#n(\d+)$/;
+  var RANGE_NAMED = /#n\(([^()]*)\)$/;
+  var known4 = /* @__PURE__ */ new WeakMap();
+  function containerNames(model) {
+    let names = known4.get(model);
+    if (!names) {
+      names = model.entry.containers.map(({ kind, label: label2, namespace }) => `${kind} ${label2 || namespace}`);
+      known4.set(model, names);
+    }
+    return names;
+  }
+  function numbered(names, index) {
+    const name = names[index] ?? "";
+    let before = 0;
+    for (let at = 0; at < index; at++) if (names[at] === name) before += 1;
+    return encodeURIComponent(before ? `${name}~~${before + 1}` : name).replaceAll(/[()]/g, (sign) => `%${sign.charCodeAt(0).toString(16)}`);
+  }
+  function indexOf(names, text2) {
+    const name = decoded(text2);
+    const own = names.indexOf(name);
+    const match = /^(.*)~~(\d{1,6})$/s.exec(name);
+    if (own >= 0 || !match) return own;
+    const all = names.flatMap((each, at) => each === match[1] ? [at] : []);
+    return all[Number(match[2]) - 1] ?? all[0] ?? -1;
+  }
+  function decoded(text2) {
+    try {
+      return decodeURIComponent(text2);
+    } catch {
+      return text2;
+    }
+  }
+  function namesOf({ entry }, kind) {
+    if (kind === "n") return entry.nodes.map((each) => each.name);
+    return kind === "c" ? entry.channels.map((each) => `${each.kind} ${each.name}`) : entry.params.map((each) => each.name);
+  }
+  function byName(model, id) {
+    return id.replace(CONTAINED, (_, before, index) => `${before}(${numbered(containerNames(model), Number(index))})`).replace(RANGE2, (_, index) => `#n(${numbered(namesOf(model, "n"), Number(index))})`).replaceAll(INDEXED, (_, before, kind, index) => `${before}${kind}(${numbered(namesOf(model, kind), Number(index))})`);
+  }
+  function byIndex(model, text2) {
+    return text2.replace(CONTAINER, (_, before, name) => `${before}${indexOf(containerNames(model), name)}`).replace(RANGE_NAMED, (_, name) => `#n${indexOf(namesOf(model, "n"), name)}`).replaceAll(NAMED, (_, before, kind, name) => `${before}${kind}:${indexOf(namesOf(model, kind), name)}`);
+  }
+
   // launchlint/report/html/js/page/state.js
   var LAYERS = ["topics", "services", "actions", "params"];
   function initialState() {
@@ -2405,10 +2942,13 @@ ${counted(about.nodes, "node")}`;
       hubs: false,
       danglingOnly: false,
       findingsOnly: false,
+      tray: true,
+      filter: "",
       hidden: /* @__PURE__ */ new Set(),
       matches: null,
       selection: null,
-      landing: false
+      landing: false,
+      place: null
     };
   }
   function createStore(first, address) {
@@ -2458,20 +2998,21 @@ ${counted(about.nodes, "node")}`;
     var _a, _b, _c;
     if (change.entry !== void 0 && change.entry !== state.entry) {
       const selection = ((_a = state.selection) == null ? void 0 : _a.kind) === "finding" ? state.selection : null;
-      return { configuration: -1, expanded: "auto", focus: null, hidden: /* @__PURE__ */ new Set(), matches: null, selection };
+      return { configuration: -1, expanded: "auto", focus: null, hidden: /* @__PURE__ */ new Set(), filter: "", matches: null, place: null, selection };
     }
     if (change.grouping !== void 0 && change.grouping !== state.grouping) {
       const hidden = new Set([...state.hidden].filter((id) => id.startsWith("n:")));
       const selection = ((_b = state.selection) == null ? void 0 : _b.kind) === "container" || ((_c = state.selection) == null ? void 0 : _c.kind) === "edge" ? null : state.selection;
-      return { expanded: "auto", focus: null, hidden, selection };
+      return { expanded: "auto", focus: null, hidden, place: null, selection };
     }
+    if (change.focus !== void 0 && change.focus !== state.focus) return { place: null };
     return {};
   }
 
   // launchlint/report/html/js/page/address.js
   var FLAGS = (
     /** @type {const} */
-    ["topicsAsNodes", "hubs", "danglingOnly", "findingsOnly"]
+    ["topicsAsNodes", "hubs", "danglingOnly", "findingsOnly", "tray"]
   );
   var CHANNELS = ["topic", "service", "action"];
   var GROUPINGS = ["namespace", "file", "package", "machine"];
@@ -2484,13 +3025,15 @@ ${counted(about.nodes, "node")}`;
     if (state.entry !== first.entry) pairs2.push(["entry", model.data.files[entry.entry.file] ?? ""]);
     if (state.configuration >= 0) pairs2.push(["configuration", entry.entry.configurations[state.configuration] ?? ""]);
     if (state.grouping !== first.grouping) pairs2.push(["group", state.grouping]);
-    if (state.focus !== null) pairs2.push(["focus", inside(state.focus)]);
-    if (state.expanded !== "auto") pairs2.push(["open", many([...state.expanded].map(inside))]);
-    if (state.hidden.size > 0) pairs2.push(["hide", many([...state.hidden].map((id) => stable(entry, id)))]);
+    if (state.focus !== null) pairs2.push(["focus", pathOf(entry, state.focus)]);
+    if (state.expanded !== "auto") pairs2.push(["open", many([...state.expanded].map((id) => pathOf(entry, id)))]);
+    if (state.hidden.size > 0) pairs2.push(["hide", many([...state.hidden].map((id) => hiddenName(entry, id)))]);
     if (LAYERS.some((layer2) => state.layers[layer2] !== first.layers[layer2])) {
       pairs2.push(["layers", LAYERS.filter((layer2) => state.layers[layer2]).join()]);
     }
     for (const flag2 of FLAGS) if (state[flag2] !== first[flag2]) pairs2.push([flag2, state[flag2] ? "yes" : "no"]);
+    if (state.filter) pairs2.push(["filter", state.filter]);
+    if (state.place) pairs2.push(["at", placeText(entry, state.place)]);
     if (pairs2.length === 0 && model.data.entries.length > 1) pairs2.push(["entry", model.data.files[entry.entry.file] ?? ""]);
     return pairs2.map(([key, value]) => `${key}=${key === "open" || key === "hide" ? value : escape(value)}`).join("&");
   }
@@ -2507,7 +3050,7 @@ ${counted(about.nodes, "node")}`;
     const grouping = said.get("group") ?? "";
     if (GROUPINGS.includes(grouping)) state.grouping = /** @type {PageState["grouping"]} */
     grouping;
-    const outside = (path) => `g:${state.grouping}:${path}`;
+    const outside = (path) => byIndex(entry, `g:${state.grouping}:${path}`);
     const focus = said.get("focus");
     if (focus) state.focus = outside(focus);
     const open = said.get("open");
@@ -2516,6 +3059,8 @@ ${counted(about.nodes, "node")}`;
     const layers = (_a = said.get("layers")) == null ? void 0 : _a.split(",");
     if (layers) for (const layer2 of LAYERS) state.layers[layer2] = layers.includes(layer2);
     for (const flag2 of FLAGS) if (said.has(flag2)) state[flag2] = said.get(flag2) === "yes";
+    state.filter = said.get("filter") ?? "";
+    state.place = placeOf(entry, said.get("at") ?? "");
     state.selection = wanted && found(model, entry, state.grouping, wanted);
     return state;
   }
@@ -2523,19 +3068,19 @@ ${counted(about.nodes, "node")}`;
     var _a, _b, _c, _d;
     const { kind, id } = selection;
     const index = Number(id.slice(2));
-    if (kind === "node") return ["node", numbered(entry.nodesNamed, ((_a = entry.entry.nodes[index]) == null ? void 0 : _a.name) ?? "", index)];
+    if (kind === "node") return ["node", numbered2(entry.nodesNamed, ((_a = entry.entry.nodes[index]) == null ? void 0 : _a.name) ?? "", index)];
     if (kind === "channel") return [((_b = entry.entry.channels[index]) == null ? void 0 : _b.kind) ?? "topic", ((_c = entry.entry.channels[index]) == null ? void 0 : _c.name) ?? ""];
-    if (kind === "param") return ["param", numbered(entry.paramsNamed, ((_d = entry.entry.params[index]) == null ? void 0 : _d.name) ?? "", index)];
-    if (kind === "container") return ["container", inside(id)];
-    return [kind, id];
+    if (kind === "param") return ["param", numbered2(entry.paramsNamed, ((_d = entry.entry.params[index]) == null ? void 0 : _d.name) ?? "", index)];
+    if (kind === "container") return ["container", pathOf(entry, id)];
+    return [kind, kind === "edge" ? byName(entry, id) : id];
   }
   function found(model, entry, grouping, [kind, name]) {
     if (kind === "node") return indexed("node", "n:", one(entry.nodesNamed, name));
     if (kind === "param") return indexed("param", "p:", one(entry.paramsNamed, name));
     if (CHANNELS.includes(kind)) return indexed("channel", "c:", entry.channelNamed.get(channelKey(kind, name)));
-    if (kind === "container") return { kind, id: `g:${grouping}:${name}` };
+    if (kind === "container") return { kind, id: byIndex(entry, `g:${grouping}:${name}`) };
     if (kind === "finding") return model.finding(name) < 0 ? null : { kind, id: name };
-    if (kind === "edge") return { kind, id: name };
+    if (kind === "edge") return { kind, id: byIndex(entry, name) };
     return null;
   }
   function indexed(kind, prefix, index) {
@@ -2572,7 +3117,7 @@ ${counted(about.nodes, "node")}`;
     }
     return said;
   }
-  function numbered(named, name, index) {
+  function numbered2(named, name, index) {
     var _a;
     const at = ((_a = named.get(name)) == null ? void 0 : _a.indexOf(index)) ?? 0;
     return at > 0 ? `${name}~~${at + 1}` : name;
@@ -2586,14 +3131,21 @@ ${counted(about.nodes, "node")}`;
     const match = /^(.*)~~(\d{1,6})$/s.exec(text2);
     return match ? [match[1] ?? "", Number(match[2])] : [text2, 1];
   }
-  function stable(entry, id) {
+  function hiddenName(entry, id) {
     var _a;
-    return id.startsWith("n:") ? `n:${((_a = entry.entry.nodes[Number(id.slice(2))]) == null ? void 0 : _a.name) ?? ""}` : id;
+    return id.startsWith("n:") ? `n:${((_a = entry.entry.nodes[Number(id.slice(2))]) == null ? void 0 : _a.name) ?? ""}` : byName(entry, id);
   }
   function unstable(entry, text2) {
-    return text2.startsWith("n:") ? (entry.nodesNamed.get(text2.slice(2)) ?? []).map((index) => `n:${index}`) : [text2];
+    return text2.startsWith("n:") ? (entry.nodesNamed.get(text2.slice(2)) ?? []).map((index) => `n:${index}`) : [byIndex(entry, text2)];
   }
-  var inside = (id) => id.split(":").slice(2).join(":");
+  var pathOf = (entry, id) => byName(entry, id).split(":").slice(2).join(":");
+  function placeText(entry, { id, x, y, scale }) {
+    return `${Math.round(x)},${Math.round(y)},${Math.round(scale * 100)},${byName(entry, id)}`;
+  }
+  function placeOf(entry, text2) {
+    const match = /^(-?\d{1,6}),(-?\d{1,6}),(\d{1,4}),(.*)$/s.exec(text2);
+    return match && { x: Number(match[1]), y: Number(match[2]), scale: Number(match[3]) / 100, id: byIndex(entry, match[4] ?? "") };
+  }
   var many = (values) => values.map((each) => encodeURIComponent(each).replaceAll("%2F", "/")).join();
   var parts2 = (text2) => text2.split(",").filter(Boolean).map(unescape);
   function escape(text2) {
@@ -2703,7 +3255,7 @@ ${counted(about.nodes, "node")}`;
   }
 
   // launchlint/report/html/js/page/mermaid.js
-  var LONGEST2 = 80;
+  var LONGEST3 = 80;
   var LONGEST_VERDICT = 200;
   var BUNDLE3 = 3;
   var STYLES = /* @__PURE__ */ new Map([
@@ -2738,9 +3290,9 @@ ${counted(about.nodes, "node")}`;
 `;
   }
   function shape({ kind, label: text2, detail }) {
-    const inside2 = `"${label(text2)}${detail ? `<br/>${label(detail)}` : ""}"`;
-    if (kind === "folded") return `[[${inside2}]]`;
-    return kind === "node" ? `[${inside2}]` : `([${inside2}])`;
+    const inside = `"${label(text2)}${detail ? `<br/>${label(detail)}` : ""}"`;
+    if (kind === "folded") return `[[${inside}]]`;
+    return kind === "node" ? `[${inside}]` : `([${inside}])`;
   }
   function line2({ kind, names, conditional }) {
     const shown = names.length < BUNDLE3 ? names.map((each) => label(each)).join("<br/>") : `${names.length} ${kind}s`;
@@ -2748,17 +3300,18 @@ ${counted(about.nodes, "node")}`;
     if (kind === "action") return `==>${text2}`;
     return conditional || kind === "service" ? `-.->${text2}` : `-->${text2}`;
   }
-  function label(text2, longest = LONGEST2) {
+  function label(text2, longest = LONGEST3) {
     const characters = Array.from(text2);
     const shown = characters.length <= longest ? characters : [...characters.slice(0, 26), "…", ...characters.slice(-(longest - 27))];
     return shown.map((each) => /^[\w\-/.,~ …→]$/.test(each) ? each : `#${each.codePointAt(0)};`).join("");
   }
 
   // launchlint/report/html/js/page/containers.js
-  var known2 = /* @__PURE__ */ new WeakMap();
+  var known5 = /* @__PURE__ */ new WeakMap();
   function containerOf(entry, grouping, id) {
+    if (id === trayId(grouping)) return inTray(entry).length ? trayOf(grouping, inTray(entry)) : void 0;
     const root = containersOf(entry, grouping);
-    let all = known2.get(root);
+    let all = known5.get(root);
     if (!all) {
       all = /* @__PURE__ */ new Map();
       const waiting = [root];
@@ -2766,7 +3319,7 @@ ${counted(about.nodes, "node")}`;
         all.set(each.id, each);
         waiting.push(...each.groups);
       }
-      known2.set(root, all);
+      known5.set(root, all);
     }
     return all.get(id);
   }
@@ -2855,12 +3408,12 @@ ${counted(about.nodes, "node")}`;
   function configurationName(args) {
     return args || "default args";
   }
-  function when(entry, only) {
-    if (only.length === 0) return "";
+  function when(entry, only2) {
+    if (only2.length === 0) return "";
     const names = (those2) => those2.map((each) => configurationName(entry.configurations[each] ?? "")).join(" or ");
-    const others = entry.configurations.map((_, index) => index).filter((index) => !only.includes(index));
-    if (others.length > 0 && others.length < only.length) return `not with ${names(others)}`;
-    return `only with ${names([...only])}`;
+    const others = entry.configurations.map((_, index) => index).filter((index) => !only2.includes(index));
+    if (others.length > 0 && others.length < only2.length) return `not with ${names(others)}`;
+    return `only with ${names([...only2])}`;
   }
   function lastPart2(name) {
     return name.slice(name.lastIndexOf("/") + 1) || name;
@@ -2968,11 +3521,11 @@ ${counted(about.nodes, "node")}`;
 ${to}
 ${kind}
 ${end.mark}`;
-    const known3 = arrows.get(key);
-    if (!known3) arrows.set(key, { from, to, kind, names: name ? [name] : [], ...end });
+    const known6 = arrows.get(key);
+    if (!known6) arrows.set(key, { from, to, kind, names: name ? [name] : [], ...end });
     else {
-      if (name) known3.names.push(name);
-      known3.conditional &&= end.conditional;
+      if (name) known6.names.push(name);
+      known6.conditional &&= end.conditional;
     }
   }
 
@@ -2980,14 +3533,15 @@ ${end.mark}`;
   function createExportMenu(page) {
     return menu("Export", [
       ["SVG picture", () => save("image/svg+xml", "svg", page.drawing.svg())],
+      ["PNG picture", () => void page.drawing.png().then((picture) => picture && save("image/png", "png", picture))],
       ["Mermaid", () => save("text/plain", "mmd", mermaid(pictureOf(page)))],
       ["Graphviz DOT", () => save("text/vnd.graphviz", "dot", dot(pictureOf(page)))],
       ["JSON", () => save("application/json", "json", `${JSON.stringify(pictureOf(page), null, 2)}
 `)]
     ]);
   }
-  function save(type, ending, text2) {
-    const address = URL.createObjectURL(new Blob([text2], { type }));
+  function save(type, ending, content) {
+    const address = URL.createObjectURL(new Blob([content], { type }));
     const link = element2("a", { href: address, download: `launchlint-graph.${ending}` });
     document.body.append(link);
     link.click();
@@ -2998,30 +3552,30 @@ ${end.mark}`;
   // launchlint/report/html/js/page/search_index.js
   var MOST3 = 50;
   function createIndex(model) {
-    const known3 = /* @__PURE__ */ new Map();
+    const known6 = /* @__PURE__ */ new Map();
     function all(entry) {
-      let found2 = known3.get(entry);
+      let found2 = known6.get(entry);
       if (!found2) {
         found2 = hitsOf(model, entry);
-        known3.set(entry, found2);
+        known6.set(entry, found2);
       }
       return found2;
     }
     return function search(query, entry) {
       const words2 = query.toLowerCase().split(/\s+/).filter(Boolean);
       if (words2.length === 0) return { hits: [], total: 0, ids: /* @__PURE__ */ new Set() };
-      const here = fitting(all(entry), words2);
+      const here = fitting2(all(entry), words2);
       const ids = new Set(here.flatMap((each) => {
         var _a;
         return ((_a = each.target) == null ? void 0 : _a.id) ?? [];
       }));
-      const others = here.length >= MOST3 ? [] : model.data.entries.flatMap((_, at) => at === entry ? [] : fitting(all(at), words2));
-      const elsewhere = others.filter((each) => !here.some((known4) => known4.kind === each.kind && known4.label === each.label));
+      const others = here.length >= MOST3 ? [] : model.data.entries.flatMap((_, at) => at === entry ? [] : fitting2(all(at), words2));
+      const elsewhere = others.filter((each) => !here.some((known7) => known7.kind === each.kind && known7.label === each.label));
       const hits = [...here, ...elsewhere];
       return { hits: hits.slice(0, MOST3), total: hits.length, ids };
     };
   }
-  function fitting(hits, words2) {
+  function fitting2(hits, words2) {
     const scored = hits.flatMap((hit) => words2.every((word) => hit.key.includes(word)) ? [{ hit, score: score(hit, words2) }] : []);
     scored.sort((one2, other) => one2.score - other.score);
     return scored.map((each) => each.hit);
@@ -3072,7 +3626,7 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/search.js
-  var PAUSE = 150;
+  var PAUSE2 = 150;
   function createSearch(page) {
     const index = createIndex(page.model);
     const options = element2("ul", { id: "search-results", role: "listbox", "aria-label": "Search results", hidden: true });
@@ -3124,7 +3678,7 @@ ${end.mark}`;
       told2.textContent = query ? number(result.total, "result") : "";
       show2(query !== "");
       window.clearTimeout(timer);
-      timer = window.setTimeout(() => page.store.set({ matches: query ? result.ids : null }), PAUSE);
+      timer = window.setTimeout(() => page.store.set({ matches: query ? result.ids : null }), PAUSE2);
     }
     function choose(hit) {
       var _a;
@@ -3339,7 +3893,7 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/help.js
-  var KEYS = [
+  var KEYS2 = [
     ["/", "search"],
     ["n  N", "next, previous finding"],
     ["]  [", "next, previous change, where two revisions are compared"],
@@ -3359,7 +3913,7 @@ ${end.mark}`;
   ];
   function createHelp(shortcuts) {
     const letters = element2("input", { type: "checkbox", change: () => shortcuts.turn(letters.checked) });
-    const rows2 = KEYS.map(
+    const rows2 = KEYS2.map(
       ([keys, what]) => element2("tr", {}, element2("th", { scope: "row" }, ...keys.split("  ").map((key) => element2("kbd", {}, key))), element2("td", {}, what))
     );
     const dialog = element2(
@@ -3532,15 +4086,15 @@ ${end.mark}`;
     for (let at = Math.max(1, line4 - AROUND); at <= last + AROUND; at += 1) {
       const text2 = model.line(file, at);
       if (text2 === void 0) continue;
-      const inside2 = at >= line4 && at <= last;
+      const inside = at >= line4 && at <= last;
       const from = at === line4 ? column - 1 : 0;
       const to = marked && at === marked.endLine ? marked.endColumn - 1 : Infinity;
       shown.push(
         element2(
           "span",
-          { class: inside2 ? "line hit" : "line" },
+          { class: inside ? "line hit" : "line" },
           element2("span", { class: "number", "aria-hidden": "true" }, String(at)),
-          element2("span", { class: "text" }, ...inside2 && marked ? split2(text2, from, to) : [text2 || " "])
+          element2("span", { class: "text" }, ...inside && marked ? split2(text2, from, to) : [text2 || " "])
         )
       );
       if ((marked == null ? void 0 : marked.label) && at === last) {
@@ -3620,9 +4174,9 @@ ${end.mark}`;
   function sourceBlock(page, place2, title2 = "Written at") {
     return place2 && block(title2, source(page.model, place2));
   }
-  function presenceBlock(page, only, conditions = []) {
+  function presenceBlock(page, only2, conditions = []) {
     const entry = page.model.entry(page.store.get().entry).entry;
-    const words2 = when(entry, only);
+    const words2 = when(entry, only2);
     if (!words2 && conditions.length === 0) return null;
     const lines = conditions.map((condition) => element2("code", {}, condition));
     const there = words2 || (entry.configurations.length > 1 ? "in every configuration of this page" : "in the one configuration of this page");
@@ -3672,12 +4226,12 @@ ${end.mark}`;
     ];
   }
   function moment({ certain, when: since }) {
-    const known3 = /* @__PURE__ */ new Map([
+    const known6 = /* @__PURE__ */ new Map([
       ["on_subscriber", "once somebody subscribes"],
       ["on_message", "once a message has come"],
       ["condition", "under a condition"]
     ]);
-    return known3.get(since) ?? (certain ? "" : "perhaps: it is not certain that it does");
+    return known6.get(since) ?? (certain ? "" : "perhaps: it is not certain that it does");
   }
   function focusButton({ store }, id, label2) {
     const focused = store.get().focus === id;
@@ -3780,7 +4334,7 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/panel_container.js
-  var KINDS2 = { root: "Everything", namespace: "Namespace", group: "Group", include: "Include", package: "Package", machine: "Machine", range: "Neighbours" };
+  var KINDS2 = { root: "Everything", namespace: "Namespace", group: "Group", include: "Include", package: "Package", machine: "Machine", range: "Neighbours", tray: "Without a connection" };
   function containerPanel(page, model, id) {
     var _a;
     const { grouping, configuration } = page.store.get();
@@ -3813,16 +4367,16 @@ ${end.mark}`;
   function channels(page, title2, those2) {
     return those2.length > 0 && block(title2, list(those2.map((each) => channelReference(page, each))));
   }
-  function boundary(model, inside2, configuration) {
+  function boundary(model, inside, configuration) {
     const incoming = [];
     const outgoing = [];
-    const touched = new Set([...inside2].flatMap((node) => (model.ofNode[node] ?? []).map((each) => each.channel)));
+    const touched = new Set([...inside].flatMap((node) => (model.ofNode[node] ?? []).map((each) => each.channel)));
     for (const channel of touched) {
       const { kind, hub, plumbing } = model.entry.channels[channel] ?? { kind: "topic", hub: true, plumbing: true };
       if (hub || plumbing) continue;
       const ends = (model.onChannel[channel] ?? []).filter((each) => isIn(each, configuration));
       const gives = (each) => kind === "topic" === each.offers;
-      const has = (giving, within2) => ends.some((each) => gives(each) === giving && inside2.has(each.node) === within2);
+      const has = (giving, within2) => ends.some((each) => gives(each) === giving && inside.has(each.node) === within2);
       if (has(true, true) && has(false, false)) outgoing.push(channel);
       if (has(false, true) && has(true, false)) incoming.push(channel);
     }
@@ -4060,10 +4614,10 @@ ${end.mark}`;
     return blocks.length > 0 ? blocks : [block(`Since ${base}`, element2("p", {}, "Nothing changed in what this launch file starts and connects."))];
   }
   function createSequence(model) {
-    const known3 = /* @__PURE__ */ new Map();
+    const known6 = /* @__PURE__ */ new Map();
     return (index) => {
-      let found2 = known3.get(index);
-      if (!found2) known3.set(index, found2 = targetsOf(model, index));
+      let found2 = known6.get(index);
+      if (!found2) known6.set(index, found2 = targetsOf(model, index));
       return found2;
     };
   }
@@ -4185,9 +4739,9 @@ ${end.mark}`;
     ];
   }
   function shareKnown({ entry }, configuration) {
-    const [known3, nodes] = entry.sight;
+    const [known6, nodes] = entry.sight;
     if (nodes === 0 || configuration > 0) return "";
-    return `${known3} of ${number(nodes, "node")} known${entry.configurations.length > 1 ? " when it is started without args" : ""}`;
+    return `${known6} of ${number(nodes, "node")} known${entry.configurations.length > 1 ? " when it is started without args" : ""}`;
   }
   function loosePart(page, title2, channels2) {
     return channels2.length > 0 && [
@@ -4231,7 +4785,7 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/panel.js
-  var MARGIN4 = 24;
+  var MARGIN5 = 24;
   function createPanel(page) {
     const host2 = part("panel");
     page.store.listen((state, before) => {
@@ -4256,7 +4810,7 @@ ${end.mark}`;
   }
   function bringIntoView(mark) {
     const lines = mark.closest("pre");
-    if (lines) lines.scrollLeft += Math.max(0, mark.getBoundingClientRect().right - lines.getBoundingClientRect().right + MARGIN4);
+    if (lines) lines.scrollLeft += Math.max(0, mark.getBoundingClientRect().right - lines.getBoundingClientRect().right + MARGIN5);
   }
   function panelOf(page, { kind, id }) {
     const model = page.model.entry(page.store.get().entry);
@@ -4277,7 +4831,7 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/print.js
-  var MARGIN5 = 8;
+  var MARGIN6 = 8;
   function preparePrint() {
     let undo = [];
     window.addEventListener("beforeprint", () => {
@@ -4289,7 +4843,7 @@ ${end.mark}`;
       const content = svg == null ? void 0 : svg.querySelector(":scope > g");
       if (!svg || !(content instanceof SVGGElement)) return;
       const { x, y, width, height } = content.getBBox();
-      svg.setAttribute("viewBox", [x - MARGIN5, y - MARGIN5, width + 2 * MARGIN5, height + 2 * MARGIN5].join(" "));
+      svg.setAttribute("viewBox", [x - MARGIN6, y - MARGIN6, width + 2 * MARGIN6, height + 2 * MARGIN6].join(" "));
       svg.classList.add("printing");
       undo.push(
         () => svg.removeAttribute("viewBox"),
@@ -4339,6 +4893,8 @@ ${end.mark}`;
       "hubs",
       "danglingOnly",
       "findingsOnly",
+      "tray",
+      "filter",
       "hidden",
       "matches"
     ]
@@ -4347,10 +4903,12 @@ ${end.mark}`;
     const { store, drawing, model } = page;
     const told2 = element2("p", { class: "visually-hidden", role: "status" });
     const empty = element2("p", { class: "stage-empty", hidden: true });
-    part("stage").append(told2, empty);
+    const note = element2("p", { class: "stage-note", hidden: true });
+    part("stage").append(told2, empty, note);
     const host2 = part("drawing");
     let running = false;
     let stale = false;
+    let placed = null;
     async function draw2() {
       stale = true;
       if (running) return;
@@ -4362,6 +4920,8 @@ ${end.mark}`;
         const giveBack = holdFocus();
         await drawing.show(state);
         giveBack();
+        if (state.place && state.place !== placed) drawing.goTo(state.place);
+        placed = state.place;
         drawing.select(drawnSelection(page, state));
         report(state);
       }
@@ -4372,6 +4932,8 @@ ${end.mark}`;
       const shown = drawing.focusables().length;
       empty.hidden = shown > 0;
       empty.textContent = shown > 0 ? "" : whyEmpty(model.entry(state.entry), state);
+      note.textContent = shown > 0 ? leftOut(drawing.extent(), state.place === null) : "";
+      note.hidden = note.textContent === "";
       told2.textContent = shown > 0 ? `The drawing shows ${number(shown, "thing")}.` : empty.textContent;
     }
     async function reveal(state) {
@@ -4383,18 +4945,26 @@ ${end.mark}`;
         store.set({ expanded }, "replace");
         await finished();
       }
-      if (drawing.isDrawn(target2)) drawing.panTo(target2);
+      if (!drawing.isDrawn(target2)) return;
+      drawing.panTo(target2);
+      if (store.get().place) store.set({ place: drawing.spot() }, "replace");
     }
     let finished = () => Promise.resolve();
     store.listen((state, before) => {
       const first = state === before;
       const changed = first || DRAWN.some((key) => state[key] !== before[key]);
-      const selected = (first || state.selection !== before.selection) && !cameFromDrawing();
+      const selected = (first ? state.place === null : state.selection !== before.selection) && !cameFromDrawing();
       if (changed) {
         const done = draw2();
         finished = () => done;
         if (selected) void done.then(() => reveal(store.get()));
         return;
+      }
+      if (state.place !== before.place) {
+        note.textContent = leftOut(drawing.extent(), state.place === null);
+        note.hidden = note.textContent === "";
+        if (state.place) drawing.goTo(state.place);
+        placed = state.place;
       }
       if (state.selection === before.selection) return;
       drawing.select(drawnSelection(page, state));
@@ -4410,11 +4980,18 @@ ${end.mark}`;
     const [channel] = model.channelsWithFinding.get(finding) ?? [];
     return channel === void 0 ? null : { kind: "channel", id: `c:${channel}` };
   }
+  function leftOut({ folded, boxes, outside }, untouched) {
+    const words2 = [];
+    if (folded > 0) words2.push(`${number(folded, "node")} in ${number(boxes, "folded box", "folded boxes")}`);
+    if (untouched && outside > 0) words2.push(`${number(outside, "box", "boxes")} beyond the edge: drag, or Fit`);
+    return words2.join(" · ");
+  }
   function whyEmpty({ entry }, state) {
     if (entry.nodes.length === 0)
       return "This launch file starts no nodes, so there is nothing to draw. Its params and findings are in the tables below.";
     if (state.danglingOnly) return "Nothing is left unconnected here, as far as it is known.";
     if (state.findingsOnly) return "No finding is about anything that could be drawn here.";
+    if (state.filter) return `Nothing here fits the filter “${state.filter}”.`;
     if (state.hidden.size > 0) return "All of it is hidden.";
     return "Nothing to draw in this view.";
   }
@@ -4430,9 +5007,9 @@ ${end.mark}`;
       const here = landing ? -1 : changed.indexOf(entry);
       const targets = here < 0 ? [] : sequence(entry);
       const at = targets.findIndex((each) => each.kind === (selection == null ? void 0 : selection.kind) && each.id === selection.id);
-      const inside2 = targets[at < 0 ? step > 0 ? 0 : -1 : at + step];
-      if (inside2 && (at >= 0 || step > 0)) {
-        store.set({ selection: inside2 });
+      const inside = targets[at < 0 ? step > 0 ? 0 : -1 : at + step];
+      if (inside && (at >= 0 || step > 0)) {
+        store.set({ selection: inside });
         return;
       }
       for (let turn = 1; turn <= changed.length; turn += 1) {
@@ -4497,8 +5074,8 @@ ${end.mark}`;
       const each = data.findings[index];
       if (!each) continue;
       const key = `${ORDER2.indexOf(each.severity)} ${each.since ?? ""} ${each.rule} ${each.message}`;
-      const known3 = groups.get(key);
-      if (known3) known3.push(index);
+      const known6 = groups.get(key);
+      if (known6) known6.push(index);
       else groups.set(key, [index]);
     }
     return [...groups].sort(([one2], [other]) => one2.charCodeAt(0) - other.charCodeAt(0)).map(([, those2]) => those2);
@@ -4579,8 +5156,8 @@ ${end.mark}`;
   function nodeRows(model, configuration, page) {
     return model.entry.nodes.flatMap((node, at) => {
       if (!isIn(node, configuration)) return [];
-      const known3 = node.knowledge === "unknown" ? "unknown" : "known";
-      const cells2 = [node.name, node.program, known3, node.place ? page.place(node.place) : "", node.findings.length ? String(node.findings.length) : ""];
+      const known6 = node.knowledge === "unknown" ? "unknown" : "known";
+      const cells2 = [node.name, node.program, known6, node.place ? page.place(node.place) : "", node.findings.length ? String(node.findings.length) : ""];
       return [row(model, "node", at, cells2, node.mark, node.place)];
     });
   }
@@ -4661,7 +5238,7 @@ ${end.mark}`;
     }
     function inOrder(found2) {
       if (sorted < 0) return found2;
-      return [...found2].sort((one2, other) => compare(one2.cells[sorted] ?? "", other.cells[sorted] ?? "") * (down ? -1 : 1));
+      return [...found2].sort((one2, other) => compare2(one2.cells[sorted] ?? "", other.cells[sorted] ?? "") * (down ? -1 : 1));
     }
     function made2(row2) {
       const cells2 = row2.cells.map((text2, column) => {
@@ -4737,7 +5314,7 @@ ${end.mark}`;
   function entriesOf({ model }, { entry }, everything) {
     return everything ? model.data.entries.map((_, at) => at) : [entry];
   }
-  function compare(one2, other) {
+  function compare2(one2, other) {
     const [left, right] = [one2, other].map((each) => SEVERITIES2.findIndex((word) => each.endsWith(word) && each.length < word.length + 8));
     return left !== void 0 && right !== void 0 && left >= 0 && right >= 0 ? left - right : collator.compare(one2, other);
   }
@@ -4811,7 +5388,7 @@ ${end.mark}`;
     });
     window.addEventListener("hashchange", () => {
       var _a2;
-      const id = decoded(location.hash.slice(1));
+      const id = decoded2(location.hash.slice(1));
       for (const each of drawers) if (id.startsWith("program-") && each.id === "library") each.fill();
       const meant = drawers.find((each) => each.host.id === id || each.id === id || each.host.contains(document.getElementById(id)));
       if (id && meant && meant !== open) turn(meant.id);
@@ -4830,7 +5407,7 @@ ${end.mark}`;
       }
     };
   }
-  function decoded(text2) {
+  function decoded2(text2) {
     try {
       return decodeURIComponent(text2);
     } catch {
@@ -5101,7 +5678,117 @@ ${end.mark}`;
     return number2 > 0 && element2("li", { class: name || null }, element2("b", {}, number2.toLocaleString("en")), ` ${number2 === 1 ? one2 : many2}`);
   }
 
+  // launchlint/report/html/js/page/share.js
+  var SAID = 2e3;
+  function createShareButton(page) {
+    const told2 = element2("span", { class: "visually-hidden", role: "status" });
+    const host2 = button("Copy link", copy, { class: "share", title: "Copy a link to exactly this view" });
+    async function copy() {
+      const done = await copied(linkTo(page));
+      host2.textContent = done ? "Copied" : "Not copied";
+      told2.textContent = done ? "The link is copied." : "The browser does not let the page copy: the address of the page is the link.";
+      window.setTimeout(() => {
+        host2.textContent = "Copy link";
+        told2.textContent = "";
+      }, SAID);
+    }
+    return element2("span", { class: "share-host" }, host2, told2);
+  }
+  function linkTo({ model, store, drawing }) {
+    const state = store.get();
+    const exact = addressOf(model, { ...state, expanded: drawing.expanded(), place: drawing.spot() });
+    return `${location.href.replace(/#.*$/s, "")}#${exact}`;
+  }
+  async function copied(text2) {
+    try {
+      await navigator.clipboard.writeText(text2);
+      return true;
+    } catch {
+      const field = element2("textarea", { class: "visually-hidden", "aria-hidden": "true" });
+      field.value = text2;
+      document.body.append(field);
+      field.select();
+      const done = document.execCommand("copy");
+      field.remove();
+      return done;
+    }
+  }
+
+  // launchlint/report/html/js/page/side_panels.js
+  var SIDES = (
+    /** @type {const} */
+    [
+      { id: "tree", name: "Tree", sign: "◧", usual: 260, grows: 1 },
+      { id: "panel", name: "Details", sign: "◨", usual: 360, grows: -1 }
+    ]
+  );
+  var LEAST = 160;
+  var MOST4 = 720;
+  var STEP3 = 20;
+  function createSidePanels() {
+    const sheet = new CSSStyleSheet();
+    document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
+    const widths = /* @__PURE__ */ new Map();
+    return SIDES.map(({ id, name, sign, usual, grows }) => {
+      const host2 = part(id);
+      const key = `launchlint-${id}`;
+      let form = remembered2(key, usual);
+      const fold2 = button(sign, () => become({ ...form, folded: !form.folded }), { class: "fold-side", "aria-controls": id });
+      const bar = element2("div", {
+        class: `divider ${id}`,
+        role: "separator",
+        tabindex: 0,
+        "aria-orientation": "vertical",
+        "aria-label": `Width of the ${name.toLowerCase()}`,
+        "aria-valuemin": LEAST,
+        "aria-valuemax": MOST4
+      });
+      host2.after(bar);
+      function become(next) {
+        form = { ...next, width: Math.max(LEAST, Math.min(MOST4, Math.round(next.width))) };
+        widths.set(id, form.width);
+        sheet.replaceSync(`body { ${Array.from(widths, ([side, width]) => `--${side}-width: ${width}px;`).join(" ")} }`);
+        document.body.toggleAttribute(`data-${id}-folded`, form.folded);
+        bar.setAttribute("aria-valuenow", String(form.width));
+        fold2.setAttribute("aria-expanded", String(!form.folded));
+        fold2.setAttribute("aria-label", `${form.folded ? "Show" : "Fold"} the ${name.toLowerCase()}`);
+        fold2.title = `${form.folded ? "Show" : "Fold"} the ${name.toLowerCase()}`;
+        remember2(key, form);
+      }
+      bar.addEventListener("pointerdown", (event) => {
+        const [from, width] = [event.clientX, form.width];
+        bar.setPointerCapture(event.pointerId);
+        const follow2 = (moved) => become({ ...form, width: width + (moved.clientX - from) * grows });
+        bar.addEventListener("pointermove", follow2);
+        bar.addEventListener("lostpointercapture", () => bar.removeEventListener("pointermove", follow2), { once: true });
+      });
+      bar.addEventListener("keydown", (event) => {
+        const steps = { ArrowRight: STEP3, ArrowLeft: -STEP3 }[event.key];
+        if (steps === void 0) return;
+        event.preventDefault();
+        become({ ...form, width: form.width + steps * grows });
+      });
+      become(form);
+      return fold2;
+    });
+  }
+  function remembered2(key, usual) {
+    try {
+      const [width, folded] = (localStorage.getItem(key) ?? "").split(" ");
+      return { width: Number(width) || usual, folded: folded === "folded" };
+    } catch {
+      return { width: usual, folded: false };
+    }
+  }
+  function remember2(key, { width, folded }) {
+    try {
+      localStorage.setItem(key, `${width} ${folded ? "folded" : "open"}`);
+    } catch {
+    }
+  }
+
   // launchlint/report/html/js/page/view_bar.js
+  var PAUSE3 = 200;
   var layer = (name, label2, title2) => ({
     label: label2,
     title: title2,
@@ -5118,7 +5805,8 @@ ${end.mark}`;
         layer("actions", "Actions", "Actions that nodes serve and call"),
         layer("params", "Params", "Params that nodes read"),
         flag("hubs", "Hub topics", "Topics that everybody uses: /tf, /clock, /diagnostics …"),
-        flag("topicsAsNodes", "Topics as boxes", "Draw each topic as a box of its own instead of as arrows")
+        flag("topicsAsNodes", "Topics as boxes", "Draw each topic as a box of its own instead of as arrows"),
+        flag("tray", "Unconnected", "Nodes that share nothing with another one: they stand in a tray of their own")
       ]
     ],
     [
@@ -5144,6 +5832,8 @@ ${end.mark}`;
       )
     );
     const scope = element2("div", { class: "scope" });
+    const filter = createFilter(page);
+    const [tree, details] = createSidePanels();
     const zoom = element2(
       "div",
       { class: "zoom", role: "group", "aria-label": "Zoom" },
@@ -5151,12 +5841,36 @@ ${end.mark}`;
       button("−", () => drawing.zoom(0.8), { "aria-label": "Zoom out", title: "Zoom out (−)" }),
       button("Fit", () => drawing.fit(), { title: "Fit the drawing into its frame (0)" })
     );
-    part("stage").prepend(element2("div", { id: "view-bar" }, ...groups, scope));
+    part("stage").prepend(element2("div", { id: "view-bar" }, tree, ...groups, filter.host, scope, element2("div", { class: "view-end" }, createShareButton(page), details)));
     part("stage").append(zoom);
     store.listen((state) => {
+      filter.show(state.filter);
       for (const [toggle, host2] of buttons) host2.setAttribute("aria-pressed", String(toggle.get(state)));
       fill(scope, ...scopeOf(page, state));
     });
+  }
+  function createFilter({ store }) {
+    const field = element2("input", {
+      id: "filter",
+      type: "search",
+      placeholder: "Filter: name, type:, package:",
+      title: "Draws what fits all words: a part of a name, /left/*, type:Image, package:nav, and -rviz for what shall not be there",
+      "aria-label": "Filter the drawing by name, type: or package:",
+      autocomplete: "off",
+      spellcheck: "false"
+    });
+    let timer = 0;
+    field.addEventListener("input", () => {
+      window.clearTimeout(timer);
+      timer = window.setTimeout(() => store.set({ filter: field.value.trim() }, "replace"), PAUSE3);
+    });
+    return {
+      host: field,
+      /** @param {string} text */
+      show(text2) {
+        if (document.activeElement !== field && field.value.trim() !== text2) field.value = text2;
+      }
+    };
   }
   function toggleButton({ store }, { label: label2, title: title2, get, change }) {
     return button(label2, () => store.set(change(store.get(), !get(store.get()))), { class: "toggle", title: title2 });
@@ -5252,6 +5966,7 @@ ${end.mark}`;
         else expanded.delete(container);
         store.set({ expanded });
       },
+      moved: (place2) => store.set({ place: place2 }, "replace"),
       busy: (on) => host2.classList.toggle("busy", on)
     });
     const page = { model, store, drawing };

@@ -47,6 +47,7 @@ function start() {
       else expanded.delete(container);
       store.set({ expanded });
     },
+    moved: (place) => store.set({ place }, "replace"),
     busy: (on) => host.classList.toggle("busy", on),
   });
   const page = { model, store, drawing };

@@ -62,7 +62,7 @@ export function state(changes = {}) {
   return {
     ...{ entry: 0, configuration: -1, grouping: "namespace", expanded: new Set(), focus: null },
     ...{ layers: { topics: true, services: true, actions: true, params: false }, topicsAsNodes: false, hubs: false },
-    ...{ danglingOnly: false, findingsOnly: false, hidden: new Set(), matches: null, ...changes },
+    ...{ danglingOnly: false, findingsOnly: false, tray: true, filter: "", hidden: new Set(), matches: null, ...changes },
   };
 }
 

@@ -1,7 +1,7 @@
 // Where everything in a container stands: connected parts as ELK lays them out, the rest in rows below, in the order of names,
 // so that opening one box moves others but never changes their order.
 
-import { BADGE, MARGIN, layOutPart } from "./engine.js";
+import { BADGE, MARGIN, costOf, layOutPart } from "./engine.js";
 import { PADDING } from "./boxes.js";
 
 /** @typedef {import("./boxes").Measure} Measure */
@@ -10,13 +10,22 @@ import { PADDING } from "./boxes.js";
 /** @typedef {import("./model").Level} Level */
 /** @typedef {import("./model").Placed} Placed */
 /** @typedef {import("./model").Point} Point */
+/** @typedef {{ head: number, least: number, aspect: number, gap: number }} Shape Room at the top, least width, width by height that is wanted, room between boxes. */
 
 /** Between the upper border of an open container, which has its name, and what is in it. */
 const HEAD = 32;
 const GAP = 24;
+/** Between boxes in the tray. */
+const NARROW_GAP = 10;
 /** Between two hollow ports of a box without lines. */
 const PITCH = 17;
 const TRIALS = 16;
+/** How much narrower than the screen a container is, for its height. */
+const NARROWER = 0.75;
+/** The tray stands below the others. */
+const BROADER = 2.2;
+/** Widths of boxes without lines are multiples of this, so that one more of them seldom widens the others. */
+const STEP = 40;
 
 /**
  * Lays out a level and all that are open in it, from inside to outside.
@@ -28,7 +37,11 @@ const TRIALS = 16;
  * @returns {Promise<Map<string, Placed>>} by the id of the container
  */
 export async function layOut(engine, level, measure, cache, aspect) {
-  const inside = await Promise.all(level.boxes.map((box) => (box.level ? layOut(engine, box.level, measure, cache, aspect) : null)));
+  // What stands beside others had better be narrow.
+  const alone = level.boxes.filter((box) => !box.classes.includes("tray")).length === 1;
+  /** @param {Box} box */
+  const form = (box) => (box.classes.includes("tray") ? aspect * BROADER : level.group.kind === "root" && !alone ? Math.min(aspect, 1) * NARROWER : aspect);
+  const inside = await Promise.all(level.boxes.map((box) => (box.level ? layOut(engine, box.level, measure, cache, form(box)) : null)));
   /** @type {Map<string, Placed>} */
   const all = new Map();
   for (const each of inside) each?.forEach((placed, id) => all.set(id, placed));
@@ -43,7 +56,8 @@ export async function layOut(engine, level, measure, cache, aspect) {
   );
   const least = level.group.kind === "root" ? 0 : measure(level.group.label, "title") + 92;
   const head = level.group.kind === "root" ? MARGIN : HEAD;
-  all.set(level.group.id, pack(parts, blocks, head, least, aspect));
+  const shape = { head, least, aspect, gap: level.group.kind === "tray" ? NARROW_GAP : GAP };
+  all.set(level.group.id, pack(parts, blocks, shape));
   return all;
 }
 
@@ -75,13 +89,19 @@ function connectedParts(level) {
     else parts.set(key, { group: level.group, boxes: [box], ports: [], edges: [] });
   }
   for (const edge of level.edges) parts.get(leader(edge.fromBox))?.edges.push(edge);
-  return Array.from(parts.values()).sort((a, b) => Number(!a.ports.length) - Number(!b.ports.length) || b.boxes.length - a.boxes.length);
+  // Not by their size: one more box in a part would move all others.
+  return Array.from(parts.values()).sort((a, b) => rank(a) - rank(b));
+}
+
+/** What touches the border first, then what is connected, then the rest, and the tray at the end. @param {Level} part */
+function rank({ ports, edges, boxes }) {
+  return ports.length ? 0 : edges.length ? 1 : boxes[0]?.classes.includes("tray") ? 3 : 2;
 }
 
 /** Boxes without lines stand in columns where they are equally wide. @param {Box[]} boxes @returns {Map<Box["kind"], number>} */
 function evenWidths(boxes) {
   const widths = new Map();
-  for (const { kind, level, width } of boxes) if (!level) widths.set(kind, Math.max(widths.get(kind) ?? 0, width));
+  for (const { kind, level, width } of boxes) if (!level) widths.set(kind, Math.max(widths.get(kind) ?? 0, Math.ceil(width / STEP) * STEP));
   return widths;
 }
 
@@ -95,7 +115,7 @@ function evenWidths(boxes) {
  */
 function single(box, inner, width, measure) {
   const sides = [false, true].map((out) => box.loose.filter((port) => port.out === out));
-  const [left, right] = sides.map((ports) => Math.max(0, ...ports.map((port) => Math.ceil(measure(port.label, "label")) + PADDING.x + (port.badge ? BADGE : 0))));
+  const [left, right] = sides.map((ports) => Math.max(0, ...ports.map((port) => (port.label || port.badge ? Math.ceil(measure(port.label, "label")) + PADDING.x + (port.badge ? BADGE : 0) : 0))));
   const size = { width: inner?.width ?? (box.kind === "pill" ? box.width : width), height: Math.max(inner?.height ?? box.height, ...sides.map((ports) => ports.length * PITCH + 6)) };
   /** @type {Placed} */
   const placed = { width: size.width + (left ?? 0) + (right ?? 0), height: size.height, boxes: new Map(), ports: new Map(), labels: new Map(), edges: new Map() };
@@ -115,16 +135,15 @@ function single(box, inner, width, measure) {
  * Puts parts into rows; what touches the border spans all of the first one.
  * @param {Level[]} parts
  * @param {Placed[]} blocks
- * @param {number} head
- * @param {number} least width
- * @param {number} aspect
+ * @param {Shape} shape
  * @returns {Placed}
  */
-function pack(parts, blocks, head, least, aspect) {
+function pack(parts, blocks, shape) {
+  const { head, least, gap } = shape;
   const spanning = parts[0]?.ports.length ? blocks[0] : undefined;
   const rest = spanning ? blocks.slice(1) : blocks;
-  const from = spanning ? head + spanning.height + (rest.length ? GAP : 0) : head;
-  const rows = inRows(rest, spanning ? spanning.width - 2 * MARGIN : 0, from, aspect);
+  const from = spanning ? head + spanning.height + (rest.length ? gap : 0) : head;
+  const rows = inRows(rest, spanning ? spanning.width - 2 * MARGIN : 0, from, shape);
   /** @type {Placed} */
   const all = { width: Math.max(least, spanning?.width ?? 0, rows.width + 2 * MARGIN), height: from + rows.height + MARGIN, boxes: new Map(), ports: new Map(), labels: new Map(), edges: new Map() };
   if (spanning) {
@@ -139,17 +158,17 @@ function pack(parts, blocks, head, least, aspect) {
  * @param {Placed[]} blocks
  * @param {number} width that is there in any case
  * @param {number} above height of what stands above
- * @param {number} aspect
+ * @param {Shape} shape
  * @returns {{ width: number, height: number, places: Point[] }}
  */
-function inRows(blocks, width, above, aspect) {
+function inRows(blocks, width, above, { aspect, gap }) {
   const widest = Math.max(width, ...blocks.map((block) => block.width));
-  const longest = blocks.reduce((sum, block) => sum + block.width + GAP, 0);
-  let best = shelves(blocks, widest);
+  const longest = blocks.reduce((sum, block) => sum + block.width + gap, 0);
+  let best = shelves(blocks, widest, gap);
   /** @param {{ width: number, height: number }} rows */
-  const cost = (rows) => Math.max(rows.width / aspect, rows.height + above);
+  const cost = (rows) => costOf({ width: rows.width, height: rows.height + above }, aspect);
   for (let trial = 1; trial <= TRIALS && widest < longest; trial++) {
-    const rows = shelves(blocks, widest + ((longest - widest) * trial * trial) / TRIALS ** 2);
+    const rows = shelves(blocks, widest + ((longest - widest) * trial * trial) / TRIALS ** 2, gap);
     if (cost(rows) < cost(best)) best = rows;
   }
   return best;
@@ -159,8 +178,9 @@ function inRows(blocks, width, above, aspect) {
  * Rows of at most a width; in a row, low blocks stand below each other beside a high one.
  * @param {Placed[]} blocks
  * @param {number} most
+ * @param {number} gap
  */
-function shelves(blocks, most) {
+function shelves(blocks, most, gap) {
   /** @type {Point[]} */
   const places = [];
   const row = { y: 0, height: 0 };
@@ -168,14 +188,14 @@ function shelves(blocks, most) {
   let width = 0;
   for (const block of blocks) {
     const first = column.width === 0;
-    if (!first && column.bottom + GAP + block.height <= row.height && block.width <= Math.max(column.width, 60) * 1.25 && column.x + block.width <= most) {
-      places.push({ x: column.x, y: row.y + column.bottom + GAP });
-      column.bottom += GAP + block.height;
+    if (!first && column.bottom + gap + block.height <= row.height && block.width <= Math.max(column.width, 60) * 1.25 && column.x + block.width <= most) {
+      places.push({ x: column.x, y: row.y + column.bottom + gap });
+      column.bottom += gap + block.height;
       column.width = Math.max(column.width, block.width);
     } else {
-      if (!first) column.x += column.width + GAP;
+      if (!first) column.x += column.width + gap;
       if (!first && column.x + block.width > most) {
-        row.y += row.height + GAP;
+        row.y += row.height + gap;
         row.height = 0;
         column.x = 0;
       }

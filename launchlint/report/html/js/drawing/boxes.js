@@ -1,6 +1,6 @@
 // What is written on a box, and how large that makes it.
 
-import { counted, cut, lastPart, machineName, shortName } from "./names.js";
+import { counted, cut, inLines, isLocal, lastPart, machineName, shortName } from "./names.js";
 import { walk } from "./tree.js";
 
 /** @typedef {import("./types").Group} Group */
@@ -14,12 +14,16 @@ import { walk } from "./tree.js";
 /** @typedef {import("./model").Wire} Wire */
 /** @typedef {(text: string, kind: Line["kind"] | "label") => number} Measure Width of a text in pixels. */
 
-export const LINE_HEIGHTS = { title: 17, detail: 14, condition: 14, host: 14, count: 14 };
+export const LINE_HEIGHTS = { title: 17, detail: 15, condition: 15, host: 15, count: 15 };
 export const PADDING = { x: 12, y: 8 };
 /** Room for the sign that opens or folds a container. */
 export const FOLD = 18;
 /** Longest texts, in characters. */
-const LONGEST = { title: 36, detail: 34, condition: 34, label: 26, open: 48 };
+const LONGEST = { title: 40, detail: 24, condition: 24, label: 20, open: 48 };
+/** From so many characters on, a name stands in two lines. */
+const BROAD = 20;
+/** Longest name of a node in the tray. */
+const BRIEF = 26;
 /** From so many names on, a port or a line says their number instead. */
 export const BUNDLE = 3;
 
@@ -50,19 +54,22 @@ export function badgeOf(view, findings, elsewhere = false) {
 export function nodeBox(view, index, group, measure) {
   const node = view.entry.nodes[index];
   if (!node) throw new RangeError(`there is no node ${index}`);
-  const inNamespace = group.namespace === node.namespace || view.state.grouping === "namespace";
+  // In the tray only names stand: the rest comes with the panel.
+  const isBrief = group.kind === "tray";
+  const inNamespace = group.namespace === node.namespace || (view.state.grouping === "namespace" && !isBrief);
   /** @type {Line[]} */
-  const lines = [{ kind: "title", text: inNamespace ? cut(lastPart(node.name), LONGEST.title) : shortName(node.name, "", LONGEST.title) }];
-  if (node.program) lines.push({ kind: "detail", text: cut(node.program, LONGEST.detail) });
+  const lines = isBrief ? [{ kind: "title", text: shortName(node.name, "", BRIEF) }] : titles(inNamespace ? cut(lastPart(node.name), LONGEST.title) : shortName(node.name, "", LONGEST.title));
+  if (node.program && !isBrief) lines.push({ kind: "detail", text: cut(node.program, LONGEST.detail) });
   const classes = ["node"];
   const when = view.presence.of(node.only, node.mark);
   const conditional = node.conditions.length > 0 || view.presence.conditional(when, view.now);
   if (conditional) classes.push("conditional");
-  if (node.conditions.length) lines.push({ kind: "condition", text: cut(node.conditions.join(" and "), LONGEST.condition) });
+  if (node.conditions.length && !isBrief) lines.push({ kind: "condition", text: cut(node.conditions.join(" and "), LONGEST.condition) });
   const guest = node.host !== "" && node.host !== node.name;
-  if (guest) lines.push({ kind: "host", text: `in ${shortName(node.host, node.namespace, LONGEST.detail)}` });
+  if (guest && !isBrief) lines.push({ kind: "host", text: `in ${shortName(node.host, node.namespace, LONGEST.detail)}` });
   const [machine = "", address = ""] = node.machine;
-  if (machine) {
+  // What is true of every box is not said in each.
+  if (machine && !isLocal(machine, address) && view.machines > 1 && view.state.grouping !== "machine" && !isBrief) {
     classes.push("machine");
     lines.push({ kind: "host", text: `on ${cut(machine, LONGEST.detail)}` });
   }
@@ -82,6 +89,11 @@ export function nodeBox(view, index, group, measure) {
   return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said.join("\n"), badge, loose, level: null, wires: [] }, measure);
 }
 
+/** @param {string} text @returns {Line[]} */
+function titles(text) {
+  return inLines(text, BROAD).map((each) => ({ kind: "title", text: each }));
+}
+
 /**
  * A container that is drawn as one box.
  * @param {View} view
@@ -91,8 +103,7 @@ export function nodeBox(view, index, group, measure) {
  */
 export function foldedBox(view, group, measure) {
   const about = contents(view, group);
-  /** @type {Line[]} */
-  const lines = [{ kind: "title", text: cut(group.label, LONGEST.title) }];
+  const lines = titles(cut(group.label, LONGEST.title));
   const unknown = about.unknown && about.unknown < about.nodes ? ` · ${about.unknown} unknown` : "";
   const only = about.nodes === 1 ? `: ${cut(lastPart(view.entry.nodes[about.first]?.name ?? ""), LONGEST.label)}` : unknown;
   lines.push({ kind: "detail", text: `${counted(about.nodes, "node")}${only}` });
@@ -189,12 +200,12 @@ function loosePorts(view, box, all, group) {
     const side = all.filter((each) => each.gives === out);
     const alone = view.state.danglingOnly ? side : side.filter((each) => each.wire.findings.length || (each.mark && !isNew(view, box)));
     const rest = side.filter((each) => !alone.includes(each));
-    const groups = [...alone.map((each) => [each]), ...(rest.length < BUNDLE ? rest.map((each) => [each]) : [rest])];
-    for (const each of groups) {
+    // Those of which nothing more is to be said share a port: their names come once the node is selected.
+    for (const each of [...alone.map((each) => [each]), rest]) {
       const [first] = each;
       if (!first) continue;
       const wires = each.map((loose) => loose.wire);
-      const label = each.length === 1 ? shortName(first.wire.name, group.namespace, LONGEST.label) : `${each.length} unconnected`;
+      const label = each !== rest ? shortName(first.wire.name, group.namespace, LONGEST.label) : each.length > 1 && group.kind !== "tray" ? String(each.length) : "";
       const classes = [each.length === 1 ? first.wire.kind : "several"];
       if (!each.some((loose) => loose.certain)) classes.push("uncertain");
       if (first.mark && each.every((loose) => loose.mark === first.mark)) classes.push(first.mark);

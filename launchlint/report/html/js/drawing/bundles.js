@@ -1,7 +1,7 @@
 // What of a level is drawn as one: lines between the same two things, ports of wires from the same places, pills between the same.
 
 import { BUNDLE, badgeOf, pillBox } from "./boxes.js";
-import { counted, shortName } from "./names.js";
+import { counted, inLines, shortName } from "./names.js";
 
 /** @typedef {import("./boxes").Measure} Measure */
 /** @typedef {import("./model").Edge} Edge */
@@ -12,7 +12,9 @@ import { counted, shortName } from "./names.js";
 /** @typedef {import("./model").Wire} Wire */
 
 /** Longest name on a line, in characters. */
-const LABEL = 26;
+const LABEL = 32;
+/** Where there are two; a longer single name stands in two lines. */
+const BROAD = 20;
 
 /** The lines of a level: those of one kind and look between the same two tips are one. */
 export class Lines {
@@ -77,10 +79,12 @@ export class Lines {
   }
 }
 
-/** @param {Wire[]} wires @param {string} namespace */
-function labelOf(wires, namespace) {
+/** What is written on a line. @param {Wire[]} wires @param {string} namespace @returns {string[]} */
+export function labelOf(wires, namespace) {
   const kind = wires[0]?.kind ?? "topic";
-  return wires.length < BUNDLE ? wires.map((wire) => shortName(wire.name, namespace, LABEL)) : [counted(wires.length, kind)];
+  const [only, more] = wires;
+  if (only && !more) return inLines(shortName(only.name, namespace, LABEL), BROAD);
+  return wires.length < BUNDLE ? wires.map((wire) => shortName(wire.name, namespace, BROAD)) : [counted(wires.length, kind)];
 }
 
 /** The ports of a level's border: wires that come from the same tips leave together. */

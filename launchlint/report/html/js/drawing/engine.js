@@ -40,16 +40,18 @@ import { PADDING } from "./boxes.js";
  * @property {Point[]} [junctionPoints]
  */
 
-export const LABEL_HEIGHT = 13;
+export const LABEL_HEIGHT = 14;
 /** Width of a badge beside a hollow port. */
 export const BADGE = 17;
 /** Between the border of a container and what is in it. */
 export const MARGIN = 16;
 /** A drawing at least so many pixels long, and this much wider than the screen for its height, is folded into rows. */
-const LONG = 1500;
-const WIDER = 1.6;
+const LONG = 700;
+const WIDER = 1.25;
 /** Rows have to make it so much smaller. */
-const GAIN = 0.75;
+const GAIN = 0.9;
+/** Forms of rows that are tried: width by height, against the screen's. */
+const ROWS = [1, 0.4];
 /** Parts whose layout is kept, by all that it depends on. */
 const KEPT = 600;
 
@@ -66,7 +68,8 @@ export const OPTIONS = {
   "elk.layered.spacing.nodeNodeBetweenLayers": "26",
   "elk.layered.spacing.edgeNodeBetweenLayers": "12",
   "elk.layered.spacing.edgeEdgeBetweenLayers": "10",
-  "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
+  "elk.layered.nodePlacement.strategy": "BRANDES_KOEPF",
+  "elk.layered.nodePlacement.bk.fixedAlignment": "LEFTUP",
   "elk.layered.crossingMinimization.strategy": "LAYER_SWEEP",
   "elk.layered.thoroughness": "7",
   "elk.layered.considerModelOrder.strategy": "NODES_AND_EDGES",
@@ -113,12 +116,29 @@ async function run(engine, part, graph, names, aspect) {
     layoutOptions: { "elk.algorithm": "layered", "elk.padding": "[left=0,top=0,right=0,bottom=0]" },
     children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...options } }],
   });
-  const placed = asPlaced(await engine.layout(root()), names);
-  if (part.ports.length || placed.width < LONG || placed.width < WIDER * aspect * placed.height) return placed;
-  const folded = asPlaced(await engine.layout(root({ "elk.layered.wrapping.strategy": "MULTI_EDGE" })), names);
-  /** The height of a screen that shows all of it. @param {Placed} each */
-  const cost = (each) => Math.max(each.width / aspect, each.height);
-  return cost(folded) < GAIN * cost(placed) ? folded : placed;
+  let best = asPlaced(await engine.layout(root()), names);
+  if (!part.ports.length) {
+    for (const ratio of ROWS) {
+      if (best.width < LONG || best.width < WIDER * aspect * best.height) break;
+      const rows = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": "ARD", "elk.aspectRatio": String(ratio * aspect) };
+      const tried = asPlaced(await engine.layout(root(rows)), names);
+      if (isStraight(tried) && costOf(tried, aspect) < GAIN * costOf(best, aspect)) best = tried;
+    }
+  }
+  return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names);
+}
+
+/** The height of a screen that shows all of it. @param {{ width: number, height: number }} size @param {number} aspect width by height of the screen */
+export function costOf({ width, height }, aspect) {
+  return Math.max(width / aspect, height);
+}
+
+/** Whether all lines are level or upright: where it folds long drawings, ELK sometimes fails to make them so. @param {Placed} placed */
+function isStraight({ edges }) {
+  return Array.from(edges.values()).every(({ points }) => points.every((point, at) => {
+    const next = points[at + 1];
+    return !next || Math.abs(next.x - point.x) < 0.5 || Math.abs(next.y - point.y) < 0.5;
+  }));
 }
 
 /** Short ids for ELK, which are plain in any case. */
@@ -229,7 +249,7 @@ function asNode(box, leaving, entering, inner, measure, names) {
  */
 function asPort(id, out, label, measure, more = 0) {
   const width = Math.ceil(Math.max(0, ...label.map((line) => measure(line, "label")))) + more;
-  const labels = label.length ? [{ text: "x", width: width + PADDING.x, height: label.length * LABEL_HEIGHT + 2 }] : [];
+  const labels = width ? [{ text: "x", width: width + PADDING.x, height: label.length * LABEL_HEIGHT + 2 }] : [];
   return { id, width: 0, height: 0, labels, layoutOptions: { "elk.port.side": out ? "EAST" : "WEST" } };
 }
 

@@ -6,6 +6,7 @@ import { Surface } from "./surface.js";
 /** @typedef {import("./types").Drawing} Drawing */
 /** @typedef {import("./types").DrawingEvents} DrawingEvents */
 
+export { inTray, trayId, trayOf } from "./tray.js";
 export { containersOf } from "./tree.js";
 export { autoExpansion } from "./expansion.js";
 
@@ -20,10 +21,14 @@ export function createDrawing(data, host, events) {
   return {
     show: (state) => surface.show(state),
     select: (selection) => surface.select(selection),
-    fit: () => surface.viewport.fit(),
+    fit: () => surface.viewport.showAll(),
     zoom: (factor) => surface.viewport.zoom(factor),
+    goTo: (spot) => surface.goTo(spot),
+    spot: () => surface.spot(),
+    extent: () => surface.extent(),
     panTo: (selection) => surface.panTo(selection),
     svg: () => surface.svg(),
+    png: () => surface.png(),
     focusables: () => surface.focusables(),
     isDrawn: (selection) => surface.isDrawn(selection),
     expanded: () => new Set(surface.open),

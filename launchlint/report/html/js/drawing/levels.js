@@ -118,7 +118,8 @@ class Builder {
       const isOpen = this.open.has(each.id) && !view.stubs.has(each.id);
       own.boxes.push(isOpen ? openBox(view, this.level(each)) : foldedBox(view, each, measure));
     }
-    for (const node of group.nodes) if (view.shown[node]) own.boxes.push(nodeBox(view, node, group, measure));
+    const nodes = group.nodes.filter((node) => view.shown[node]).sort((a, b) => (view.ranks[a] ?? 0) - (view.ranks[b] ?? 0));
+    for (const node of nodes) own.boxes.push(nodeBox(view, node, group, measure));
     const lines = new Lines(view, own);
     const ports = new Ports(own);
     const pills = new Pills(view, own, measure, lines);

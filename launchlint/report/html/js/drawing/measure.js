@@ -3,7 +3,7 @@
 /** @typedef {import("./boxes").Measure} Measure */
 
 const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif';
-const SIZES = { title: 13, detail: 11, condition: 11, host: 11, count: 11, label: 11 };
+const SIZES = { title: 13, detail: 12, condition: 12, host: 12, count: 12, label: 12 };
 const GUESS = 0.58;
 
 /** @returns {Measure} */

@@ -62,6 +62,10 @@ export interface View {
   touched: Set<number>;
   /** Ids of groups that stand for what is around the focus. */
   stubs: Set<string>;
+  /** The place of each node in the order of the launch files, by its index. */
+  ranks: Int32Array;
+  /** Machines that nodes of the launch file run on, roslaunch's own among them. */
+  machines: number;
 }
 
 export interface Line {

@@ -82,3 +82,28 @@ export function counted(count, noun) {
 export function machineName(name, address) {
   return address && address !== name ? `${name} (${address})` : name;
 }
+
+/**
+ * A text in at most two lines of about so many characters, parted where names are: behind a / or _, or before a capital.
+ * @param {string} text
+ * @param {number} most
+ * @returns {string[]}
+ */
+export function inLines(text, most) {
+  if (text.length <= most) return [text];
+  const middle = text.length / 2;
+  let [best, cost] = [0, Infinity];
+  for (let at = 1; at < text.length; at++) {
+    const [before = "", after = ""] = [text[at - 1], text[at]];
+    const kind = before === "/" || before === "_" || before === "-" || before === "." ? 0 : /[a-z]/.test(before) && /[A-Z]/.test(after) ? 2 : Infinity;
+    const own = Math.abs(at - middle) + kind;
+    if (own < cost) [best, cost] = [at, own];
+  }
+  return cost > most / 2 ? [text] : [text.slice(0, best), text.slice(best)];
+}
+
+/** Whether a machine is the one that roslaunch itself runs on. @param {string} name @param {string} address */
+export function isLocal(name, address) {
+  const host = address || name;
+  return host === "localhost" || host === "127.0.0.1" || host === "::1";
+}

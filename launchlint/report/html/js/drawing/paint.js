@@ -126,7 +126,7 @@ function badge(about, x, y) {
   const sign = about.count > 99 ? "99" : about.count > 1 ? String(about.count) : about.severity === "info" ? "i" : "!";
   const found = about.count > 1 ? `${about.count} findings` : `1 ${about.severity}`;
   const words = about.elsewhere ? `${found} elsewhere, about this, too` : found;
-  return element("g", { class: `badge ${about.severity} ${about.elsewhere ? "elsewhere" : ""}`.trim(), transform: `translate(${x} ${y})` }, [title(words), element("circle", { r: 8.5 }), text(sign, { y: 3.8 })]);
+  return element("g", { class: `badge ${about.severity} ${about.elsewhere ? "elsewhere" : ""}`.trim(), transform: `translate(${x} ${y})` }, [title(words), element("circle", { r: 8.5 }), text(sign, { y: 4.2 })]);
 }
 
 /** @param {Sheet["edges"][number]} placed @returns {SVGGElement} */

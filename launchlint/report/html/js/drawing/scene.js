@@ -3,8 +3,10 @@
 import { layOut } from "./arrange.js";
 import { MOST, boxesIn, opening } from "./expansion.js";
 import { levelsOf } from "./levels.js";
+import { masked } from "./mask.js";
 import { sheetOf } from "./sheet.js";
 import { viewOf } from "./view.js";
+import { LEGIBLE, fitting } from "./viewport.js";
 import { Drawn } from "./walk.js";
 
 /** @typedef {import("../data").ReportData} ReportData */
@@ -18,8 +20,6 @@ import { Drawn } from "./walk.js";
 /** @typedef {import("./model").View} View */
 /** @typedef {{ view: View, open: Set<string>, root: Level, sheet: Sheet, drawn: Drawn }} Scene */
 
-/** A name of 13 pixels can still be read with ease at this scale. */
-const LEGIBLE = 0.66;
 /** Layouts that are tried. */
 const TRIALS = 4;
 const WIDEST = 2.4;
@@ -34,7 +34,23 @@ export class Director {
     this.cache = new Map();
     /** Width by height of the viewport when the view was first drawn: later changes of its size move nothing. */
     this.aspect = 1;
-    this.seen = { key: "", view: /** @type {View | null} */ (null) };
+    this.seen = { key: "", place: "", view: /** @type {View | null} */ (null) };
+    this.laid = { key: "", view: /** @type {View | null} */ (null) };
+  }
+
+  /**
+   * The view whose layout a view is a part of: that of everything which could be switched off, filtered or hidden.
+   * @param {View} view
+   * @returns {View}
+   */
+  whole(view) {
+    const state = wholeState(view.state);
+    const key = viewKey(state);
+    if (key === viewKey(view.state)) return view;
+    const known = this.laid.key === key ? this.laid.view : null;
+    const made = known ?? viewOf(this.data, state);
+    this.laid = { key, view: made };
+    return made;
   }
 
   /**
@@ -47,8 +63,9 @@ export class Director {
     const key = viewKey(state);
     const known = this.seen.key === key ? this.seen.view : null;
     const view = known ? { ...known, state } : viewOf(this.data, state);
-    if (!known) this.aspect = Math.min(WIDEST, Math.max(1 / WIDEST, extent.width / extent.height));
-    this.seen = { key, view };
+    const place = placeKey(state);
+    if (this.seen.place !== place) this.aspect = Math.min(WIDEST, Math.max(1 / WIDEST, extent.width / extent.height));
+    this.seen = { key, place, view };
     return view;
   }
 
@@ -58,50 +75,87 @@ export class Director {
    * @returns {Promise<Scene>}
    */
   async scene(state, extent) {
-    const view = this.view(state, extent);
-    if (state.expanded !== "auto") return this.stage(view, withFocus(view, state.expanded));
+    const shown = this.view(state, extent);
+    const view = this.whole(shown);
+    if (state.expanded !== "auto") return this.stage(view, withFocus(view, state.expanded), shown);
+    return this.stage(view, await this.opened(view, extent), shown);
+  }
+
+  /**
+   * The containers that are open at first: as many as leave all names legible.
+   * @param {View} view
+   * @param {{ width: number, height: number }} extent
+   * @returns {Promise<Set<string>>}
+   */
+  async opened(view, extent) {
     const changed = this.data.base === null ? null : changedGroups(view);
     /** @param {Group} group */
     const mayOpen = (group) => Boolean(view.counts.get(group.id)) && !view.stubs.has(group.id) && (!changed?.size || changed.has(group.id));
     // What changed is to be seen, on narrow screens, too.
-    const most = changed?.size ? MOST : boxesIn(extent.width, extent.height);
-    const order = opening(view.root, most, mayOpen);
+    const order = opening(view.root, changed?.size ? MOST : boxesIn(extent.width, extent.height), mayOpen);
     if (view.state.focus !== null && !order.includes(view.state.focus)) order.unshift(view.state.focus);
-    let scene = await this.stage(view, withFocus(view, order));
-    if (changed?.size || isLegible(scene.sheet, extent)) return scene;
-    // What was guessed is measured: the longest start of the order that can be read is looked for.
+    if (changed?.size) return withFocus(view, order);
+    return (await this.legible(view, order, extent)).open;
+  }
+
+  /**
+   * What was guessed is measured: the longest start of the order is looked for that can be read.
+   * @param {View} view
+   * @param {string[]} order
+   * @param {{ width: number, height: number }} extent
+   * @returns {Promise<Scene>}
+   */
+  async legible(view, order, extent) {
+    /** @param {Iterable<string>} ids @returns {Promise<[boolean, Scene]>} */
+    const trial = async (ids) => {
+      const tried = await this.stage(view, withFocus(view, ids));
+      return [fitting(tried.sheet, extent) >= LEGIBLE, tried];
+    };
+    const [all, everything] = await trial(order);
+    if (all) return everything;
     let [fits, tooMany] = [0, order.length];
-    scene = await this.stage(view, withFocus(view, []));
-    for (let trial = 0; trial < TRIALS && tooMany - fits > 1; trial++) {
+    let [, scene] = await trial([]);
+    for (let count = 0; count < TRIALS && tooMany - fits > 1; count++) {
       const middle = Math.floor((fits + tooMany) / 2);
-      const tried = await this.stage(view, withFocus(view, order.slice(0, middle)));
-      if (isLegible(tried.sheet, extent)) [fits, scene] = [middle, tried];
+      const [isSeen, tried] = await trial(order.slice(0, middle));
+      if (isSeen) [fits, scene] = [middle, tried];
       else tooMany = middle;
     }
     // One large container may keep small ones after it from being opened: some of them get a try of their own.
     const open = new Set(scene.open);
     const rest = order.slice(tooMany).filter((id) => open.has(view.groups.get(id)?.parent ?? "") || view.root.groups.some((each) => each.id === id));
     for (const id of rest.slice(0, TRIALS)) {
-      const tried = await this.stage(view, withFocus(view, [...open, id]));
-      if (!isLegible(tried.sheet, extent)) continue;
+      const [isSeen, tried] = await trial([...open, id]);
+      if (!isSeen) continue;
       open.add(id);
       scene = tried;
     }
     return scene;
   }
 
-  /** @param {View} view @param {Set<string>} open @returns {Promise<Scene>} */
-  async stage(view, open) {
-    const root = levelsOf(view, open, this.measure);
-    const sheet = sheetOf(root, await layOut(this.engine, root, this.measure, this.cache, this.aspect));
-    return { view, open, root, sheet, drawn: new Drawn(root) };
+  /** @param {View} view that is laid out @param {Set<string>} open @param {View} [shown] what of it is seen @returns {Promise<Scene>} */
+  async stage(view, open, shown = view) {
+    const whole = levelsOf(view, open, this.measure);
+    const placed = await layOut(this.engine, whole, this.measure, this.cache, this.aspect);
+    const root = shown === view ? whole : masked(whole, shown, this.measure);
+    return { view: shown, open, root, sheet: sheetOf(root, placed), drawn: new Drawn(root) };
   }
 }
 
+/** The same state with nothing switched off, filtered or hidden that leaves a place of its own. @param {ViewState} state @returns {ViewState} */
+function wholeState(state) {
+  return { ...state, layers: { topics: true, services: true, actions: true, params: state.layers.params }, findingsOnly: false, tray: true, hidden: new Set(), filter: "" };
+}
+
+/** What of a state decides where things stand, whatever is open of it. @param {ViewState} state */
+export function placeKey(state) {
+  return viewKey(wholeState(state));
+}
+
 /** What of a state decides what is there, whatever is open of it. @param {ViewState} state */
-export function viewKey({ entry, configuration, grouping, focus, layers, topicsAsNodes, hubs, danglingOnly, findingsOnly, hidden }) {
+export function viewKey({ entry, configuration, grouping, focus, layers, topicsAsNodes, hubs, danglingOnly, findingsOnly, tray, hidden, filter }) {
   const { topics, services, actions, params } = layers;
-  return JSON.stringify([entry, configuration, grouping, focus, topics, services, actions, params, topicsAsNodes, hubs, danglingOnly, findingsOnly, [...hidden].sort()]);
+  return JSON.stringify([entry, configuration, grouping, focus, topics, services, actions, params, topicsAsNodes, hubs, danglingOnly, findingsOnly, tray, [...hidden].sort(), filter]);
 }
 
 /** Containers in which something came, went or changed, and those around them. @param {View} view @returns {Set<string>} */
@@ -121,9 +175,4 @@ function withFocus(view, ids) {
   const open = new Set(Array.from(ids).filter((id) => view.groups.has(id)));
   if (view.state.focus !== null && view.groups.has(view.state.focus)) open.add(view.state.focus);
   return open;
-}
-
-/** @param {Sheet} sheet @param {{ width: number, height: number }} extent */
-function isLegible(sheet, extent) {
-  return Math.min(extent.width / sheet.width, extent.height / sheet.height) >= LEGIBLE;
 }

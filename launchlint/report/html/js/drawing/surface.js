@@ -5,6 +5,7 @@ import { exported } from "./export.js";
 import { showLegend } from "./legend.js";
 import { measurer } from "./measure.js";
 import { paint } from "./paint.js";
+import { rastered } from "./raster.js";
 import { Director, viewKey } from "./scene.js";
 import { element } from "./shapes.js";
 import { Viewport } from "./viewport.js";
@@ -21,6 +22,8 @@ import { litBy } from "./walk.js";
 
 /** Milliseconds in which boxes glide to their new place. */
 const GLIDE = 220;
+/** Milliseconds without a move, after which it is told where the drawing stands. */
+const PAUSE = 250;
 
 export class Surface {
   /** @param {ReportData} data @param {HTMLElement} host @param {DrawingEvents} events */
@@ -41,7 +44,12 @@ export class Surface {
     this.legend.append(document.createElement("summary"));
     this.legend.firstElementChild?.append("Legend");
     host.replaceChildren(this.svgElement, this.legend);
-    this.viewport = new Viewport(this.svgElement, this.content);
+    this.pause = 0;
+    this.viewport = new Viewport(this.svgElement, this.content, (all) => {
+      clearTimeout(this.pause);
+      if (all) this.events.moved(null);
+      else this.pause = window.setTimeout(() => this.events.moved(this.spot()), PAUSE);
+    });
     /** @type {Scene | null} */
     this.scene = null;
     /** @type {Painted | null} */
@@ -54,7 +62,7 @@ export class Surface {
     this.shownKey = "";
     this.svgElement.addEventListener("click", (event) => this.click(event));
     this.svgElement.addEventListener("dblclick", (event) => this.doubleClick(event));
-    new ResizeObserver(() => this.viewport.touched || this.viewport.fit()).observe(host);
+    new ResizeObserver(() => this.viewport.touched || this.viewport.begin()).observe(host);
   }
 
   /** @param {ViewState} state */
@@ -68,10 +76,9 @@ export class Surface {
       if (turn !== this.turn) return; // a later state is being drawn
       scene.view.state = state;
       const before = this.scene;
-      const steady = before !== null && keyOf(before.view.state).view === key.view;
       if (!same || !before) {
         this.scene = scene;
-        this.put(scene, steady ? before : null);
+        this.put(scene, before && isAlike(before.view.state, state) ? before : null);
       }
       this.shownKey = key.all;
       this.match(state.matches);
@@ -90,7 +97,7 @@ export class Surface {
     this.open = scene.open;
     this.viewport.size = { width: scene.sheet.width, height: scene.sheet.height };
     if (before) this.hold(before, scene, previous);
-    else this.viewport.fit();
+    else this.viewport.begin();
     showLegend(scene.sheet, this.legend);
   }
 
@@ -101,7 +108,7 @@ export class Surface {
     const anchor = toggled ?? [...old.keys()].find((id) => now.has(id));
     const [from, to] = [old.get(anchor ?? ""), now.get(anchor ?? "")];
     if (!from || !to) {
-      this.viewport.fit();
+      this.viewport.begin();
       return;
     }
     const { place } = this.viewport;
@@ -172,6 +179,46 @@ export class Surface {
     if (area) this.viewport.show(area);
   }
 
+  /** The middle of the screen, told by the box that is nearest to it. @returns {import("./types").Spot | null} */
+  spot() {
+    const { place, extent } = this.viewport;
+    const [x, y] = [(extent.width / 2 - place.x) / place.scale, (extent.height / 2 - place.y) / place.scale];
+    let [nearest, least] = [/** @type {Scene["sheet"]["boxes"][number] | null} */ (null), Infinity];
+    for (const each of this.scene?.sheet.boxes ?? []) {
+      const distance = Math.hypot(each.x + each.width / 2 - x, each.y + each.height / 2 - y);
+      if (each.box.kind !== "pill" && distance < least) [nearest, least] = [each, distance];
+    }
+    return nearest && { id: nearest.box.id, x: x - nearest.x, y: y - nearest.y, scale: place.scale };
+  }
+
+  /** @param {import("./types").Spot} spot */
+  goTo({ id, x, y, scale }) {
+    const found = this.scene?.sheet.boxes.find((each) => each.box.id === id);
+    if (!found) return false;
+    const { width, height } = this.viewport.extent;
+    this.viewport.touched = true;
+    this.viewport.set({ scale, x: width / 2 - (found.x + x) * scale, y: height / 2 - (found.y + y) * scale });
+    this.viewport.apply();
+    return true;
+  }
+
+  /** @returns {import("./types").Extent} */
+  extent() {
+    const { scene, viewport } = this;
+    const { place, extent } = viewport;
+    const found = { folded: 0, boxes: 0, outside: 0 };
+    for (const { box, x, y, width, height } of scene?.sheet.boxes ?? []) {
+      if (box.kind === "folded") {
+        found.boxes += 1;
+        found.folded += scene?.view.counts.get(box.id) ?? 0;
+      }
+      const [left, top] = [place.x + x * place.scale, place.y + y * place.scale];
+      const isSeen = left + width * place.scale > 4 && top + height * place.scale > 4 && left < extent.width - 4 && top < extent.height - 4;
+      if (!isSeen && box.kind !== "open") found.outside += 1;
+    }
+    return found;
+  }
+
   /** @param {number} node @returns {string | null} */
   standsFor(node) {
     const { scene } = this;
@@ -217,6 +264,11 @@ export class Surface {
     return this.scene ? exported(this.svgElement, this.viewport.size, styles) : "";
   }
 
+  /** @returns {Promise<Blob | null>} */
+  png() {
+    return new Promise((resolve) => rastered(this.svgElement, this.viewport.size).toBlob(resolve, "image/png"));
+  }
+
   /** @param {MouseEvent} event */
   click(event) {
     if (this.viewport.dragged || !(event.target instanceof Element)) return;
@@ -254,6 +306,11 @@ function selectionOf(id, wires) {
   const [only, more] = wires;
   if (only && more === undefined) return { kind: only.startsWith("p:") ? "param" : "channel", id: only };
   return id ? { kind: "edge", id } : null;
+}
+
+/** Whether two states show the same launch file in the same way, so that most of what is drawn stands in both. @param {ViewState} one @param {ViewState} other */
+function isAlike(one, other) {
+  return one.entry === other.entry && one.grouping === other.grouping && one.focus === other.focus;
 }
 
 /** What of a state asks for another layout, and what for another view. @param {ViewState} state */

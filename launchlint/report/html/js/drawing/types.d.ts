@@ -33,13 +33,36 @@ export interface ViewState {
   hubs: boolean;
   danglingOnly: boolean;
   findingsOnly: boolean;
+  /** Whether nodes that are connected with no other one are drawn. */
+  tray: boolean;
   /** Ids of containers and nodes that are not drawn. */
   hidden: Set<string>;
+  /** What nodes have to be called, or made of, to be drawn: see filter.js; empty: there is no filter. */
+  filter: string;
   /** Ids of nodes and channels that a search found: the others are dimmed; null: there is no search. */
   matches: Set<string> | null;
 }
 
+/** A place of the drawing: so far right of and below the corner of a box, in pixels of the drawing, and how large it is seen. */
+export interface Spot {
+  id: string;
+  x: number;
+  y: number;
+  scale: number;
+}
+
+/** How much of what is to be drawn is seen. */
+export interface Extent {
+  /** Nodes in folded boxes, and how many boxes those are. */
+  folded: number;
+  boxes: number;
+  /** Boxes that are not on the screen. */
+  outside: number;
+}
+
 export interface DrawingEvents {
+  /** Somebody moved the drawing on the screen; null: all of it is shown again. */
+  moved(spot: Spot | null): void;
   select(selection: Selection | null): void;
   expand(container: string, open: boolean): void;
   busy(on: boolean): void;
@@ -48,7 +71,7 @@ export interface DrawingEvents {
 /** A container of nodes: of namespaces, of the elements of launch files, of packages, or of machines; or a range of too many siblings. */
 export interface Group {
   id: string;
-  kind: "root" | "namespace" | "group" | "include" | "package" | "machine" | "range";
+  kind: "root" | "namespace" | "group" | "include" | "package" | "machine" | "range" | "tray";
   /** What is written on it. */
   label: string;
   /** All of its name. */
@@ -79,6 +102,13 @@ export interface Drawing {
   panTo(selection: Selection): void;
   /** A self-contained SVG document of what is drawn. */
   svg(): string;
+  /** The same as pixels. */
+  png(): Promise<Blob | null>;
+  /** Brings a place to the middle of the screen; whether what it is told by is drawn. */
+  goTo(spot: Spot): boolean;
+  /** What is in the middle of the screen; null: nothing is drawn. */
+  spot(): Spot | null;
+  extent(): Extent;
   /** What can be selected, in reading order, for the keyboard. */
   focusables(): { selection: Selection; label: string; element: SVGGElement }[];
   /** Whether it is drawn by itself: not folded, filtered or hidden. */

@@ -1,6 +1,9 @@
 // What of an entry is drawn: its nodes and wires after the chooser of the configuration, layers, filters, hiding and focus.
 
 import { Presence } from "./presence.js";
+import { fitsType, fittingNodes, termsOf } from "./filter.js";
+import { ranksOf } from "./order.js";
+import { inTray, trayId, withTray } from "./tray.js";
 import { containersOf, walk } from "./tree.js";
 
 /** @typedef {import("../data").ReportData} ReportData */
@@ -26,7 +29,9 @@ export function viewOf(data, state) {
   if (!entry) throw new RangeError(`there is no entry ${state.entry}`);
   const presence = new Presence(entry.configurations.length, data.base !== null);
   const now = presence.at(state.configuration);
-  const tree = containersOf(entry, state.grouping);
+  const whole = containersOf(entry, state.grouping);
+  const tray = state.focus === null && !state.danglingOnly ? inTray(entry) : [];
+  const tree = tray.length ? withTray(whole, state.grouping, tray) : whole;
   const groups = new Map(Array.from(walk(tree), (each) => [each.id, each]));
   /** @type {Map<number, Group>} */
   const home = new Map();
@@ -35,10 +40,13 @@ export function viewOf(data, state) {
   const exists = Uint8Array.from(entry.nodes, (node) => Number(presence.meet(presence.of(node.only, node.mark), now)));
   const all = wiresOf(entry, state, presence, now, exists);
   const shown = Uint8Array.from(exists);
-  for (const node of hiddenNodes(state, groups)) shown[node] = 0;
+  for (const node of hiddenNodes(state, whole)) shown[node] = 0;
+  if (!state.tray || state.hidden.has(trayId(state.grouping))) for (const node of tray) shown[node] = 0;
   const loose = looseEnds(all, presence);
   if (state.danglingOnly) shown.forEach((_, node) => loose.has(node) || (shown[node] = 0));
   if (state.findingsOnly) keepFindings(entry, all, shown);
+  const terms = termsOf(state.filter);
+  if (terms.length) fittingNodes(entry, terms).forEach((fits, node) => fits || (shown[node] = 0));
 
   let root = tree;
   /** @type {Set<string>} */
@@ -54,7 +62,7 @@ export function viewOf(data, state) {
   const params = state.layers.params ? ownParams(entry, presence, now, shown) : new Map();
   const counts = new Map();
   count(root, shown, counts);
-  const wires = state.danglingOnly ? [] : all.map((wire) => within(wire, shown)).filter((wire) => wire.givers.length + wire.takers.length > 1);
+  const wires = state.danglingOnly ? [] : all.filter((wire) => fitsType(terms, wire.types)).map((wire) => within(wire, shown)).filter((wire) => wire.givers.length + wire.takers.length > 1);
   if (state.topicsAsNodes) {
     wires.length = 0;
     for (const wire of all) {
@@ -64,16 +72,13 @@ export function viewOf(data, state) {
     loose.clear();
   }
   const touched = new Set(entry.connections.filter((each) => each.mark).map((each) => each.node));
-  return { entry, state, findings: data.findings, presence, now, root, groups, shown, counts, home, wires, loose, params, stubs, touched };
+  return { entry, state, findings: data.findings, presence, now, root, groups, shown, counts, home, wires, loose, params, stubs, touched, ranks: ranksOf(entry), machines: new Set(entry.nodes.map((node) => node.machine.join(" "))).size };
 }
 
-/** @param {ViewState} state @param {Map<string, Group>} groups */
-function* hiddenNodes(state, groups) {
-  for (const id of state.hidden) {
-    if (id.startsWith("n:")) yield Number(id.slice(2));
-    const group = groups.get(id);
-    if (group) for (const each of walk(group)) yield* each.nodes;
-  }
+/** @param {ViewState} state @param {Group} tree */
+function* hiddenNodes({ hidden }, tree) {
+  for (const id of hidden) if (id.startsWith("n:")) yield Number(id.slice(2));
+  if (hidden.size) for (const group of walk(tree)) if (hidden.has(group.id)) for (const each of walk(group)) yield* each.nodes;
 }
 
 /**

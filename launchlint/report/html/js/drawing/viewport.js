@@ -2,11 +2,13 @@
 
 const LARGEST = 3;
 const SMALLEST = 0.04;
-/** At a first look nothing is enlarged much. */
-const FIT_LARGEST = 1.15;
-const MARGIN = 18;
+/** At a first look nothing is enlarged beyond this. */
+const FIT_LARGEST = 1.6;
+const MARGIN = 16;
 /** Room for the legend. */
-const FOOT = 34;
+const FOOT = 36;
+/** The smallest names of the drawing have 12 pixels: at this scale they have 9. */
+export const LEGIBLE = 9.02 / 12;
 /** Pixels a pointer may move in a click. */
 const STILL = 4;
 const STEP = 60;
@@ -15,13 +17,24 @@ const READABLE = 0.5;
 
 /** @typedef {{ x: number, y: number, scale: number }} Place */
 
+/**
+ * The scale at which all of a drawing is seen.
+ * @param {{ width: number, height: number }} size of the drawing
+ * @param {{ width: number, height: number }} extent of the screen
+ */
+export function fitting(size, extent) {
+  return Math.min((extent.width - 2 * MARGIN) / Math.max(1, size.width), (extent.height - 2 * MARGIN - FOOT) / Math.max(1, size.height));
+}
+
 export class Viewport {
   /**
    * @param {SVGSVGElement} svg
    * @param {SVGGElement} content
+   * @param {(all: boolean) => void} moved somebody moved it, or shows all of it
    */
-  constructor(svg, content) {
+  constructor(svg, content, moved) {
     this.svg = svg;
+    this.tell = moved;
     this.content = content;
     /** @type {Place} */
     this.place = { x: 0, y: 0, scale: 1 };
@@ -63,19 +76,24 @@ export class Viewport {
     if (this.svg.dataset.distance !== distance) this.svg.dataset.distance = distance;
   }
 
-  /** Shows all of the drawing. */
-  fit() {
+  /** Shows all of the drawing. @param {number} [least] scale below which only a part of it is shown, from its beginning */
+  fit(least = 0) {
     const { width, height } = this.extent;
-    const scale = Math.min(FIT_LARGEST, this.fitting());
+    const scale = Math.max(least, Math.min(FIT_LARGEST, fitting(this.size, this.extent)));
     this.touched = false;
-    this.set({ scale, x: (width - this.size.width * scale) / 2, y: (height - FOOT - this.size.height * scale) / 2 });
+    this.set({ scale, x: Math.max(least && MARGIN, (width - this.size.width * scale) / 2), y: Math.max(least && MARGIN, (height - FOOT - this.size.height * scale) / 2) });
     this.apply();
   }
 
-  /** The scale at which all of the drawing is seen. */
-  fitting() {
-    const { width, height } = this.extent;
-    return Math.min((width - 2 * MARGIN) / Math.max(1, this.size.width), (height - 2 * MARGIN - FOOT) / Math.max(1, this.size.height));
+  /** Somebody wants to see all of it. */
+  showAll() {
+    this.fit();
+    this.tell(true);
+  }
+
+  /** Shows all of the drawing, or as much of it as can be read. */
+  begin() {
+    this.fit(fitting(this.size, this.extent) < LEGIBLE ? LEGIBLE : 0);
   }
 
   /**
@@ -89,12 +107,14 @@ export class Viewport {
     const ratio = scale / place.scale;
     this.touched = true;
     this.set({ scale, x: x - (x - place.x) * ratio, y: y - (y - place.y) * ratio });
+    this.tell(false);
   }
 
   /** @param {number} dx @param {number} dy */
   pan(dx, dy) {
     this.touched = true;
     this.set({ ...this.place, x: this.place.x + dx, y: this.place.y + dy });
+    this.tell(false);
   }
 
   /**
@@ -176,7 +196,7 @@ export class Viewport {
       "+": () => this.zoom(1.25),
       "=": () => this.zoom(1.25),
       "-": () => this.zoom(0.8),
-      0: () => this.fit(),
+      0: () => this.showAll(),
     };
     const act = Object.hasOwn(keys, event.key) ? keys[event.key] : undefined;
     if (!act) return;

@@ -4,6 +4,7 @@
  */
 
 import { channelKey } from "./model.js";
+import { byIndex, byName } from "./stable_names.js";
 import { initialState, LAYERS } from "./state.js";
 
 /** @typedef {import("./model.js").Model} Model */
@@ -11,7 +12,7 @@ import { initialState, LAYERS } from "./state.js";
 /** @typedef {import("./state.js").PageState} PageState */
 /** @typedef {import("./state.js").Target} Target */
 
-const FLAGS = /** @type {const} */ (["topicsAsNodes", "hubs", "danglingOnly", "findingsOnly"]);
+const FLAGS = /** @type {const} */ (["topicsAsNodes", "hubs", "danglingOnly", "findingsOnly", "tray"]);
 const CHANNELS = ["topic", "service", "action"];
 const GROUPINGS = ["namespace", "file", "package", "machine"];
 
@@ -31,13 +32,15 @@ export function addressOf(model, state) {
   if (state.entry !== first.entry) pairs.push(["entry", model.data.files[entry.entry.file] ?? ""]);
   if (state.configuration >= 0) pairs.push(["configuration", entry.entry.configurations[state.configuration] ?? ""]);
   if (state.grouping !== first.grouping) pairs.push(["group", state.grouping]);
-  if (state.focus !== null) pairs.push(["focus", inside(state.focus)]);
-  if (state.expanded !== "auto") pairs.push(["open", many([...state.expanded].map(inside))]);
-  if (state.hidden.size > 0) pairs.push(["hide", many([...state.hidden].map((id) => stable(entry, id)))]);
+  if (state.focus !== null) pairs.push(["focus", pathOf(entry, state.focus)]);
+  if (state.expanded !== "auto") pairs.push(["open", many([...state.expanded].map((id) => pathOf(entry, id)))]);
+  if (state.hidden.size > 0) pairs.push(["hide", many([...state.hidden].map((id) => hiddenName(entry, id)))]);
   if (LAYERS.some((layer) => state.layers[layer] !== first.layers[layer])) {
     pairs.push(["layers", LAYERS.filter((layer) => state.layers[layer]).join()]);
   }
   for (const flag of FLAGS) if (state[flag] !== first[flag]) pairs.push([flag, state[flag] ? "yes" : "no"]);
+  if (state.filter) pairs.push(["filter", state.filter]);
+  if (state.place) pairs.push(["at", placeText(entry, state.place)]);
   // Where there are several launch files, an address that says nothing is that of the landing page.
   if (pairs.length === 0 && model.data.entries.length > 1) pairs.push(["entry", model.data.files[entry.entry.file] ?? ""]);
   return pairs.map(([key, value]) => `${key}=${key === "open" || key === "hide" ? value : escape(value)}`).join("&");
@@ -61,7 +64,7 @@ export function stateOf(model, hash) {
   if (configuration !== undefined) state.configuration = entry.entry.configurations.indexOf(configuration);
   const grouping = said.get("group") ?? "";
   if (GROUPINGS.includes(grouping)) state.grouping = /** @type {PageState["grouping"]} */ (grouping);
-  const outside = (/** @type {string} */ path) => `g:${state.grouping}:${path}`;
+  const outside = (/** @type {string} */ path) => byIndex(entry, `g:${state.grouping}:${path}`);
   const focus = said.get("focus");
   if (focus) state.focus = outside(focus);
   const open = said.get("open");
@@ -70,6 +73,8 @@ export function stateOf(model, hash) {
   const layers = said.get("layers")?.split(",");
   if (layers) for (const layer of LAYERS) state.layers[layer] = layers.includes(layer);
   for (const flag of FLAGS) if (said.has(flag)) state[flag] = said.get(flag) === "yes";
+  state.filter = said.get("filter") ?? "";
+  state.place = placeOf(entry, said.get("at") ?? "");
   state.selection = wanted && found(model, entry, state.grouping, wanted);
   return state;
 }
@@ -87,8 +92,8 @@ function target(entry, selection) {
   if (kind === "node") return ["node", numbered(entry.nodesNamed, entry.entry.nodes[index]?.name ?? "", index)];
   if (kind === "channel") return [entry.entry.channels[index]?.kind ?? "topic", entry.entry.channels[index]?.name ?? ""];
   if (kind === "param") return ["param", numbered(entry.paramsNamed, entry.entry.params[index]?.name ?? "", index)];
-  if (kind === "container") return ["container", inside(id)];
-  return [kind, id];
+  if (kind === "container") return ["container", pathOf(entry, id)];
+  return [kind, kind === "edge" ? byName(entry, id) : id];
 }
 
 /**
@@ -104,9 +109,9 @@ function found(model, entry, grouping, [kind, name]) {
   if (kind === "node") return indexed("node", "n:", one(entry.nodesNamed, name));
   if (kind === "param") return indexed("param", "p:", one(entry.paramsNamed, name));
   if (CHANNELS.includes(kind)) return indexed("channel", "c:", entry.channelNamed.get(channelKey(kind, name)));
-  if (kind === "container") return { kind, id: `g:${grouping}:${name}` };
+  if (kind === "container") return { kind, id: byIndex(entry, `g:${grouping}:${name}`) };
   if (kind === "finding") return model.finding(name) < 0 ? null : { kind, id: name };
-  if (kind === "edge") return { kind, id: name };
+  if (kind === "edge") return { kind, id: byIndex(entry, name) };
   return null;
 }
 
@@ -182,18 +187,30 @@ function withoutNumber(text) {
   return match ? [match[1] ?? "", Number(match[2])] : [text, 1];
 }
 
-/** An id of something hidden, by name instead of index. @param {EntryModel} entry @param {string} id */
-function stable(entry, id) {
-  return id.startsWith("n:") ? `n:${entry.entry.nodes[Number(id.slice(2))]?.name ?? ""}` : id;
+/** An id of something hidden, by name instead of index; all nodes of a name are hidden together. @param {EntryModel} entry @param {string} id */
+function hiddenName(entry, id) {
+  return id.startsWith("n:") ? `n:${entry.entry.nodes[Number(id.slice(2))]?.name ?? ""}` : byName(entry, id);
 }
 
 /** @param {EntryModel} entry @param {string} text @returns {string[]} */
 function unstable(entry, text) {
-  return text.startsWith("n:") ? (entry.nodesNamed.get(text.slice(2)) ?? []).map((index) => `n:${index}`) : [text];
+  return text.startsWith("n:") ? (entry.nodesNamed.get(text.slice(2)) ?? []).map((index) => `n:${index}`) : [byIndex(entry, text)];
 }
 
-/** The path in a container's id. @param {string} id */
-const inside = (id) => id.split(":").slice(2).join(":");
+/** The path in a container's id, by name. @param {EntryModel} entry @param {string} id */
+const pathOf = (entry, id) => byName(entry, id).split(":").slice(2).join(":");
+
+/** "x,y,scale,name": what of the drawing is in the middle of the screen. @param {EntryModel} entry @param {NonNullable<PageState["place"]>} place */
+function placeText(entry, { id, x, y, scale }) {
+  return `${Math.round(x)},${Math.round(y)},${Math.round(scale * 100)},${byName(entry, id)}`;
+}
+
+/** @param {EntryModel} entry @param {string} text @returns {PageState["place"]} */
+function placeOf(entry, text) {
+  const match = /^(-?\d{1,6}),(-?\d{1,6}),(\d{1,4}),(.*)$/s.exec(text);
+  return match && { x: Number(match[1]), y: Number(match[2]), scale: Number(match[3]) / 100, id: byIndex(entry, match[4] ?? "") };
+}
+
 /** @param {string[]} values */
 const many = (values) => values.map((each) => encodeURIComponent(each).replaceAll("%2F", "/")).join();
 /** @param {string} text @returns {string[]} */

@@ -1,6 +1,6 @@
 /** The containers of an entry file by id, and what lies in them. */
 
-import { containersOf } from "../drawing/index.js";
+import { containersOf, inTray, trayId, trayOf } from "../drawing/index.js";
 
 /** @typedef {import("../data").Entry} Entry */
 /** @typedef {import("../drawing/types").Group} Group */
@@ -17,6 +17,7 @@ const known = new WeakMap();
  * @param {string} id
  */
 export function containerOf(entry, grouping, id) {
+  if (id === trayId(grouping)) return inTray(entry).length ? trayOf(grouping, inTray(entry)) : undefined;
   const root = containersOf(entry, grouping);
   let all = known.get(root);
   if (!all) {

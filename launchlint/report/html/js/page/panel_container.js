@@ -13,7 +13,7 @@ import { number } from "./wording.js";
 /** @typedef {import("../drawing/types").Group} Group */
 
 /** @type {Record<Group["kind"], string>} */
-const KINDS = { root: "Everything", namespace: "Namespace", group: "Group", include: "Include", package: "Package", machine: "Machine", range: "Neighbours" };
+const KINDS = { root: "Everything", namespace: "Namespace", group: "Group", include: "Include", package: "Package", machine: "Machine", range: "Neighbours", tray: "Without a connection" };
 
 /**
  * @param {Page} page

@@ -23,6 +23,8 @@ const DRAWN = /** @type {const} */ ([
   "hubs",
   "danglingOnly",
   "findingsOnly",
+  "tray",
+  "filter",
   "hidden",
   "matches",
 ]);
@@ -37,10 +39,13 @@ export function createStage(page, { cameFromDrawing, holdFocus }) {
   const { store, drawing, model } = page;
   const told = element("p", { class: "visually-hidden", role: "status" });
   const empty = element("p", { class: "stage-empty", hidden: true });
-  part("stage").append(told, empty);
+  const note = element("p", { class: "stage-note", hidden: true });
+  part("stage").append(told, empty, note);
   const host = part("drawing");
   let running = false;
   let stale = false;
+  /** @type {PageState["place"]} where somebody moved the drawing, or a link put it */
+  let placed = null;
 
   /** Draws until what is drawn is the latest state. */
   async function draw() {
@@ -54,6 +59,8 @@ export function createStage(page, { cameFromDrawing, holdFocus }) {
       const giveBack = holdFocus();
       await drawing.show(state);
       giveBack();
+      if (state.place && state.place !== placed) drawing.goTo(state.place);
+      placed = state.place;
       drawing.select(drawnSelection(page, state));
       report(state);
     }
@@ -66,6 +73,8 @@ export function createStage(page, { cameFromDrawing, holdFocus }) {
     const shown = drawing.focusables().length;
     empty.hidden = shown > 0;
     empty.textContent = shown > 0 ? "" : whyEmpty(model.entry(state.entry), state);
+    note.textContent = shown > 0 ? leftOut(drawing.extent(), state.place === null) : "";
+    note.hidden = note.textContent === "";
     told.textContent = shown > 0 ? `The drawing shows ${number(shown, "thing")}.` : empty.textContent;
   }
 
@@ -79,7 +88,10 @@ export function createStage(page, { cameFromDrawing, holdFocus }) {
       store.set({ expanded }, "replace");
       await finished();
     }
-    if (drawing.isDrawn(target)) drawing.panTo(target);
+    if (!drawing.isDrawn(target)) return;
+    drawing.panTo(target);
+    // An address that says where the drawing stands stays true.
+    if (store.get().place) store.set({ place: drawing.spot() }, "replace");
   }
 
   /** Resolves once nothing is being drawn. */
@@ -88,12 +100,18 @@ export function createStage(page, { cameFromDrawing, holdFocus }) {
   store.listen((state, before) => {
     const first = state === before;
     const changed = first || DRAWN.some((key) => state[key] !== before[key]);
-    const selected = (first || state.selection !== before.selection) && !cameFromDrawing();
+    const selected = (first ? state.place === null : state.selection !== before.selection) && !cameFromDrawing();
     if (changed) {
       const done = draw();
       finished = () => done;
       if (selected) void done.then(() => reveal(store.get()));
       return;
+    }
+    if (state.place !== before.place) {
+      note.textContent = leftOut(drawing.extent(), state.place === null);
+      note.hidden = note.textContent === "";
+      if (state.place) drawing.goTo(state.place);
+      placed = state.place;
     }
     if (state.selection === before.selection) return;
     drawing.select(drawnSelection(page, state));
@@ -118,12 +136,21 @@ function drawnSelection(page, { selection, entry }) {
   return channel === undefined ? null : { kind: "channel", id: `c:${channel}` };
 }
 
+/** What is there and not seen at once. @param {import("../drawing/types").Extent} extent @param {boolean} untouched whether nobody moved the drawing */
+function leftOut({ folded, boxes, outside }, untouched) {
+  const words = [];
+  if (folded > 0) words.push(`${number(folded, "node")} in ${number(boxes, "folded box", "folded boxes")}`);
+  if (untouched && outside > 0) words.push(`${number(outside, "box", "boxes")} beyond the edge: drag, or Fit`);
+  return words.join(" · ");
+}
+
 /** @param {EntryModel} model @param {PageState} state */
 function whyEmpty({ entry }, state) {
   if (entry.nodes.length === 0)
     return "This launch file starts no nodes, so there is nothing to draw. Its params and findings are in the tables below.";
   if (state.danglingOnly) return "Nothing is left unconnected here, as far as it is known.";
   if (state.findingsOnly) return "No finding is about anything that could be drawn here.";
+  if (state.filter) return `Nothing here fits the filter “${state.filter}”.`;
   if (state.hidden.size > 0) return "All of it is hidden.";
   return "Nothing to draw in this view.";
 }

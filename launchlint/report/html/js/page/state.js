@@ -2,7 +2,12 @@
 
 /** @typedef {import("../drawing/types").Grouping} Grouping */
 /** @typedef {import("../drawing/types").Selection | { kind: "finding", id: string }} Target */
-/** @typedef {import("../drawing/types").ViewState & { selection: Target | null, landing: boolean }} PageState `landing`: all launch files are shown, and none in particular */
+/** @typedef {import("../drawing/types").Spot} Spot */
+/**
+ * `landing`: all launch files are shown, and none in particular; `place`: what somebody moved to the middle of the screen, null where all is shown.
+ *
+ * @typedef {import("../drawing/types").ViewState & { selection: Target | null, landing: boolean, place: Spot | null }} PageState
+ */
 
 /** @type {readonly (keyof PageState["layers"])[]} */
 export const LAYERS = ["topics", "services", "actions", "params"];
@@ -20,10 +25,13 @@ export function initialState() {
     hubs: false,
     danglingOnly: false,
     findingsOnly: false,
+    tray: true,
+    filter: "",
     hidden: new Set(),
     matches: null,
     selection: null,
     landing: false,
+    place: null,
   };
 }
 
@@ -94,12 +102,13 @@ export function createStore(first, address) {
 function outlived(state, change) {
   if (change.entry !== undefined && change.entry !== state.entry) {
     const selection = state.selection?.kind === "finding" ? state.selection : null;
-    return { configuration: -1, expanded: "auto", focus: null, hidden: new Set(), matches: null, selection };
+    return { configuration: -1, expanded: "auto", focus: null, hidden: new Set(), filter: "", matches: null, place: null, selection };
   }
   if (change.grouping !== undefined && change.grouping !== state.grouping) {
     const hidden = new Set([...state.hidden].filter((id) => id.startsWith("n:")));
     const selection = state.selection?.kind === "container" || state.selection?.kind === "edge" ? null : state.selection;
-    return { expanded: "auto", focus: null, hidden, selection };
+    return { expanded: "auto", focus: null, hidden, place: null, selection };
   }
+  if (change.focus !== undefined && change.focus !== state.focus) return { place: null };
   return {};
 }

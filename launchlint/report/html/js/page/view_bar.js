@@ -2,11 +2,16 @@
 
 import { button, element, fill, part } from "./elements.js";
 import { containerOf, fullName } from "./containers.js";
+import { createShareButton } from "./share.js";
+import { createSidePanels } from "./side_panels.js";
 import { number } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
 /** @typedef {import("./state.js").PageState} PageState */
 /** @typedef {{ label: string, title: string, get: (state: PageState) => boolean, change: (state: PageState, on: boolean) => Partial<PageState> }} Toggle */
+
+/** Milliseconds without a key before the drawing follows the filter. */
+const PAUSE = 200;
 
 /** @type {(layer: keyof PageState["layers"], label: string, title: string) => Toggle} */
 const layer = (name, label, title) => ({
@@ -16,7 +21,7 @@ const layer = (name, label, title) => ({
   change: (state, on) => ({ layers: { ...state.layers, [name]: on } }),
 });
 
-/** @type {(name: "topicsAsNodes" | "hubs" | "danglingOnly" | "findingsOnly", label: string, title: string) => Toggle} */
+/** @type {(name: "topicsAsNodes" | "hubs" | "danglingOnly" | "findingsOnly" | "tray", label: string, title: string) => Toggle} */
 const flag = (name, label, title) => ({ label, title, get: (state) => state[name], change: (_, on) => ({ [name]: on }) });
 
 /** @type {readonly [string, Toggle[]][]} */
@@ -30,6 +35,7 @@ const TOGGLES = [
       layer("params", "Params", "Params that nodes read"),
       flag("hubs", "Hub topics", "Topics that everybody uses: /tf, /clock, /diagnostics …"),
       flag("topicsAsNodes", "Topics as boxes", "Draw each topic as a box of its own instead of as arrows"),
+      flag("tray", "Unconnected", "Nodes that share nothing with another one: they stand in a tray of their own"),
     ],
   ],
   [
@@ -55,6 +61,8 @@ export function createViewBar(page) {
     ),
   );
   const scope = element("div", { class: "scope" });
+  const filter = createFilter(page);
+  const [tree, details] = createSidePanels();
   const zoom = element(
     "div",
     { class: "zoom", role: "group", "aria-label": "Zoom" },
@@ -62,12 +70,38 @@ export function createViewBar(page) {
     button("−", () => drawing.zoom(0.8), { "aria-label": "Zoom out", title: "Zoom out (−)" }),
     button("Fit", () => drawing.fit(), { title: "Fit the drawing into its frame (0)" }),
   );
-  part("stage").prepend(element("div", { id: "view-bar" }, ...groups, scope));
+  part("stage").prepend(element("div", { id: "view-bar" }, tree, ...groups, filter.host, scope, element("div", { class: "view-end" }, createShareButton(page), details)));
   part("stage").append(zoom);
   store.listen((state) => {
+    filter.show(state.filter);
     for (const [toggle, host] of buttons) host.setAttribute("aria-pressed", String(toggle.get(state)));
     fill(scope, ...scopeOf(page, state));
   });
+}
+
+/** A field that keeps in the drawing what is called so. @param {Page} page */
+function createFilter({ store }) {
+  const field = element("input", {
+    id: "filter",
+    type: "search",
+    placeholder: "Filter: name, type:, package:",
+    title: "Draws what fits all words: a part of a name, /left/*, type:Image, package:nav, and -rviz for what shall not be there",
+    "aria-label": "Filter the drawing by name, type: or package:",
+    autocomplete: "off",
+    spellcheck: "false",
+  });
+  let timer = 0;
+  field.addEventListener("input", () => {
+    window.clearTimeout(timer);
+    timer = window.setTimeout(() => store.set({ filter: field.value.trim() }, "replace"), PAUSE);
+  });
+  return {
+    host: field,
+    /** @param {string} text */
+    show(text) {
+      if (document.activeElement !== field && field.value.trim() !== text) field.value = text;
+    },
+  };
 }
 
 /** @param {Page} page @param {Toggle} toggle */
