@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from launchlint.evaluate.ros2.typed import TypeFault, convert
+from launchlint.export.ros2.ending import ending, shuts_down
 from launchlint.export.ros2.said import SAYABLE
 from launchlint.export.ros2.shaping import Shaper
 from launchlint.export.ros2.texts import NOWHERE, CannotWrite, TextWriter, joined
@@ -29,6 +30,7 @@ from launchlint.syntax.ros2.description import (
     Text,
     TypedValue,
 )
+from launchlint.syntax.ros2.tables import Attribute
 from launchlint.yaml.tree import YamlBeyond
 
 TYPE_CHECKING = False
@@ -65,11 +67,15 @@ class Remark(NamedTuple):
 
 
 class Carried(NamedTuple):
-    """``description`` holds nothing but what can be written; ``lost`` what it lacks, ``remarks`` what a person should know."""
+    """``description`` holds nothing but what can be written; ``lost`` what it lacks, ``remarks`` what a person should know.
+
+    ``less`` is the same description where it does not do all that the original does, or does it by other actions.
+    """
 
     description: Description
     lost: tuple[Lost, ...]
     remarks: tuple[Remark, ...]
+    less: Description | None
 
 
 def carried(description: Description, distribution: Distribution, *, xml: bool, portable: Portable | None = None) -> Carried:
@@ -78,8 +84,10 @@ def carried(description: Description, distribution: Distribution, *, xml: bool, 
     ``portable`` is for descriptions of programs: what they compute holds paths of this machine.
     """
     carrier = _Carrier(distribution, xml=xml, portable=portable)
-    actions = carrier.actions(description.actions)
-    return Carried(Description(actions, description.place), tuple(carrier.lost), tuple(dict.fromkeys(carrier.remarks)))
+    before = ending(description.actions) if carrier.can_end else description.actions
+    made = Description(carrier.actions(before), description.place)
+    other = carrier.lost or carrier.ends or before is not description.actions
+    return Carried(made, tuple(carrier.lost), tuple(dict.fromkeys(carrier.remarks)), made if other else None)
 
 
 class Left(Exception):
@@ -98,6 +106,8 @@ class _Carrier:
         self._texts = TextWriter(distribution)
         self._shaper = Shaper(distribution)
         self._xml = xml
+        self.ends = False
+        self.can_end = any(isinstance(each, Attribute) and each.name == "on_exit" for each in distribution.tags["node"].reads)
         self.lost: list[Lost] = []
         self.remarks: list[Remark] = []
 
@@ -201,7 +211,9 @@ class _Carrier:
             place = process.environment[0].place if process.environment else _somewhere(process)
             self.lost.append(Lost(place, "env", "a whole environment cannot be given, only single variables"))
             fields.update(environment=(), replaces_environment=False)
-        if isinstance(process.on_exit, tuple):
+        if self.can_end and shuts_down(process.on_exit):
+            self.ends, fields["on_exit"] = True, "shutdown"
+        elif isinstance(process.on_exit, tuple):
             self.lost.append(Lost(_place(process.on_exit), "on_exit", "only shutdown can follow the end of a process"))
             fields["on_exit"] = None
         respawn = process.respawn

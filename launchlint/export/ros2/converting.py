@@ -71,7 +71,7 @@ def convert(session: Session, file: str, given: Pairs, style: Style, language: s
     kept = carried(whole, dialect, xml=language == XML, portable=Portable(session, file) if file.endswith(PYTHON) else None)
     losses = (*varying, *kept.lost)
     data = written(kept.description, reading, language, session.distro, style, losses)
-    prove(session, file, given, language, data, kept.description if losses else None, reading)
+    prove(session, file, given, language, data, kept.description if losses else kept.less, reading)
     lost = tuple((each.place, each.words) for each in losses)
     return Converted(data, lost, tuple((each.place, each.words) for each in kept.remarks))
 

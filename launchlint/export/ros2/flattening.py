@@ -68,7 +68,7 @@ def flatten(session: Session, file: str, given: Pairs, style: Style, language: s
         except CannotWrite as cannot:
             raise CannotExport(cannot.reason) from None
         require_same(data, _spliced(kept.description, flat), language, session.distro)
-        proof = _Proof(session, file, given, flat.description, kept.description if kept.lost else None, data, language)
+        proof = _Proof(session, file, given, flat.description, kept.less, data, language)
         found = proof.disproved(sorted(asked_variables(kept.description.actions)))
         if found is None:
             lost = tuple((each.place, each.words) for each in kept.lost)

@@ -390,13 +390,15 @@ class Timer(NamedTuple):
 class Handler(NamedTuple):
     """``RegisterEventHandler`` (Python only): what is executed when something happens, later; ``event`` is the class of the handler.
 
-    ``actions`` are what it executes, or a function that gives them then.
+    ``actions`` are what it executes, or a function that gives them then. ``target`` is the place of the action whose process it waits
+    for, if that is known.
     """
 
     event: str
     actions: tuple[Action, ...] | Call
     place: Place
     condition: Condition | None = None
+    target: Place | None = None
 
 
 class Opaque(NamedTuple):

@@ -235,3 +235,60 @@ def test_an_event_handler_is_lost(tmp_path: Path) -> None:
 
 def said(result: Converted) -> list[str]:
     return [words for _, words in (*result.lost, *result.remarks)]
+
+
+ENDING = """\
+from launch import LaunchDescription
+from launch.actions import EmitEvent, ExecuteProcess, GroupAction, LogInfo, RegisterEventHandler, Shutdown
+from launch.event_handlers import OnProcessExit, OnProcessStart
+from launch.events import Shutdown as Ends
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    a = %s
+    return LaunchDescription([a, %s])
+"""
+NODE = 'Node(package="demo", executable="a")'
+
+
+@pytest.mark.parametrize(
+    ("process", "handler"),
+    [
+        (NODE, "RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[Shutdown(reason='over')]))"),
+        (NODE, "RegisterEventHandler(event_handler=OnProcessExit(target_action=a, on_exit=EmitEvent(event=Ends())))"),
+        (NODE, "GroupAction([RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[EmitEvent(event=Ends(reason='x'))]))])"),
+        (NODE.replace(")", ", on_exit=[EmitEvent(event=Ends())])"), "LogInfo(msg='a')"),
+        ('ExecuteProcess(cmd=["a"])', "RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[Shutdown()]))"),
+    ],
+)
+def test_what_ends_with_a_process_is_said_of_the_process(process: str, handler: str, tmp_path: Path) -> None:
+    result = converted(tmp_path, "a.launch.py", ENDING % (process, handler), XML)
+    assert result.lost == ()
+    assert ' on_exit="shutdown"/>' in result.data.decode()
+
+
+@pytest.mark.parametrize(
+    ("process", "handler"),
+    [
+        (NODE, "RegisterEventHandler(OnProcessStart(target_action=a, on_start=[Shutdown()]))"),
+        (NODE, "RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[LogInfo(msg='over'), Shutdown()]))"),
+        (NODE, "RegisterEventHandler(OnProcessExit(on_exit=[Shutdown()]))"),
+        (NODE.replace(")", ", respawn=True)"), "RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[Shutdown()]))"),
+        (
+            f"{NODE} if True else None\n    b = [{NODE} for _ in range(2)]\n    a = b[1]",
+            "b[0], " + "RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[Shutdown()]))",
+        ),
+    ],
+)
+def test_what_is_not_the_same_is_lost(process: str, handler: str, tmp_path: Path) -> None:
+    result = converted(tmp_path, "a.launch.py", ENDING % (process, handler), XML)
+    assert [words.partition(":")[0] for _, words in result.lost] == ["an event handler"]
+    assert "on_exit" not in result.data.decode().replace("(OnProcessExit)", "")
+
+
+def test_a_distribution_without_on_exit_loses_the_handler_and_not_the_node(tmp_path: Path) -> None:
+    handler = "RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[Shutdown()]))"
+    result = converted(tmp_path, "a.launch.py", ENDING % (NODE, handler), XML, distro="humble")
+    assert '<node pkg="demo" exec="a"/>' in result.data.decode()
+    assert len(result.lost) == 1

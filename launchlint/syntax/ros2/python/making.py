@@ -11,6 +11,7 @@ from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Action, Component, Pair, Process, Remap, Substitution, Text, unknown
 from launchlint.syntax.ros2.python.conditions import condition
 from launchlint.syntax.ros2.python.parameters import extra_arguments, parameters, set_value
+from launchlint.syntax.ros2.python.recogniser import EVENT
 from launchlint.syntax.ros2.python.texts import TO_LAUNCH, Texts, pairs, why
 
 TYPE_CHECKING = False
@@ -32,6 +33,7 @@ SOURCES = (
 """What includes load."""
 _CONTEXT = Handle("context", {})
 """Stands among the arguments of a call for the context."""
+_SHUTDOWN = "launch.events.Shutdown"
 _EVENT = Unknown("what the event holds is known only when it happens")
 _CALLABLE = (Function, Bound, Partial, Class, Instance)
 
@@ -83,11 +85,18 @@ class Maker:
         elif isinstance(value, Handle) and value.kind in _MAKE:
             found.append(self.action(value))
         elif isinstance(value, Handle) and value.kind in NOTHING:
-            pass
+            found += self._emitted(value)
         else:
             at = value.place if isinstance(value, Unknown) and value.place is not None else place
             found.append(described.Open(why(value, "an action that is not known"), at))
         return tuple(found)
+
+    def _emitted(self, value: Handle) -> Iterator[Action]:
+        """What an event does that is the same as an action."""
+        event = value.state.get("event")
+        if isinstance(event, Handle) and event.kind == EVENT and event.state.get("name") == _SHUTDOWN:
+            place = value.state["place"]
+            yield described.Shutdown(self.texts.text("", place), place, condition(value.state, self.texts))
 
     def action(self, value: Handle) -> Action:
         """One action."""
@@ -351,7 +360,9 @@ def _handler(maker: Maker, given: Given, place: Place) -> Action:
         actions = maker.calls(does, [_EVENT] if handler.kind == "OnProcessIO" else [_EVENT, _CONTEXT], {}, of["place"])
     elif does is not None:
         actions = maker.actions(does, of["place"])
-    return described.Handler(handler.kind, actions, place, when)
+    target = of.get("target_action")
+    waits_for = target.state["place"] if isinstance(target, Handle) and target.kind in _PROCESSES else None
+    return described.Handler(handler.kind, actions, place, when, waits_for)
 
 
 HANDLERS: Mapping[str, tuple[str, ...]] = {
@@ -364,6 +375,7 @@ HANDLERS: Mapping[str, tuple[str, ...]] = {
     "EventHandler": ("entities",),
 }
 """Event handlers, and which of their arguments say what they do."""
+_PROCESSES = frozenset(("ExecuteProcess", "Node", "LifecycleNode", "ComposableNodeContainer"))
 NOTHING = frozenset(("EmitEvent", "UnregisterEventHandler", "LifecycleTransition"))
 """Actions that start nothing and set nothing."""
 

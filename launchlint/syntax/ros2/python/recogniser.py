@@ -136,7 +136,7 @@ class LaunchRecogniser:
             if made is not MISSING:
                 return made
         if name.startswith(_EVENTS):
-            return Handle(EVENT, {})
+            return Handle(EVENT, {"name": name})
         made = self._of_python(name, positional, keywords, place)
         if made is not MISSING:
             return made
