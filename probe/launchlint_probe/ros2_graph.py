@@ -24,8 +24,6 @@ _PRIVATE = frozenset(
         "set_parameters",
         "set_parameters_atomically",
         "get_type_description",
-        "get_logger_levels",
-        "set_logger_levels",
         "change_state",
         "get_state",
         "get_available_states",

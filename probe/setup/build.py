@@ -98,9 +98,22 @@ def build(package: Package, workspace: str, environment: Dict[str, str]) -> Dict
     made = _run(["make", "-k", "-j{}".format(os.cpu_count() or 1)], directory, log, environment)
     if not made:
         record = dict(record, result="partial", errors=_errors(log, workspace), log=_last_lines(log, workspace))
+    if not made:
+        _take_what_is_there(directory)
     if ROS2 and not _run(["cmake", "-P", "cmake_install.cmake"], directory, log, environment) and made:
         record = dict(record, result="partial", errors=_errors(log, workspace), log=_last_lines(log, workspace))
     return record
+
+
+def _take_what_is_there(directory: str) -> None:
+    """Have CMake install what was built, and go on where something was not."""
+    for place, _, files in os.walk(directory):
+        if "cmake_install.cmake" in files:
+            path = os.path.join(place, "cmake_install.cmake")
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(re.sub(r"(file\(INSTALL DESTINATION \S+ TYPE \w+) (?=.*FILES)", r"\1 OPTIONAL ", text))
 
 
 def _cmake(package: Package, workspace: str) -> List[str]:

@@ -323,3 +323,64 @@ def test_the_compiler_is_told_what_debian_needs(tmp_path: Path) -> None:
         "boost/bind.hpp",
     ]
     assert called("a.o", "-o", "a") == ["a.o", "-o", "a"]
+
+
+def test_packages_of_ros_2_are_told_by_their_conditions(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    package = tmp_path / "both"
+    package.mkdir()
+    (package / "package.xml").write_text(
+        "<package format='3'><name>both</name><depend condition='$ROS_VERSION == 1'>roscpp</depend>"
+        "<depend condition='$ROS_VERSION == 2'>rclcpp</depend><depend>std_msgs</depend>"
+        "<export><build_type condition='$ROS_VERSION == 1'>catkin</build_type>"
+        "<build_type condition='$ROS_VERSION == 2'>ament_cmake</build_type></export></package>"
+    )
+    found = {}
+    for version, prefix in (("1", ""), ("2", "/opt/ros/jazzy")):
+        monkeypatch.setenv("AMENT_PREFIX_PATH", prefix)
+        known = load("setup/build").packages(str(tmp_path))["both"]
+        found[version] = (known.kind, sorted(known.depends))
+    assert found == {"1": ("catkin", ["roscpp", "std_msgs"]), "2": ("ament_cmake", ["rclcpp", "std_msgs"])}
+
+
+def test_what_was_built_is_installed_although_something_was_not(tmp_path: Path) -> None:
+    script = tmp_path / "src" / "cmake_install.cmake"
+    script.parent.mkdir()
+    script.write_text('  file(INSTALL DESTINATION "/i/lib" TYPE EXECUTABLE FILES "/b/x")\n  file(INSTALL DESTINATION "/i" TYPE FILE FILES "/b/y z")\n')
+    load("setup/build")._take_what_is_there(str(tmp_path))
+    assert script.read_text() == (
+        '  file(INSTALL DESTINATION "/i/lib" TYPE EXECUTABLE OPTIONAL FILES "/b/x")\n'
+        '  file(INSTALL DESTINATION "/i" TYPE FILE OPTIONAL FILES "/b/y z")\n'
+    )
+
+
+def test_components_are_those_of_the_index(tmp_path: Path) -> None:
+    index = tmp_path / "share" / "ament_index" / "resource_index" / "rclcpp_components"
+    index.mkdir(parents=True)
+    (index / "robot").write_text("robot::Filter;lib/libfilter.so\n\n../evil;x\nrobot::Filter;lib/other.so\n")
+    found = load("discover").components("robot", [str(tmp_path)], "/loader")
+    assert [(each.label, each.command, each.path) for each in found] == [("robot::Filter", ["/loader"], str(index / "robot"))]
+    assert list(load("discover").components("robot", [str(tmp_path)], None)) == []
+
+
+ENTRY = """#!/usr/bin/python3
+# EASY-INSTALL-ENTRY-SCRIPT: '{0}==1.0.0','console_scripts','{1}'
+import sys
+"""
+
+
+def test_a_script_of_setuptools_is_what_its_package_is(tmp_path: Path) -> None:
+    site = tmp_path / "lib" / "python3.12" / "site-packages"
+    (site / "my_robot").mkdir(parents=True)
+    (site / "my_robot-1.0.0-py3.12.egg-info").mkdir()
+    (site / "my_robot-1.0.0-py3.12.egg-info" / "entry_points.txt").write_text("[console_scripts]\ndrive = my_robot.main:main\n")
+    (site / "my_robot" / "main.py").write_text("from .drive import run\n")
+    program = tmp_path / "lib" / "my_robot" / "drive"
+    program.parent.mkdir(parents=True)
+    program.write_text(ENTRY.format("my-robot", "drive"))
+    program.chmod(0o755)
+    discover = load("discover")
+    (site / "my_robot" / "drive.py").write_text("import numpy\n")
+    assert discover.classify(str(program), discover.ROS2) == "none"
+    (site / "my_robot" / "drive.py").write_text("import rclpy\n")
+    assert discover.classify(str(program), discover.ROS2) == "rclpy"
+    assert discover.classify(str(program)) == "none"

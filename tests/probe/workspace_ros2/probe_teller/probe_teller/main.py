@@ -1,0 +1,5 @@
+from probe_teller.teller import tell
+
+
+def main():
+    tell()
