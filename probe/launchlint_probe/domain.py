@@ -2,6 +2,7 @@
 
 import json
 import os
+import socket
 import subprocess
 import tempfile
 import threading
@@ -28,17 +29,22 @@ ROBOT = '<robot name="launchlint"><link name="base_link"/></robot>'
 STATES = (("constructed", "", 1), ("configured", "configure", 1), ("active", "activate", 3))
 """The states that a node is led through: name, what leads there, and the number of that (lifecycle_msgs/Transition)."""
 
-_domains = threading.Lock()
-_taken: Set[int] = set()
+DOMAINS = range(1, 101)
+"""Their ports are below those that a system gives out itself; 0 is everybody's."""
 
 
-def _take_domain() -> int:
-    """A domain that no other run has: of those whose ports are below the ones that a system gives out itself, but not the default one."""
-    with _domains:
-        first = os.getpid() % 100
-        number = next(each for each in (1 + (first + step) % 100 for step in range(100)) if each not in _taken)
-        _taken.add(number)
-        return number
+def _take_domain() -> Tuple[int, socket.socket]:
+    """A domain that no other run on this machine has, and what keeps it so until it is closed: a name that the kernel gives to one only."""
+    first = os.getpid() % len(DOMAINS)
+    while True:
+        for number in list(DOMAINS[first:]) + list(DOMAINS[:first]):
+            keeper = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+            try:
+                keeper.bind("\0launchlint-probe-domain-{}".format(number))
+                return number, keeper
+            except OSError:
+                keeper.close()
+        time.sleep(0.1)
 
 
 class Domain(Counterpart):
@@ -47,7 +53,7 @@ class Domain(Counterpart):
     def __init__(self, plan: Plan, python: str) -> None:
         self.plan = plan
         self.facts = Facts()
-        self._number = _take_domain()
+        self._number, self._keeper = _take_domain()
         self._changed = time.monotonic()
         self._lock = threading.Lock()
         self._answers: Dict[int, Dict[str, Any]] = {}
@@ -91,8 +97,7 @@ class Domain(Counterpart):
                 except OSError:
                     pass
         self._reader.join(1.0)
-        with _domains:
-            _taken.discard(self._number)
+        self._keeper.close()
 
     # -- talking with the observer -----------------------------------------------------------------------------
 
