@@ -35,6 +35,7 @@ class Inputs(NamedTuple):
     summary: bool
     sarif: str
     report: str
+    picture: str
     base: str
 
 
@@ -47,9 +48,10 @@ def main() -> int:
         _write_outputs({"exit-code": "2"})
         return 0
     status = _check(inputs)
-    if inputs.report and status != 2:
-        status = max(status, _report(inputs))
-    written = {"sarif-file": inputs.sarif, "report": inputs.report}
+    pictured = inputs.picture and status != 2 and _changes(inputs)
+    if (inputs.report or pictured) and status != 2:
+        status = max(status, _report(inputs, inputs.picture if pictured else ""))
+    written = {"sarif-file": inputs.sarif, "report": inputs.report, "picture": inputs.picture if pictured else ""}
     outputs = {name: file if file and os.path.isfile(file) else "" for name, file in written.items()}
     _write_outputs({**outputs, "findings": str(_count(inputs.sarif)), "exit-code": str(status), "root": inputs.root})
     return 0
@@ -77,7 +79,10 @@ def read_inputs(variables: Mapping[str, str]) -> Inputs:
         options.append("--no-extract")
     sarif = _line(variables, "sarif-file")
     temporary = variables.get("RUNNER_TEMP") or directory
-    report = _line(variables, "report")
+    report, picture, base = _line(variables, "report"), _line(variables, "picture"), _base(variables, root)
+    if picture not in ("", "none") and not picture.endswith((".svg", ".png")):
+        raise UsageError(f"picture: {picture} is neither an .svg nor a .png file, nor none")
+    pictured = os.path.join(directory, picture) if picture else os.path.join(temporary, "launchlint-topology.svg")
     return Inputs(
         root=root,
         paths=tuple(relative(path) for path in _lines(variables, "paths") or ["."]),
@@ -87,7 +92,8 @@ def read_inputs(variables: Mapping[str, str]) -> Inputs:
         summary=_flag(variables, "summary"),
         sarif=os.path.join(directory, sarif) if sarif else os.path.join(temporary, "launchlint.sarif"),
         report=os.path.join(directory, report) if report else "",
-        base=_base(variables, root),
+        picture=pictured if base and picture != "none" else "",
+        base=base,
     )
 
 
@@ -163,15 +169,29 @@ def _check(inputs: Inputs) -> int:
     return status
 
 
-def _report(inputs: Inputs) -> int:
-    """Write the HTML report, also into a directory that is not there yet. Returns the exit status."""
+def _report(inputs: Inputs, picture: str) -> int:
+    """Write the HTML report and the picture, also into directories that are not there yet. Returns the exit status."""
     try:
-        os.makedirs(os.path.dirname(inputs.report), exist_ok=True)
+        for file in filter(None, (inputs.report, picture)):
+            os.makedirs(os.path.dirname(file), exist_ok=True)
     except OSError as error:
-        _tell(f"report: the directory of {inputs.report} cannot be made: {error.strerror}")
+        _tell(f"report: the directory of {error.filename} cannot be made: {error.strerror}")
         return 2
     base = ["--base", inputs.base] if inputs.base else []
-    return _run(inputs.root, ["report", *inputs.options, *base, "-o", inputs.report, "--", *inputs.paths], told=True)[0]
+    drawn = ["--picture", picture] if picture else []
+    page = inputs.report or os.devnull
+    return _run(inputs.root, ["report", *inputs.options, *base, *drawn, "-o", page, "--", *inputs.paths], told=True)[0]
+
+
+def _changes(inputs: Inputs) -> bool:
+    """Whether the topology is another one than at the base."""
+    return bool(inputs.base) and _difference(inputs)[0] == 1
+
+
+def _difference(inputs: Inputs) -> tuple[int, str]:
+    """The exit status (1: something changed) and the Mermaid picture of ``graph diff``."""
+    paths = [os.path.join(os.curdir, path) for path in inputs.paths]  # so that none of them can be a revision
+    return _run(inputs.root, ["graph", "diff", *inputs.options, "--exit-code", "--format", "mermaid", "--", inputs.base, *paths])
 
 
 def _write_summary(inputs: Inputs, told: str) -> None:
@@ -183,9 +203,7 @@ def _write_summary(inputs: Inputs, told: str) -> None:
     except OSError:
         return
     if inputs.base:
-        paths = [os.path.join(os.curdir, path) for path in inputs.paths]  # so that none of them can be a revision
-        words = ["graph", "diff", *inputs.options, "--exit-code", "--format", "mermaid", "--", inputs.base, *paths]
-        status, picture = _run(inputs.root, words)
+        status, picture = _difference(inputs)
         if status == 0:
             parts.append("\nNo connection changes.\n")
         elif status == 1 and len(picture) <= PICTURE_LIMIT:

@@ -7,9 +7,11 @@ from typing import NamedTuple
 
 from launchlint.check.ahead import read_ahead
 from launchlint.check.entry import EntryChecker, EntryResult
-from launchlint.check.options import EntryRequest
+from launchlint.check.options import Arguments, EntryRequest
 from launchlint.check.run import Progress, ReadingProgress, compute
+from launchlint.dialects.door import evaluate
 from launchlint.evaluate.assemble import Evaluation
+from launchlint.evaluate.combinations import Interplay
 from launchlint.finding import Finding, Key
 from launchlint.graph.connections import ConnectionGraph
 from launchlint.graph.details import NO_DETAILS, Details, details
@@ -27,12 +29,20 @@ Extents = Mapping[str, Span]
 
 
 class Surveyed(NamedTuple):
-    """One entry file: its findings and the joined graph of all its configurations; None where launchlint itself failed."""
+    """One entry file: its findings and the joined graph of all its configurations; None where launchlint itself failed.
+
+    ``given`` are the args of each configuration; rules looked at the first ``checked`` of them, and ``told`` says in which of these each
+    finding was. ``whole``: of any other combination of args it can be told what it starts.
+    """
 
     result: EntryResult
     topology: Topology | None
     extents: Extents
     details: Details = NO_DETAILS
+    given: tuple[Arguments, ...] = ()
+    told: Mapping[Key, tuple[int, ...]] = {}
+    checked: int = 0
+    whole: bool = True
 
 
 class Surveyor(EntryChecker):
@@ -40,14 +50,38 @@ class Surveyor(EntryChecker):
 
     _graphs: list[ConnectionGraph]
     _extents: dict[str, Span]
+    _given: list[Arguments]
+    _told: dict[Key, list[int]]
+    _interplay: Interplay
 
     def survey(self, request: EntryRequest) -> Surveyed:
         """All findings of an entry file, and what it connects. Never raises: a crash becomes a finding."""
         self._graphs = []
         self._extents = {}
+        self._given = []
+        self._told = {}
+        self._interplay = Interplay(request.arguments)
         result = self.check(request)
-        connected = topology(self._graphs) if self._graphs and result.configurations else None
-        return Surveyed(result, connected, self._extents, details(self._graphs))
+        if not self._graphs or not result.configurations:
+            return Surveyed(result, None, self._extents)
+        checked = len(self._given)
+        whole = self._combine(request) if len(self._graphs) == checked else True
+        told = {key: tuple(dict.fromkeys(those)) for key, those in self._told.items()}
+        return Surveyed(result, topology(self._graphs), self._extents, details(self._graphs), tuple(self._given), told, checked, whole)
+
+    def _combine(self, request: EntryRequest) -> bool:
+        """Evaluate the combinations of args of which each acts on what the others act on; returns whether these are all."""
+        missing = self._interplay.missing()
+        session = self.session_for(request)
+        try:
+            for pairs in missing.combinations:
+                evaluation = evaluate(session, request.at, (*request.arguments, *pairs))
+                self._given.append(evaluation.launch.given)
+                self.connected(evaluation)
+        except Exception:  # what was checked stands, whatever becomes of what is beyond it
+            del self._given[len(self._graphs) :]
+            return False
+        return missing.whole
 
     def connected(self, evaluation: Evaluation) -> ConnectionGraph:
         """The connection graph, remembered."""
@@ -58,7 +92,13 @@ class Surveyor(EntryChecker):
 
     def _launch_findings(self, evaluation: Evaluation, request: EntryRequest, view: LaunchView) -> Iterator[Finding | Fine]:
         before = len(self._graphs)
-        yield from super()._launch_findings(evaluation, request, view)
+        number = len(self._given)
+        self._given.append(evaluation.launch.given)
+        self._interplay.saw(evaluation.launch)
+        for found in super()._launch_findings(evaluation, request, view):
+            if isinstance(found, Finding):
+                self._told.setdefault(found.key, []).append(number)
+            yield found
         if len(self._graphs) == before:  # no rule asked for it
             self.connected(evaluation)
 
@@ -123,6 +163,33 @@ def reached(told: Sequence[Finding], findings: Sequence[Finding], entries: Seque
         for number in sorted(by_cause[_cause(finding)]):
             concerned[number].append(index)
     return concerned
+
+
+def shown_in(told: Sequence[Finding], findings: Sequence[Finding], entry: Surveyed) -> list[tuple[int, ...]]:
+    """For each finding of ``told`` the numbers of the configurations of one entry file that have it; empty: all of them.
+
+    What stands in the text of a file is in all. ``findings`` are as in :func:`reached`.
+
+    A configuration that no rule looked at has what the configurations have that change some of its args and no others.
+    """
+    by_cause: dict[object, set[int]] = {}
+    for finding in findings:
+        if finding.key in entry.told:
+            by_cause.setdefault(_cause(finding), set()).update(entry.told[finding.key])
+    every = set(range(entry.checked))
+    return [
+        () if not (those := by_cause.get(_cause(finding), set())) or those == every else tuple(sorted({*those, *_beyond(those, entry)}))
+        for finding in told
+    ]
+
+
+def _beyond(those: set[int], entry: Surveyed) -> Iterator[int]:
+    for number in range(entry.checked, len(entry.given)):
+        chosen = set(entry.given[number])
+        within = [each for each in range(1, entry.checked) if set(entry.given[each]) <= chosen]
+        largest = [each for each in within if not any(set(entry.given[each]) < set(entry.given[other]) for other in within)]
+        if (0 in those) != any((each in those) != (0 in those) for each in largest):
+            yield number
 
 
 def _cause(finding: Finding) -> object:

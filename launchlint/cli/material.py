@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from launchlint.check.entry import EntryChecker
+from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.graphs import Revision, graphs_of
 from launchlint.check.losses import with_losses_since
 from launchlint.check.options import EntryRequest, Options
@@ -134,6 +134,17 @@ def probe_command(paths: Iterable[str]) -> str:
     return " ".join(["launchlint probe --unknown", *map(shlex.quote, named)])
 
 
+def start_command(result: EntryResult, packages: Packages) -> str:
+    """What starts an entry file: ``roslaunch demo nav.launch``; its path where it lies in no package; empty where it cannot be typed."""
+    import shlex
+
+    path = result.path
+    package = packages.package_of(os.path.abspath(result.request.at))
+    where = [package.name, os.path.basename(path)] if package is not None else [path]
+    words = [*result.outcome.launcher.split(), *where, *(f"{name}:={value}" for name, value in result.request.arguments)]
+    return shlex.join(words) if all(word.isprintable() and not word.startswith("-") for word in words) else ""
+
+
 def beside_base(surveyed: Sequence[Surveyed], surveyor: Surveyor, old: Revision, base: str) -> tuple[list[Surveyed], list[Topology | None]]:
     """Each entry file with what it has lost since the revision, and what it connected there; None where it was not there."""
     rules = [rule for rule in surveyor.rules if rule.view == "base"]
@@ -158,8 +169,8 @@ def _at_home(before: Topology, old: Revision) -> Topology:
     return before._replace(params=params, containers=tuple(each._replace(label=old.at_home(each.label)) for each in before.containers))
 
 
-def base_only(entry: EntryOptions, requests: Sequence[EntryRequest], old: Revision) -> list[EntryMaterial]:
-    """The entry files that were there at the revision and are no more."""
+def base_only(entry: EntryOptions, requests: Sequence[EntryRequest], old: Revision) -> list[tuple[EntryMaterial, EntryRequest]]:
+    """The entry files that were there at the revision and are no more, each with how it is asked for there."""
     if entry.standard_input is not None or entry.entries is not None:
         return []
     from launchlint.check.dialects import sort_out
@@ -168,11 +179,13 @@ def base_only(entry: EntryOptions, requests: Sequence[EntryRequest], old: Revisi
     gone = {path: request for path, request in entry.requests_below(old.place, old.back).items() if os.path.abspath(path) not in now}
     kept = sort_out(list(gone.values()), frozenset(), old.checker.session).kept
     wanted = {request.at for request in kept}
-    found: dict[str, Topology] = {}
+    found: dict[str, tuple[Topology, EntryRequest]] = {}
     included: set[str] = set()
     for path, request in gone.items():
         if request.at in wanted and not os.path.exists(path):
             graphs = graphs_of(old.checker, request, every_configuration=True)
-            found[path] = _at_home(topology(graphs), old)
+            found[path] = _at_home(topology(graphs), old), request
             included.update(each.source.path for graph in graphs for each in graph.launch.includes if each.source is not None)
-    return [EntryMaterial(each.entry, LOADS, None, each, {}, ()) for each in found.values() if each.entry not in included]
+    return [
+        (EntryMaterial(each.entry, LOADS, None, each, {}, ()), request) for each, request in found.values() if each.entry not in included
+    ]

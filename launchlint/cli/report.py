@@ -13,6 +13,7 @@ from launchlint.project.asked import EntryOptions
 @click.option(
     "-o", "--output", default="report.html", show_default=True, metavar="FILE", help="Where to write the page; - for standard output."
 )
+@click.option("--picture", metavar="FILE", help="Write a picture, too, as SVG or PNG: of what changed (--base), else of the launch file.")
 @click.option("--separate-assets", is_flag=True, help="Write style and scripts beside the page, for hosts that allow none in it.")
 @click.option("--source-url", metavar="URL", help="Address of the repository's files; default: that of this commit, on GitHub's runners.")
 @click.option("--base", metavar="REV", help="Show what changed since this git revision.")
@@ -26,6 +27,7 @@ from launchlint.project.asked import EntryOptions
 def command(
     entry: EntryOptions,
     output: str,
+    picture: str | None,
     separate_assets: bool,
     source_url: str | None,
     base: str | None,
@@ -44,5 +46,5 @@ def command(
     """
     from launchlint.cli.reporting import ReportOptions, run_report
 
-    given = ReportOptions(output, separate_assets, source_url, base, title, select, ignore, severity, fail_on, jobs, quiet)
+    given = ReportOptions(output, separate_assets, source_url, base, title, select, ignore, severity, fail_on, jobs, quiet, picture)
     return run_report(entry, given)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from typing import NamedTuple
 
@@ -15,7 +15,7 @@ from launchlint.check.graphs import Revision, revision
 from launchlint.check.merge import Outcome, merge, without_parts
 from launchlint.check.options import EntryRequest, Options
 from launchlint.check.run import default_directory
-from launchlint.check.survey import Surveyed, Surveyor, reached, survey_entries
+from launchlint.check.survey import Surveyed, Surveyor, reached, shown_in, survey_entries
 from launchlint.cli.entries import parse_severity, tell
 from launchlint.cli.material import (
     base_only,
@@ -26,14 +26,17 @@ from launchlint.cli.material import (
     reader,
     roots,
     source_prefix,
+    start_command,
     usual_title,
 )
+from launchlint.cli.since import Since, since
 from launchlint.errors import UsageError
 from launchlint.finding import Finding, Severity
 from launchlint.fingerprint import fingerprints
 from launchlint.project.asked import EntryOptions, leave_others_out
 from launchlint.report.html.material import EntryMaterial, Material
 from launchlint.report.text import summary
+from launchlint.workspace.packages import Packages
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -54,6 +57,7 @@ class ReportOptions(NamedTuple):
     fail_on: str | None = None
     jobs: int = 0
     quiet: bool = False
+    picture: str | None = None
 
 
 def run_report(entry: EntryOptions, given: ReportOptions) -> int:
@@ -66,6 +70,10 @@ def run_report(entry: EntryOptions, given: ReportOptions) -> int:
         raise UsageError("--separate-assets writes files beside the page; name the page with -o")
     if given.output != "-":
         check_target(given.output, what="the page")
+    if given.picture is not None:
+        if not given.picture.endswith((".svg", ".png")):
+            raise UsageError(f"--picture {given.picture}: a picture is an .svg or a .png file")
+        check_target(given.picture, what="the picture")
     prefix = source_prefix(given.source_url)
     options = entry.options(select=given.select, ignore=given.ignore, severity=given.severity, cache=default_directory())
     per_file = per_file_ignores(entry.configuration, options.root)
@@ -77,6 +85,7 @@ def run_report(entry: EntryOptions, given: ReportOptions) -> int:
     surveyed = _survey(requests, surveyor, given)
     with nullcontext() if given.base is None else revision(options, given.base) as old:
         befores: list[Any] = [None] * len(surveyed)
+        plain = surveyed
         if old is not None and given.base is not None:
             surveyed, befores = beside_base(surveyed, surveyor, old, given.base)
         results = [each.result for each in surveyed]
@@ -85,10 +94,17 @@ def run_report(entry: EntryOptions, given: ReportOptions) -> int:
         outcome = outcome._replace(findings=told_once(separate))
         kept = {id(result) for result in without_parts(results)}
         pairs = [(each, before) for each, before in zip(surveyed, befores, strict=True) if id(each.result) in kept]
-        entries = _entries(outcome, separate, pairs)
+        entries = _entries(outcome, separate, pairs, surveyor.packages)
+        changed = Since()
         if old is not None:
-            entries += base_only(entry, requests, old)
-        material = _material(entry, given, options, surveyor, outcome, entries, old)._replace(source_url=prefix, notices=notices)
+            gone = base_only(entry, requests, old)
+            entries += [each for each, _ in gone]
+            changed = since(plain, [request for _, request in gone], surveyor, old, outcome, per_file, entry.paths)
+            entries = [
+                each._replace(verdict_before=changed.verdicts.get(each.path), fixed=changed.fixed_in.get(each.path, ())) for each in entries
+            ]
+        material = _material(entry, given, options, surveyor, outcome, entries, old)
+        material = material._replace(source_url=prefix, notices=notices, new=changed.new, fixed=changed.fixed)
         _write(material, given)
     if not given.quiet:
         for notice in notices:
@@ -122,7 +138,9 @@ def _survey(requests: Sequence[EntryRequest], surveyor: Surveyor, given: ReportO
                 each.clear()
 
 
-def _entries(outcome: Outcome, separate: Sequence[Finding], pairs: Sequence[tuple[Surveyed, Any]]) -> list[EntryMaterial]:
+def _entries(
+    outcome: Outcome, separate: Sequence[Finding], pairs: Sequence[tuple[Surveyed, Any]], packages: Packages
+) -> list[EntryMaterial]:
     concerned = reached(outcome.findings, separate, [each for each, _ in pairs])
     return [
         EntryMaterial(
@@ -136,6 +154,10 @@ def _entries(outcome: Outcome, separate: Sequence[Finding], pairs: Sequence[tupl
             each.details,
             each.result.sight,
             probe_command([each.result.path]),
+            shown_in=shown_in([outcome.findings[index] for index in findings], separate, each),
+            given=each.given,
+            whole=each.whole,
+            command=start_command(each.result, packages),
         )
         for (each, before), findings in zip(pairs, concerned, strict=True)
     ]
@@ -172,8 +194,10 @@ def _write(material: Material, given: ReportOptions) -> None:
     from launchlint.report.html.page import render
 
     name = os.path.splitext(os.path.basename(given.output))[0] if given.separate_assets else ""
-    data = report_data(material)
-    page = render(data, groups(data, in_order(material)), separate=name)
+    data, entries = report_data(material), in_order(material)
+    if given.picture is not None:
+        _write_picture(given.picture, data, entries)
+    page = render(data, groups(data, entries), separate=name)
     if given.output == "-":
         emit(page.html, sys.stdout)
         return
@@ -183,6 +207,19 @@ def _write(material: Material, given: ReportOptions) -> None:
     for file, text in beside.items():
         write_text(file, text, what="a part of the page")
     write_text(given.output, page.html, what="the page")
+
+
+def _write_picture(file: str, data: Mapping[str, Any], entries: Sequence[EntryMaterial]) -> None:
+    from launchlint.atomic import write_bytes, write_text
+    from launchlint.report.picture.change import picture
+
+    drawn = picture(data, entries)
+    if file.endswith(".png"):
+        from launchlint.report.picture.browser import png
+
+        write_bytes(file, png(drawn), what="the picture")
+    else:
+        write_text(file, drawn, what="the picture")
 
 
 def _run(outcome: Outcome) -> Any:

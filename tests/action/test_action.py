@@ -18,7 +18,7 @@ from tests.workspace.repositories import Repository
 TALKER = '#!/usr/bin/env python3\nimport rospy\nrospy.init_node("t")\n'
 INPUTS = (
     *("paths", "args", "config", "library", "extract", "working_directory", "fail_on"),
-    *("annotations", "summary", "sarif_file", "report", "base"),
+    *("annotations", "summary", "sarif_file", "report", "picture", "base"),
 )
 
 
@@ -59,7 +59,7 @@ def test_all_is_well(repository: Repository, installed: Path) -> None:
     assert ran.status == 0, ran.log
     assert ran.log == "no problems in 1 launch file\n"
     assert ran.summary == "### launchlint: no problems in 1 launch file\n"
-    assert {**ran.outputs, "sarif-file": ""} == {"sarif-file": "", "report": "", "findings": "0", "exit-code": "0"}
+    assert {**ran.outputs, "sarif-file": ""} == {"sarif-file": "", "report": "", "picture": "", "findings": "0", "exit-code": "0"}
     assert json.loads(Path(ran.outputs["sarif-file"]).read_text())["version"] == "2.1.0"
     assert ran.used == {}
 
@@ -133,8 +133,15 @@ def test_a_pull_request_shows_what_it_changes(repository: Repository, installed:
     ran = run(repository, installed, event)
     assert "LL620 lost-connection" in ran.summary
     assert "\n#### What changes in the topology\n\n```mermaid\nflowchart" in ran.summary
+    drawn = Path(ran.outputs["picture"]).read_text(encoding="utf-8")
+    assert "launch/good.launch" in drawn
+    assert 'class="line removed"' in drawn
+    (kept,) = (given for action, given in ran.used.items() if action.startswith("actions/upload-artifact@"))
+    assert (kept["name"], kept["path"]) == ("topology-launchlint", ran.outputs["picture"])
+    ran = run(repository, installed, event, picture="none")
+    assert ran.outputs["picture"] == ""
     ran = run(repository, installed, event, base="none")
-    assert "mermaid" not in ran.summary
+    assert ("mermaid" in ran.summary, ran.outputs["picture"]) == (False, "")
     event.write_text(json.dumps({"pull_request": {"base": {"sha": "0" * 40}}}))
     ran = run(repository, installed, event)
     assert "::notice title=launchlint::what this pull request changes in the topology is not told" in ran.log
@@ -155,7 +162,7 @@ def test_what_cannot_be_done_is_an_annotation_and_fails(repository: Repository, 
     assert ran.log == (
         "::error title=launchlint::gone.launch: No such file or directory; give launch files, or directories to search for them\n"
     )
-    assert ran.outputs == {"sarif-file": "", "report": "", "findings": "0", "exit-code": "2"}
+    assert ran.outputs == {"sarif-file": "", "report": "", "picture": "", "findings": "0", "exit-code": "2"}
     assert (
         run(repository, installed, annotations="perhaps").log == "::error title=launchlint::annotations: it is true or false, not perhaps\n"
     )

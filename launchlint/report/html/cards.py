@@ -105,7 +105,7 @@ def _card(data: Mapping[str, Any], entry: Mapping[str, Any], material: EntryMate
         "gone" if gone else verdict,
         entry["why"] or entry["withArgs"],
         counted(nodes or sum(each.get("mark") != "removed" for each in entry["nodes"]), "node"),
-        f"{known} known" if nodes and known != nodes else "all known" if nodes else "",
+        f"{known} of {nodes} known" if nodes and known != nodes else "all known" if nodes else "",
         known != nodes,
         [Count(each, counted(severities.count(each), each)) for each in SEVERITIES if each in severities],
         [("added", "new launch file")] if entry.get("mark") == "added" else entry["changes"],

@@ -51,7 +51,10 @@ def entry_data(
         "connections": entry.connections(),
         "params": params,
         "findings": list(material.findings),
-        "findingsOnly": [[] for _ in material.findings],
+        "findingsOnly": _shown_in(material, state.configurations),
+        "given": [[[plain.text(name), plain.text(value)] for name, value in each] for each in _given(material, state.configurations)],
+        "whole": material.whole,
+        "command": plain.text(material.command),
         "changes": [[looks, plain.text(words)] for looks, words in changes],
         "fixed": list(material.fixed),
         **_programs(material.sight, plain),
@@ -87,6 +90,21 @@ def _programs(sight: Sight, plain: Plain) -> dict[str, Any]:
             for each in open_
         ]
     }
+
+
+def _given(material: EntryMaterial, configurations: Sequence[str]) -> list[Sequence[tuple[str, str]]]:
+    """The args of each configuration, without those that it is started with anyway; of a former state they are not known."""
+    start = set(material.given[0]) if material.given else set()
+    known = {" ".join(f"{name}:={value}" for name, value in each): [pair for pair in each if pair not in start] for each in material.given}
+    return [known.get(each, []) for each in configurations]
+
+
+def _shown_in(material: EntryMaterial, configurations: Sequence[str]) -> list[list[int]]:
+    """For each finding the numbers of the configurations that have it."""
+    numbers = {each: number for number, each in enumerate(configurations)}
+    spelled = [numbers.get(" ".join(f"{name}:={value}" for name, value in each), -1) for each in material.given]
+    shown = material.shown_in or [() for _ in material.findings]
+    return [sorted({spelled[each] for each in those} - {-1}) for those in shown]
 
 
 def _nothing(material: EntryMaterial) -> Topology:

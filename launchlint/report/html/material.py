@@ -30,6 +30,10 @@ class EntryMaterial(NamedTuple):
         probe: what to type to have those of its programs probed that are not known.
         verdict_before: what roslaunch made of it at the revision; None where it was not there, or nothing is compared.
         fixed: indexes of the findings that it had at the revision and has no more.
+        shown_in: for each of ``findings`` the numbers of the configurations (of ``given``) that have it; empty: all.
+        given: the args of each configuration.
+        whole: whether it can be told of any combination of args what it starts.
+        command: what starts it, on the command line.
     """
 
     path: str
@@ -44,6 +48,10 @@ class EntryMaterial(NamedTuple):
     probe: str = "launchlint probe --unknown"
     verdict_before: Verdict | None = None
     fixed: Sequence[int] = ()
+    shown_in: Sequence[Sequence[int]] = ()
+    given: Sequence[Sequence[tuple[str, str]]] = ()
+    whole: bool = True
+    command: str = ""
 
 
 class Material(NamedTuple):

@@ -24,6 +24,7 @@ PARTS = ("containers", "nodes", "channels", "connections", "params")
 """What of an entry file stands in its own line."""
 LAST = "library"
 """What stands in the last line."""
+_text = json.encoder.encode_basestring
 _json = json.JSONEncoder(ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode
 
 
@@ -42,18 +43,20 @@ def script(data: Mapping[str, Any]) -> str:
 
 def packed(value: Any) -> str:
     """``value``, plain JSON, in the small form; time and size grow with its size."""
-    if isinstance(value, Mapping):
-        return "{" + ",".join(f"{_json(key)}:{packed(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, str):
+        return _text(value)
+    if isinstance(value, dict):
+        return "{" + ",".join(f"{_text(key)}:{packed(item)}" for key, item in value.items()) + "}"
     if not isinstance(value, (list, tuple)):
         return _json(value)
-    if len(value) > 1 and all(isinstance(item, Mapping) for item in value):
+    if len(value) > 1 and all(isinstance(item, dict) for item in value):
         return _table(value)
     return "[" + ",".join(map(packed, value)) + "]"
 
 
 def _table(rows: Sequence[Mapping[str, Any]]) -> str:
     keys = dict.fromkeys(key for row in rows for key in row)
-    columns = ",".join(f"{_json(key)}:{_column([None if key not in row else packed(row[key]) for row in rows])}" for key in keys)
+    columns = ",".join(f"{_text(key)}:{_column([None if key not in row else packed(row[key]) for row in rows])}" for key in keys)
     return f'{{"$rows":{len(rows)},"columns":{{{columns}}}}}'
 
 
@@ -83,12 +86,21 @@ def _list(cells: Sequence[str]) -> str:
     texts = []
     for cell in cells:
         text = json.loads(cell)
-        shared = 0
-        for one, other in zip(before[: len(DIGITS) - 1], text, strict=False):
-            if one != other or one > "\uffff":  # JavaScript counts such a character as two
-                break
-            shared += 1
-        texts.append(_json(f"{DIGITS[shared]}{text[shared:]}"))
+        shared = _common(before, text)
+        texts.append(_text(f"{DIGITS[shared]}{text[shared:]}"))
         before = text
     front = f'{{"$front":[{",".join(texts)}]}}'
     return front if len(front) < len(plain) else plain
+
+
+def _common(one: str, other: str) -> int:
+    """How many characters both begin with, of those that a digit can count and JavaScript counts as one."""
+    least, most = 0, min(len(one), len(other), len(DIGITS) - 1)
+    while least < most:
+        middle = (least + most + 1) // 2
+        if one[:middle] == other[:middle]:
+            least = middle
+        else:
+            most = middle - 1
+    shared = one[:least]
+    return least if shared.isascii() else next((at for at, each in enumerate(shared) if each > "\uffff"), least)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from launchlint.plural import counted
 from launchlint.report.escape import visible
@@ -45,27 +46,54 @@ text{{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Noto Sans","DejaVu 
 """
 
 
-def svg(drawing: Drawing, title: str, said: Sequence[str] = (), *, compared: bool = False) -> str:
-    """The file. ``said`` are lines below the title; with ``compared`` it says what the colours mean."""
-    placed = sheet(drawing, _size, _name_size)
-    legend = [each for each in LEGEND if compared and any(each[0] == mark for mark in _marks(drawing))]
-    titles = [_cut(visible(title), LONGEST_TITLE), *(_cut(visible(each), LONGEST_TITLE + 30) for each in said)]
-    notes = [*([_cut(drawing.left_out, LONGEST_TITLE + 30)] if drawing.left_out else [])]
-    if not placed.boxes:
-        notes.append("Nothing to draw.")
-    top = MARGIN + 26 + 20 * len(said) + (22 if legend else 0)
-    width = max(placed.width, max(len(each) for each in titles) * 8.2, 420) + 2 * MARGIN
-    height = top + placed.height + MARGIN + 22 * len(notes)
-    extent = f'width="{width:.0f}" height="{height:.0f}"'
-    out = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" {extent} viewBox="0 0 {width:.0f} {height:.0f}" role="img">',
-        f"<title>{_escape('; '.join(titles))}</title>",
+class Section(NamedTuple):
+    """One drawing of a picture: its title, and lines that stand below the title."""
+
+    title: str
+    said: Sequence[str]
+    drawing: Drawing
+
+
+def svg(sections: Sequence[Section], *, compared: bool = False, more: int = 0) -> str:
+    """The file: all sections, one below the other. With ``compared`` it says what the colours mean; ``more`` are not shown."""
+    marks = {mark for each in sections for mark in _marks(each.drawing)}
+    legend = [each for each in LEGEND if compared and each[0] in marks]
+    out: list[str] = []
+    top, width = float(MARGIN), 420.0
+    if legend:
+        out += _legend(legend, top + 8)
+        top += 30
+    for each in sections:
+        drawn, high, wide = _section(each, top)
+        out += drawn
+        top, width = top + high, max(width, wide)
+    if more:
+        out.append(_text(MARGIN, top + 4, f"and {counted(more, 'more launch file')}", "sub"))
+        top += 22
+    extent = f'width="{width + 2 * MARGIN:.0f}" height="{top:.0f}"'
+    box = f'viewBox="0 0 {width + 2 * MARGIN:.0f} {top:.0f}"'
+    head = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" {extent} {box} role="img">',
+        f"<title>{_escape('; '.join(_cut(visible(each.title), LONGEST_TITLE) for each in sections))}</title>",
         f"<style>{_STYLE}</style>",
         f'<rect class="ground" {extent}/>',
-        _text(MARGIN, MARGIN + 14, titles[0], "title"),
-        *(_text(MARGIN, MARGIN + 36 + 20 * number, each, "sub") for number, each in enumerate(titles[1:])),
-        *_legend(legend, top - 14),
-        f'<g transform="translate({MARGIN} {top})">',
+    ]
+    return "\n".join([*head, *out, "</svg>"]) + "\n"
+
+
+def _section(section: Section, top: float) -> tuple[list[str], float, float]:
+    """What is drawn of one section from ``top`` on, how high and how wide it is."""
+    drawing = section.drawing
+    placed = sheet(drawing, _size, _name_size)
+    said = [_cut(visible(each), LONGEST_TITLE + 30) for each in section.said]
+    title = _cut(visible(section.title), LONGEST_TITLE)
+    notes = [_cut(visible(drawing.left_out), LONGEST_TITLE + 30)] if drawing.left_out else []
+    notes += [] if placed.boxes else ["Nothing to draw."]
+    down = top + 34 + 20 * len(said)
+    out = [
+        _text(MARGIN, top + 14, title, "title"),
+        *(_text(MARGIN, top + 36 + 20 * number, each, "sub") for number, each in enumerate(said)),
+        f'<g transform="translate({MARGIN} {down:.1f})">',
     ]
     for arrow, points, ends in placed.lines:
         classes = f"line{' conditional' if arrow.conditional or arrow.kind == 'service' else ''}{' ' + arrow.mark if arrow.mark else ''}"
@@ -74,14 +102,16 @@ def svg(drawing: Drawing, title: str, said: Sequence[str] = (), *, compared: boo
             out.append(_head(points, arrow.mark))
     for name, (x, y), (wide, high) in placed.names:
         out.append(f'<rect class="back" x="{x:.1f}" y="{y:.1f}" width="{wide:.1f}" height="{high:.1f}"/>')
+        looks = f"name{' t-' + name.mark if name.mark else ''}"
         for number, line in enumerate(name.lines):
-            looks = f"name{' t-' + name.mark if name.mark else ''}"
-            out.append(_text(x + wide / 2, y + 12 + 14 * number, _short(line), looks, anchor="middle"))
+            out.append(_text(x + wide / 2, y + 12 + 14 * number, _short(visible(line)), looks, anchor="middle"))
     for box, place, size in placed.boxes:
         out += _box(box, place, size)
     out.append("</g>")
-    out += [_text(MARGIN, height - MARGIN + 8 - 22 * number, each, "left") for number, each in enumerate(reversed(notes))]
-    return "\n".join([*out, "</svg>"]) + "\n"
+    bottom = down + placed.height + 20
+    out += [_text(MARGIN, bottom + 8 + 20 * number, each, "left") for number, each in enumerate(notes)]
+    widest = max(placed.width, len(title) * 9.0, *(len(each) * 7.0 for each in (*said, *notes)), 0.0)
+    return out, bottom + 20 * len(notes) + MARGIN - top, widest
 
 
 def _marks(drawing: Drawing) -> set[str]:
@@ -138,7 +168,7 @@ def _size(box: Box) -> Size:
 
 
 def _name_size(name: Name) -> Size:
-    return max(len(_short(each)) for each in name.lines) * SMALL + 10, 4.0 + 14 * len(name.lines)
+    return max(len(_short(visible(each))) for each in name.lines) * SMALL + 10, 4.0 + 14 * len(name.lines)
 
 
 def _box(box: Box, place: Point, size: Size) -> list[str]:

@@ -442,14 +442,14 @@
     if (node.isTest) classes.push("test");
     if (node.mark) classes.push(node.mark);
     if (view.stubs.has(`n:${index}`)) classes.push("stub");
-    const said = [node.name, node.program];
-    if (node.knowledge === "unknown") said.push(`unknown: ${node.reason || "nothing is known of what it connects to"}`);
-    if (node.conditions.length) said.push(`only where ${node.conditions.join(" and ")}`);
-    if (guest) said.push(`in the process of ${node.host}`);
-    if (machine2) said.push(`on the machine ${machineName(machine2, address)}`);
+    const said2 = [node.name, node.program];
+    if (node.knowledge === "unknown") said2.push(`unknown: ${node.reason || "nothing is known of what it connects to"}`);
+    if (node.conditions.length) said2.push(`only where ${node.conditions.join(" and ")}`);
+    if (guest) said2.push(`in the process of ${node.host}`);
+    if (machine2) said2.push(`on the machine ${machineName(machine2, address)}`);
     const loose = loosePorts(view, `n:${index}`, view.loose.get(index) ?? [], group3);
     const badge3 = badgeOf(view, node.findings) ?? badgeOf(view, node.related, true);
-    return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said.join("\n"), badge: badge3, loose, level: null, wires: [] }, measure);
+    return sized({ id: `n:${index}`, kind: "node", classes, lines, title: said2.join("\n"), badge: badge3, loose, level: null, wires: [] }, measure);
   }
   function titles(text2) {
     return inLines(text2, BROAD).map((each) => ({ kind: "title", text: each }));
@@ -1583,9 +1583,9 @@ ${counted(about.nodes, "node")}`;
   function sheetOf(root, placed) {
     const outermost = placed.get(root.group.id);
     const sheet = { width: (outermost == null ? void 0 : outermost.width) ?? 0, height: (outermost == null ? void 0 : outermost.height) ?? 0, boxes: [], edges: [], labels: [], ports: [], loose: [] };
-    add3(root, 0, 0, 0);
+    add4(root, 0, 0, 0);
     return sheet;
-    function add3(level, dx, dy, depth) {
+    function add4(level, dx, dy, depth) {
       const own = placed.get(level.group.id);
       if (!own) return;
       const move = (point) => ({ ...point, x: point.x + dx, y: point.y + dy });
@@ -1612,7 +1612,7 @@ ${counted(about.nodes, "node")}`;
           const label2 = own.labels.get(port.id);
           if (at) sheet.loose.push({ ...move(at), port, box: box2, label: label2 ? move(label2) : null });
         }
-        if (box2.level) add3(box2.level, dx + area.x, dy + area.y, depth + 1);
+        if (box2.level) add4(box2.level, dx + area.x, dy + area.y, depth + 1);
       }
     }
   }
@@ -2759,6 +2759,73 @@ ${counted(about.nodes, "node")}`;
     };
   }
 
+  // launchlint/report/html/js/page/combination.js
+  function choices({ given }) {
+    const found2 = /* @__PURE__ */ new Map();
+    for (const [name, value] of given.flat()) found2.set(name, (found2.get(name) ?? /* @__PURE__ */ new Set()).add(value));
+    return [...found2].map(([name, values]) => ({ name, values: [...values].sort() }));
+  }
+  function configurationOf(entry, pairs2) {
+    const known6 = entry.given.findIndex((each, at) => (at === 0 || each.length > 0) && each.length === pairs2.length && contains(pairs2, each));
+    return known6 >= 0 ? known6 : add3(entry, pairs2);
+  }
+  function configurationNamed(entry, text2) {
+    const known6 = entry.configurations.indexOf(text2);
+    if (known6 >= 0) return known6;
+    const start2 = entry.configurations[0] ?? "";
+    const rest = text2.startsWith(start2) ? text2.slice(start2.length).trimStart() : null;
+    const pairs2 = rest === null ? null : read(rest, choices(entry));
+    return pairs2 ? configurationOf(entry, pairs2) : -1;
+  }
+  function commandOf(entry, configuration) {
+    const pairs2 = entry.given[configuration] ?? [];
+    return entry.command && [entry.command, ...pairs2.map(([name, value]) => quoted(`${name}:=${value}`))].join(" ");
+  }
+  function quoted(word) {
+    return /^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", `'"'"'`)}'`;
+  }
+  function contains(all, some2) {
+    return some2.every(([name, value]) => all.some((each) => each[0] === name && each[1] === value));
+  }
+  function read(text2, known6) {
+    if (text2 === "") return [];
+    for (const { name, values } of known6) {
+      for (const value of values) {
+        const word = `${name}:=${value}`;
+        if (text2 !== word && !text2.startsWith(`${word} `)) continue;
+        const rest = read(text2.slice(word.length).trimStart(), known6.filter((each) => each.name !== name));
+        if (rest) return [
+          /** @type {const} */
+          [name, value],
+          ...rest
+        ];
+      }
+    }
+    return null;
+  }
+  function add3(entry, pairs2) {
+    const number2 = entry.configurations.length;
+    const within2 = entry.given.flatMap((each, at) => at > 0 && each.length > 0 && contains(pairs2, each) ? [at] : []);
+    const largest = within2.filter((at) => !within2.some((other) => bigger(entry.given[other] ?? [], entry.given[at] ?? [])));
+    const known6 = /* @__PURE__ */ new Map();
+    const extended = (only2) => {
+      let found2 = known6.get(only2);
+      if (!found2) {
+        const first = only2.includes(0);
+        const there = largest.some((at) => only2.includes(at) !== first) ? !first : first;
+        found2 = only2.length > 0 && there ? [...only2, number2] : only2;
+        known6.set(only2, found2);
+      }
+      return found2;
+    };
+    for (const each of [...entry.nodes, ...entry.connections, ...entry.params]) each.only = extended(each.only);
+    entry.findingsOnly = entry.findingsOnly.map(extended);
+    entry.given.push(pairs2.map(([name, value]) => [name, value]));
+    entry.configurations.push([entry.configurations[0], ...pairs2.map(([name, value]) => `${name}:=${value}`)].filter(Boolean).join(" "));
+    return number2;
+  }
+  var bigger = (one2, other) => one2.length > other.length && contains(one2, other);
+
   // launchlint/report/html/js/page/model.js
   function createModel(data) {
     const known6 = /* @__PURE__ */ new Map();
@@ -3039,28 +3106,29 @@ ${counted(about.nodes, "node")}`;
   }
   function stateOf(model, hash) {
     var _a;
-    const said = pairsOf(hash);
+    const said2 = pairsOf(hash);
     const state = initialState();
-    const wanted = wantedOf(said);
-    state.landing = said.size === 0 && model.data.entries.length > 1;
-    state.entry = entryOf(model, said, wanted) ?? state.entry;
+    const wanted = wantedOf(said2);
+    state.landing = said2.size === 0 && model.data.entries.length > 1;
+    if (state.landing) return state;
+    state.entry = entryOf(model, said2, wanted) ?? state.entry;
     const entry = model.entry(state.entry);
-    const configuration = said.get("configuration");
-    if (configuration !== void 0) state.configuration = entry.entry.configurations.indexOf(configuration);
-    const grouping = said.get("group") ?? "";
+    const configuration = said2.get("configuration");
+    if (configuration !== void 0) state.configuration = configurationNamed(entry.entry, configuration);
+    const grouping = said2.get("group") ?? "";
     if (GROUPINGS.includes(grouping)) state.grouping = /** @type {PageState["grouping"]} */
     grouping;
     const outside = (path) => byIndex(entry, `g:${state.grouping}:${path}`);
-    const focus = said.get("focus");
+    const focus = said2.get("focus");
     if (focus) state.focus = outside(focus);
-    const open = said.get("open");
+    const open = said2.get("open");
     if (open !== void 0) state.expanded = new Set(parts2(open).map(outside));
-    state.hidden = new Set(parts2(said.get("hide") ?? "").flatMap((each) => unstable(entry, each)));
-    const layers = (_a = said.get("layers")) == null ? void 0 : _a.split(",");
+    state.hidden = new Set(parts2(said2.get("hide") ?? "").flatMap((each) => unstable(entry, each)));
+    const layers = (_a = said2.get("layers")) == null ? void 0 : _a.split(",");
     if (layers) for (const layer2 of LAYERS) state.layers[layer2] = layers.includes(layer2);
-    for (const flag2 of FLAGS) if (said.has(flag2)) state[flag2] = said.get(flag2) === "yes";
-    state.filter = said.get("filter") ?? "";
-    state.place = placeOf(entry, said.get("at") ?? "");
+    for (const flag2 of FLAGS) if (said2.has(flag2)) state[flag2] = said2.get(flag2) === "yes";
+    state.filter = said2.get("filter") ?? "";
+    state.place = placeOf(entry, said2.get("at") ?? "");
     state.selection = wanted && found(model, entry, state.grouping, wanted);
     return state;
   }
@@ -3086,8 +3154,8 @@ ${counted(about.nodes, "node")}`;
   function indexed(kind, prefix, index) {
     return index === void 0 ? null : { kind, id: `${prefix}${index}` };
   }
-  function entryOf(model, said, wanted) {
-    const file = said.get("entry");
+  function entryOf(model, said2, wanted) {
+    const file = said2.get("entry");
     const { entries } = model.data;
     if (file !== void 0) return positive(entries.findIndex((each) => model.data.files[each.file] === file));
     if (!wanted) return void 0;
@@ -3101,21 +3169,21 @@ ${counted(about.nodes, "node")}`;
     return positive(entries.findIndex(has));
   }
   var positive = (index) => index < 0 ? void 0 : index;
-  function wantedOf(said) {
+  function wantedOf(said2) {
     for (const kind of ["finding", "node", ...CHANNELS, "param", "container", "edge"]) {
-      const name = said.get(kind);
+      const name = said2.get(kind);
       if (name) return [kind, name];
     }
     return null;
   }
   function pairsOf(hash) {
-    const said = /* @__PURE__ */ new Map();
+    const said2 = /* @__PURE__ */ new Map();
     for (const pair of hash.replace(/^#/, "").split("&")) {
       const [key = "", ...rest] = pair.split("=");
       const value = rest.join("=");
-      if (rest.length > 0 && !said.has(key)) said.set(key, key === "open" || key === "hide" ? value : unescape(value));
+      if (rest.length > 0 && !said2.has(key)) said2.set(key, key === "open" || key === "hide" ? value : unescape(value));
     }
-    return said;
+    return said2;
   }
   function numbered2(named, name, index) {
     var _a;
@@ -3185,6 +3253,142 @@ ${counted(about.nodes, "node")}`;
     return children.filter((child) => child !== null && child !== void 0 && child !== false && child !== "").map((child) => child instanceof Node ? child : String(child));
   }
 
+  // launchlint/report/html/js/page/wording.js
+  var ROLES = /* @__PURE__ */ new Map([
+    ["publisher", ["publishes", "subscribes to it", "Publishers"]],
+    ["subscriber", ["subscribes to", "publishes it", "Subscribers"]],
+    ["server", ["serves", "calls it", "Servers"]],
+    ["client", ["calls", "serves it", "Clients"]],
+    ["action server", ["serves action", "calls it", "Action servers"]],
+    ["action client", ["calls action", "serves it", "Action clients"]]
+  ]);
+  var MOST_DOUBTED = 3;
+  var ROLE_ORDER = [...ROLES.keys()];
+  var words = (role) => ROLES.get(role.replace("_", " ")) ?? [role, "uses it", role];
+  var does = (role) => words(role)[0];
+  function missed(role, doubts) {
+    const who = doubted(doubts);
+    return who ? `nobody here ${words(role)[1]}, but ${who} may` : `nobody ${words(role)[1]}`;
+  }
+  function doubted(doubts) {
+    const names = [...new Set(doubts.map((each) => `${each[1] || "another one"} (${why(each)})`))];
+    if (names.length > MOST_DOUBTED) names.splice(MOST_DOUBTED, names.length, "others");
+    return [names.slice(0, -1).join(", "), ...names.slice(-1)].filter(Boolean).join(" and ");
+  }
+  function why([, node, unknown, reason]) {
+    return node ? unknown ? "not known" : "not all of it is known" : reason.replace(/:.*/s, "");
+  }
+  var nounOf = (role) => words(role)[2];
+  function number(count3, one2, many2 = `${one2}s`) {
+    return `${count3.toLocaleString("en")} ${count3 === 1 ? one2 : many2}`;
+  }
+  function notice({ verdict, why: why2, withArgs, launcher }) {
+    if (verdict === "loads") return withArgs && `loads; ${withArgs}`;
+    return `${verdict === "refused" ? `refused by ${launcher}` : verdict}: ${why2}${withArgs && `; ${withArgs}`}`;
+  }
+  function entryTitle(data, index) {
+    const entry = data.entries[index];
+    return entry ? `${data.files[entry.file]} ${entry.configurations[0] ?? ""}`.trimEnd() : "";
+  }
+  function configurationName(args) {
+    return args || "default args";
+  }
+  function when(entry, only2) {
+    if (only2.length === 0) return "";
+    const names = (those2) => those2.map((each) => configurationName(entry.configurations[each] ?? "")).join(" or ");
+    const others = entry.configurations.map((_, index) => index).filter((index) => !only2.includes(index));
+    if (others.length > 0 && others.length < only2.length) return `not with ${names(others)}`;
+    return `only with ${names([...only2])}`;
+  }
+  function lastPart2(name) {
+    return name.slice(name.lastIndexOf("/") + 1) || name;
+  }
+
+  // launchlint/report/html/js/page/configurations.js
+  var EVERY = -1;
+  function createConfigurations({ model, store }) {
+    const quick = element2("select", { "aria-label": "Configuration" });
+    const title2 = element2("summary", {}, "Args");
+    const content = element2("div", { class: "menu-items args" });
+    const menu2 = element2("details", { class: "popup one-only" }, title2, content);
+    const host2 = element2("span", { class: "one-only configurations" }, quick, menu2);
+    quick.addEventListener("change", () => store.set({ configuration: Number(quick.value) }));
+    document.addEventListener("click", (event) => menu2.contains(
+      /** @type {Node} */
+      event.target
+    ) || (menu2.open = false));
+    menu2.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || !menu2.open) return;
+      menu2.open = false;
+      title2.focus();
+      event.stopPropagation();
+    });
+    const entryNow = () => model.entry(store.get().entry).entry;
+    function chosen() {
+      const selects = [...content.querySelectorAll("select")];
+      return selects.flatMap((each) => each.selectedIndex > 0 ? [
+        /** @type {const} */
+        [each.dataset["name"] ?? "", each.value]
+      ] : []);
+    }
+    function apply() {
+      store.set({ configuration: configurationOf(entryNow(), chosen()) });
+    }
+    function build() {
+      const entry = entryNow();
+      const rows2 = choices(entry).map(({ name, values }) => {
+        const options = [element2("option", {}, "default"), ...values.map((value) => element2("option", { value }, value || "(empty)"))];
+        const chooser = element2("select", { "data-name": name, change: apply }, ...options);
+        return element2("label", {}, element2("code", {}, name), chooser);
+      });
+      host2.hidden = rows2.length === 0 && entry.configurations.length < 2;
+      menu2.hidden = rows2.length === 0 && !entry.command;
+      const command = element2("pre", { class: "command", tabindex: 0, role: "group", "aria-label": "Command" });
+      const copy = button("Copy", () => void copied(command.textContent ?? "", copy), { class: "copy" });
+      const note = element2("p", { class: "note" });
+      fill(content, element2("p", { class: "note" }, "What starts it so:"), command, copy, note, ...rows2);
+    }
+    function show2() {
+      var _a;
+      const { configuration } = store.get();
+      const entry = entryNow();
+      const all = element2("option", { value: EVERY }, `All ${entry.configurations.length} configurations`);
+      fill(quick, all, ...entry.configurations.map((args, index) => element2("option", { value: index }, configurationName(args))));
+      quick.value = String(configuration);
+      const pairs2 = entry.given[configuration] ?? [];
+      for (const each of content.querySelectorAll("select")) {
+        const value = (_a = pairs2.find(([name]) => name === each.dataset["name"])) == null ? void 0 : _a[1];
+        each.selectedIndex = value === void 0 ? 0 : [...each.options].findIndex((option, at) => at > 0 && option.value === value);
+      }
+      const [command, note] = [content.querySelector("pre"), content.querySelector(":scope > p:last-of-type")];
+      if (command) command.textContent = commandOf(entry, Math.max(configuration, 0));
+      if (note) note.textContent = said(entry, configuration);
+    }
+    store.listen((state, before) => {
+      const anew = state === before || state.entry !== before.entry;
+      if (anew) build();
+      if (anew || state.configuration !== before.configuration) show2();
+    });
+    return host2;
+  }
+  function said(entry, configuration) {
+    var _a;
+    if (configuration < 0) return "All configurations are shown together: what is in some of them only is dashed.";
+    const nodes = entry.nodes.filter((each) => isIn(each, configuration) && each.mark !== "removed").length;
+    const guess = !entry.whole && (((_a = entry.given[configuration]) == null ? void 0 : _a.length) ?? 0) > 1;
+    const doubt = guess ? " It has more args that act on each other than were combined: of several at once, it is shown what each of them does." : "";
+    return `${number(nodes, "node")} with these args.${doubt}`;
+  }
+  async function copied(text2, told2) {
+    try {
+      await navigator.clipboard.writeText(text2);
+      told2.textContent = "Copied";
+    } catch {
+      told2.textContent = "Select it, and copy with Ctrl+C";
+    }
+    window.setTimeout(() => told2.textContent = "Copy", 2e3);
+  }
+
   // launchlint/report/html/js/page/dot.js
   var COLOURS = /* @__PURE__ */ new Map([
     ["added", "#1a7f37"],
@@ -3194,13 +3398,13 @@ ${counted(about.nodes, "node")}`;
   var BUNDLE2 = 3;
   function dot({ title: title2, verdict, boxes, arrows }) {
     const names = new Map(boxes.map((box2, index) => [box2.id, `n${index + 1}`]));
-    const lines = ["digraph connections {", "  rankdir=LR;", `  label=${quoted(title2, verdict)};`, "  node [shape=box];"];
+    const lines = ["digraph connections {", "  rankdir=LR;", `  label=${quoted2(title2, verdict)};`, "  node [shape=box];"];
     const write = (parent, depth) => {
       const indent = "  ".repeat(Math.min(depth, 12));
       for (const box2 of boxes) {
         if (box2.parent !== parent) continue;
         if (box2.kind === "container") {
-          lines.push(`${indent}subgraph cluster_${names.get(box2.id)} { label=${quoted(box2.label)};`);
+          lines.push(`${indent}subgraph cluster_${names.get(box2.id)} { label=${quoted2(box2.label)};`);
           write(box2.id, depth + 1);
           lines.push(`${indent}}`);
         } else lines.push(`${indent}${names.get(box2.id)} [${attributes(box2)}];`);
@@ -3212,20 +3416,20 @@ ${counted(about.nodes, "node")}`;
 `;
   }
   function attributes({ kind, label: label2, detail, unknown, conditional, mark }) {
-    const found2 = [`label=${quoted(label2, detail)}`];
+    const found2 = [`label=${quoted2(label2, detail)}`];
     if (kind !== "node" && kind !== "folded") found2.push("shape=ellipse");
     if (unknown || conditional || mark === "removed") found2.push(`style="${unknown ? "dotted" : "dashed"}"`);
     if (mark) found2.push(`color="${COLOURS.get(mark)}", penwidth=3`);
     return found2.join(", ");
   }
   function arrowAttributes({ kind, names, conditional, mark }) {
-    const found2 = [`label=${names.length < BUNDLE2 ? quoted(...names) : quoted(`${names.length} ${kind}s`)}`];
+    const found2 = [`label=${names.length < BUNDLE2 ? quoted2(...names) : quoted2(`${names.length} ${kind}s`)}`];
     if (kind === "service" || conditional || mark === "removed") found2.push('style="dashed"');
     else if (kind === "action") found2.push('style="bold"');
     if (mark) found2.push(`color="${COLOURS.get(mark)}", penwidth=3`);
     return found2.join(", ");
   }
-  function quoted(...rows2) {
+  function quoted2(...rows2) {
     const text2 = rows2.filter(Boolean).map(
       (row2) => row2.replaceAll(/[\\"]/g, "\\$&").replaceAll("&", "&amp;").replaceAll(new RegExp("\\p{Cc}", "gu"), "�")
     );
@@ -3233,10 +3437,10 @@ ${counted(about.nodes, "node")}`;
   }
 
   // launchlint/report/html/js/page/menu.js
-  function menu(label2, choices) {
+  function menu(label2, choices2) {
     const host2 = element2("details", { class: "menu" }, element2("summary", {}, label2));
     const close = () => host2.removeAttribute("open");
-    const items = choices.map(([name, action]) => button(name, () => (close(), action())));
+    const items = choices2.map(([name, action]) => button(name, () => (close(), action())));
     host2.append(element2("div", { class: "menu-items" }, ...items));
     host2.addEventListener("keydown", (event) => {
       var _a;
@@ -3282,6 +3486,7 @@ ${counted(about.nodes, "node")}`;
     };
     write("", 1);
     for (const arrow of arrows) lines.push(`  ${names.get(arrow.from)} ${line2(arrow)} ${names.get(arrow.to)}`);
+    for (const [at, { mark }] of arrows.entries()) if (mark) lines.push(`  linkStyle ${at} ${STYLES.get(mark)}`);
     for (const [style, css] of STYLES) {
       const those2 = boxes.filter((box2) => box2.mark === style || style === "unknown" && box2.unknown || style === "conditional" && box2.conditional);
       if (those2.length > 0) lines.push(`  classDef ${style} ${css}`, `  class ${those2.map((box2) => names.get(box2.id)).join()} ${style}`);
@@ -3305,6 +3510,329 @@ ${counted(about.nodes, "node")}`;
     const shown = characters.length <= longest ? characters : [...characters.slice(0, 26), "…", ...characters.slice(-(longest - 27))];
     return shown.map((each) => /^[\w\-/.,~ …→]$/.test(each) ? each : `#${each.codePointAt(0)};`).join("");
   }
+
+  // launchlint/report/html/js/page/reference.js
+  function reference(page, target2, label2, entry = page.store.get().entry) {
+    const address = addressOf(page.model, { ...initialState(), entry, grouping: page.store.get().grouping, selection: target2 });
+    return element2("a", { href: `#${address}`, click: (event) => follow(page, target2, entry, event) }, label2);
+  }
+  function nodeReference(page, node) {
+    var _a;
+    const { store, model } = page;
+    return reference(page, { kind: "node", id: `n:${node}` }, ((_a = model.entry(store.get().entry).entry.nodes[node]) == null ? void 0 : _a.name) ?? "");
+  }
+  function channelReference(page, channel) {
+    var _a;
+    const { store, model } = page;
+    return reference(page, { kind: "channel", id: `c:${channel}` }, ((_a = model.entry(store.get().entry).entry.channels[channel]) == null ? void 0 : _a.name) ?? "");
+  }
+  function select({ store }, target2, entry = store.get().entry) {
+    if (entry === store.get().entry) store.set({ selection: target2 });
+    else store.set({ entry, selection: target2 });
+  }
+  function follow(page, target2, entry, event) {
+    if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+    event.preventDefault();
+    select(page, target2, entry);
+  }
+
+  // launchlint/report/html/js/links.js
+  function sourceLink(data, file, line4) {
+    const path = data.files[file];
+    if (data.sourceUrl === null || data.baseFiles.includes(file) || /^\/|^\.\.\//.test(path)) return null;
+    if (!/^https?:\/\//.test(data.sourceUrl)) return null;
+    return `${data.sourceUrl}${path.split("/").map(encodeURIComponent).join("/")}#L${line4}`;
+  }
+
+  // launchlint/report/html/js/page/source.js
+  var AROUND = 2;
+  var LONGEST_MARKED = 12;
+  function written(model, place2) {
+    const address = sourceLink(model.data, place2[0], place2[1]);
+    const text2 = model.place(place2);
+    return address === null ? element2("code", { class: "place" }, text2) : element2("a", { class: "place", href: address }, text2);
+  }
+  function source(model, place2, marked) {
+    const [file, line4, column] = place2;
+    const last = marked ? Math.min(marked.endLine, line4 + LONGEST_MARKED) : line4;
+    const shown = [];
+    for (let at = Math.max(1, line4 - AROUND); at <= last + AROUND; at += 1) {
+      const text2 = model.line(file, at);
+      if (text2 === void 0) continue;
+      const inside = at >= line4 && at <= last;
+      const from = at === line4 ? column - 1 : 0;
+      const to = marked && at === marked.endLine ? marked.endColumn - 1 : Infinity;
+      shown.push(
+        element2(
+          "span",
+          { class: inside ? "line hit" : "line" },
+          element2("span", { class: "number", "aria-hidden": "true" }, String(at)),
+          element2("span", { class: "text" }, ...inside && marked ? split2(text2, from, to) : [text2 || " "])
+        )
+      );
+      if ((marked == null ? void 0 : marked.label) && at === last) {
+        const start2 = at === line4 ? Math.max(column - 1, indentOf(Array.from(text2))) : indentOf(Array.from(text2));
+        const below = Array.from(text2).slice(0, start2).join("").replaceAll(/[^\t]/g, " ");
+        const label2 = element2("span", { class: "text" }, `${below}└ ${marked.label}`);
+        shown.push(element2("span", { class: "line label" }, element2("span", { class: "number" }), label2));
+      }
+    }
+    const where = element2("figcaption", {}, written(model, place2));
+    const code = shown.length > 0 && element2("pre", { class: "source", tabindex: 0, role: "group", "aria-label": model.place(place2) }, shown);
+    return element2("figure", { class: "source" }, where, code);
+  }
+  function split2(line4, from, to) {
+    const points = Array.from(line4);
+    const start2 = Math.max(from, indentOf(points));
+    const end = Math.max(start2, Math.min(to, points.length));
+    const middle2 = points.slice(start2, end).join("");
+    return [points.slice(0, start2).join(""), middle2 && element2("mark", {}, middle2), points.slice(end).join("")];
+  }
+  function indentOf(points) {
+    return Math.max(
+      0,
+      points.findIndex((each) => each.trim() !== "")
+    );
+  }
+
+  // launchlint/report/html/js/page/same_findings.js
+  var ORDER = ["error", "warning", "info"];
+  function grouped(data, findings) {
+    const groups = /* @__PURE__ */ new Map();
+    for (const index of findings) {
+      const each = data.findings[index];
+      if (!each) continue;
+      const key = `${ORDER.indexOf(each.severity)} ${each.since ?? ""} ${each.rule} ${each.message}`;
+      const known6 = groups.get(key);
+      if (known6) known6.push(index);
+      else groups.set(key, [index]);
+    }
+    return [...groups].sort(([one2], [other]) => one2.charCodeAt(0) - other.charCodeAt(0)).map(([, those2]) => those2);
+  }
+
+  // launchlint/report/html/js/page/panel_blocks.js
+  var MANY = 12;
+  function block(title2, ...children) {
+    return element2("section", { class: "block" }, title2 && element2("h3", {}, title2), ...children);
+  }
+  function heading(kind, name, badges, actions = []) {
+    return [
+      element2("p", { class: "kind" }, kind),
+      element2("h2", { tabindex: -1 }, name),
+      badges.some(Boolean) && element2("p", { class: "badges" }, ...badges),
+      actions.some(Boolean) && element2("p", { class: "actions" }, ...actions)
+    ];
+  }
+  function badge2(text2, name = "") {
+    return element2("span", { class: `badge ${name}`.trim() }, text2);
+  }
+  function list(items, name = "") {
+    const host2 = element2("ul", { class: name || null }, ...items.slice(0, MANY).map((item2) => element2("li", {}, item2)));
+    if (items.length <= MANY) return host2;
+    const rest = items.slice(MANY);
+    const more = element2(
+      "li",
+      {},
+      button(`${rest.length} more`, () => more.replaceWith(...rest.map((item2) => element2("li", {}, item2))), { class: "more" })
+    );
+    host2.append(more);
+    return host2;
+  }
+  function findingsBlock(page, findings) {
+    if (findings.length === 0) return null;
+    return block(findings.length === 1 ? "Finding" : `${findings.length} findings`, findingList(page, findings));
+  }
+  function findingList(page, findings) {
+    const { data } = page.model;
+    const items = grouped(data, findings).flatMap((those2) => {
+      const [each, ...others] = those2.flatMap((index) => data.findings[index] ?? []);
+      return each ? [findingItem(page, each, others)] : [];
+    });
+    return list(items, "findings");
+  }
+  function findingItem(page, finding, others) {
+    const link = (each, text2) => reference(page, { kind: "finding", id: each.id }, text2);
+    const more = others.length > 0 && [
+      element2("summary", {}, `and at ${number(others.length, "more place")}`),
+      list(others.map((each) => link(each, page.model.place(each.place))))
+    ];
+    return element2(
+      "div",
+      {},
+      finding.since === "new" && [badge2("new", "since"), " "],
+      badge2(finding.severity, finding.severity),
+      " ",
+      element2("code", {}, finding.rule),
+      " ",
+      link(finding, finding.message),
+      element2("span", { class: "note" }, written(page.model, finding.place)),
+      more && element2("details", { class: "others" }, ...more)
+    );
+  }
+  function sourceBlock(page, place2, title2 = "Written at") {
+    return place2 && block(title2, source(page.model, place2));
+  }
+  function presenceBlock(page, only2, conditions = []) {
+    const entry = page.model.entry(page.store.get().entry).entry;
+    const words2 = when(entry, only2);
+    if (!words2 && conditions.length === 0) return null;
+    const lines = conditions.map((condition) => element2("code", {}, condition));
+    const there = words2 || (entry.configurations.length > 1 ? "in every configuration of this page" : "in the one configuration of this page");
+    return block("When it is there", element2("p", {}, there), lines.length > 0 && list(lines));
+  }
+  function renaming({ model }, connection) {
+    const steps = connection.remaps.filter(([from, to]) => from !== to);
+    if (steps.length === 0) return null;
+    const items = steps.map(([from, to, place2]) => {
+      const where = place2 ? written(model, place2) : "its args";
+      return element2("li", {}, element2("code", {}, from), " → ", element2("code", {}, to), " ", element2("span", { class: "note" }, "in ", where));
+    });
+    return element2("ol", { class: "remaps", "aria-label": "Remapped" }, ...items);
+  }
+  function peerList(page, others, self) {
+    const { entry: shown, configuration } = page.store.get();
+    const model = page.model.entry(shown);
+    const channel = model.entry.channels[self.channel];
+    const direction = (channel == null ? void 0 : channel.kind) === "topic" === self.offers ? "to" : "from";
+    if (others.length > 0)
+      return list(
+        [...new Set(others.map((each) => each.node))].map((node) => nodeReference(page, node)),
+        `peers ${direction}`
+      );
+    const doubts = mayBeAt(model, self.channel, !self.offers, configuration);
+    const isNote = (channel == null ? void 0 : channel.hub) || (channel == null ? void 0 : channel.plumbing) || !self.certain || doubts.length > 0;
+    return element2("p", { class: isNote ? "note" : "missing" }, missed(self.role, doubts));
+  }
+  function connectionFacts(page, connection, withType = true) {
+    var _a;
+    const entry = page.model.entry(page.store.get().entry).entry;
+    const notes = [moment(connection), when(entry, connection.only), connection.mark && `${connection.mark} since ${page.model.data.base}`];
+    const renamed = renaming(page, connection);
+    const evidence = element2(
+      "details",
+      {},
+      element2("summary", {}, "How this is known"),
+      list(connection.evidence.map((each) => element2("code", {}, each)))
+    );
+    const name = (_a = entry.channels[connection.channel]) == null ? void 0 : _a.name;
+    return [
+      withType && connection.type && element2("div", { class: "type" }, element2("code", {}, connection.type)),
+      (renamed || connection.unremapped !== name || connection.spelling === "private") && element2("div", { class: "note" }, "in the code: ", element2("code", {}, connection.declared), ` (${connection.spelling})`),
+      renamed,
+      notes.filter(Boolean).map((note) => element2("div", { class: "note" }, note)),
+      connection.evidence.length > 0 && evidence
+    ];
+  }
+  function moment({ certain, when: since }) {
+    const known6 = /* @__PURE__ */ new Map([
+      ["on_subscriber", "once somebody subscribes"],
+      ["on_message", "once a message has come"],
+      ["condition", "under a condition"]
+    ]);
+    return known6.get(since) ?? (certain ? "" : "perhaps: it is not certain that it does");
+  }
+  function focusButton({ store }, id, label2) {
+    const focused = store.get().focus === id;
+    return button(focused ? "Leave focus" : label2, () => store.set({ focus: focused ? null : id }), { "aria-pressed": String(focused) });
+  }
+  function hideButton({ store }, id) {
+    const hidden = store.get().hidden.has(id);
+    return button(hidden ? "Show in the drawing" : "Hide in the drawing", () => store.set({ hidden: toggled(store.get().hidden, id) }));
+  }
+  function toggled(those2, id) {
+    const next = new Set(those2);
+    if (!next.delete(id)) next.add(id);
+    return next;
+  }
+  function commandPart(command, words2) {
+    if (!command) return [];
+    return [element2("p", {}, words2), element2("pre", { class: "command", tabindex: 0, role: "group", "aria-label": "Command" }, command)];
+  }
+
+  // launchlint/report/html/js/page/changes.js
+  var MARKS = [
+    ["removed", "Lost"],
+    ["added", "Gained"],
+    ["changed", "Changed"]
+  ];
+  function changesBlocks(page, model) {
+    const { base } = page.model.data;
+    if (base === null) return [];
+    if (model.entry.mark === "added") return [block(`Since ${base}`, element2("p", {}, "This launch file is new."))];
+    if (model.entry.mark === "removed") return [block(`Since ${base}`, element2("p", {}, "This launch file is gone. What it started is shown."))];
+    const blocks = MARKS.flatMap(([mark, title2]) => {
+      const items = [...nodesWith(page, model, mark), ...linksWith(page, model, mark), ...connectionsWith(page, model, mark)];
+      return items.length > 0 ? [block(`${title2} since ${base}`, list(items, "changes"))] : [];
+    });
+    return blocks.length > 0 ? blocks : [block(`Since ${base}`, element2("p", {}, "Nothing changed in what this launch file starts and connects."))];
+  }
+  function createSequence(model) {
+    const known6 = /* @__PURE__ */ new Map();
+    return (index) => {
+      let found2 = known6.get(index);
+      if (!found2) known6.set(index, found2 = targetsOf(model, index));
+      return found2;
+    };
+  }
+  function targetsOf(model, index) {
+    const one2 = model.entry(index);
+    const { nodes, channels: channels2, params, findings } = one2.entry;
+    const marked = MARKS.flatMap(([mark]) => [
+      ...channels2.flatMap(({ hub, plumbing }, at) => !hub && !plumbing && endsAt(one2, at).some((each) => each.mark === mark) ? [`c:${at}`] : []),
+      ...nodes.flatMap((each, at) => each.mark === mark ? [`n:${at}`] : []),
+      ...params.flatMap((each, at) => each.mark === mark ? [`p:${at}`] : [])
+    ]);
+    const fresh = findings.flatMap((each) => {
+      var _a, _b;
+      return ((_a = model.data.findings[each]) == null ? void 0 : _a.since) ? [((_b = model.data.findings[each]) == null ? void 0 : _b.id) ?? ""] : [];
+    });
+    return [
+      ...fresh.map((id) => (
+        /** @type {Target} */
+        { kind: "finding", id }
+      )),
+      ...[...new Set(marked)].map((id) => (
+        /** @type {Target} */
+        { kind: KIND_OF[id.charAt(0)], id }
+      ))
+    ];
+  }
+  var KIND_OF = { c: "channel", n: "node", p: "param" };
+  function nodesWith(page, model, mark) {
+    return model.entry.nodes.flatMap((each, index) => each.mark === mark ? [line3(mark, "node ", nodeReference(page, index))] : []);
+  }
+  function linksWith(page, model, mark) {
+    return model.entry.channels.flatMap(({ kind, hub, plumbing }, channel) => {
+      if (hub || plumbing) return [];
+      const there = endsAt(model, channel).filter((each) => each.mark !== opposite(mark));
+      const [givers, takers] = [true, false].map((gives) => there.filter(({ end }) => kind === "topic" === end.offers === gives));
+      const pairs2 = (givers ?? []).flatMap((from) => (takers ?? []).map((to) => (
+        /** @type {const} */
+        [from, to]
+      )));
+      return pairs2.filter(([from, to]) => from.mark === mark || to.mark === mark).map(
+        ([from, to]) => line3(mark, nodeReference(page, from.end.node), " → ", nodeReference(page, to.end.node), " on ", channelReference(page, channel))
+      );
+    });
+  }
+  function connectionsWith(page, model, mark) {
+    return model.entry.channels.flatMap(({ plumbing }, channel) => {
+      const ends = plumbing ? [] : endsAt(model, channel).filter((each) => each.mark !== opposite(mark));
+      const alone = ends.filter((each) => each.mark === mark && !ends.some((other) => other.end.offers !== each.end.offers));
+      return alone.map(({ end }) => line3(mark, nodeReference(page, end.node), ` ${does(end.role)} `, channelReference(page, channel)));
+    });
+  }
+  function endsAt(model, channel) {
+    return (model.onChannel[channel] ?? []).map((end) => {
+      var _a;
+      const moved = (each) => each.mark === "removed" && each.role === end.role && each.declared === end.declared && each.channel !== channel;
+      return { end, mark: end.mark === "changed" && ((_a = model.ofNode[end.node]) == null ? void 0 : _a.some(moved)) ? "added" : end.mark };
+    });
+  }
+  function line3(mark, ...words2) {
+    return element2("div", {}, badge2(mark, mark), " ", ...words2);
+  }
+  var opposite = (mark) => mark === "removed" ? "added" : "removed";
 
   // launchlint/report/html/js/page/containers.js
   var known5 = /* @__PURE__ */ new WeakMap();
@@ -3368,57 +3896,6 @@ ${counted(about.nodes, "node")}`;
     return path;
   }
 
-  // launchlint/report/html/js/page/wording.js
-  var ROLES = /* @__PURE__ */ new Map([
-    ["publisher", ["publishes", "subscribes to it", "Publishers"]],
-    ["subscriber", ["subscribes to", "publishes it", "Subscribers"]],
-    ["server", ["serves", "calls it", "Servers"]],
-    ["client", ["calls", "serves it", "Clients"]],
-    ["action server", ["serves action", "calls it", "Action servers"]],
-    ["action client", ["calls action", "serves it", "Action clients"]]
-  ]);
-  var MOST_DOUBTED = 3;
-  var ROLE_ORDER = [...ROLES.keys()];
-  var words = (role) => ROLES.get(role.replace("_", " ")) ?? [role, "uses it", role];
-  var does = (role) => words(role)[0];
-  function missed(role, doubts) {
-    const who = doubted(doubts);
-    return who ? `nobody here ${words(role)[1]}, but ${who} may` : `nobody ${words(role)[1]}`;
-  }
-  function doubted(doubts) {
-    const names = [...new Set(doubts.map((each) => `${each[1] || "another one"} (${why(each)})`))];
-    if (names.length > MOST_DOUBTED) names.splice(MOST_DOUBTED, names.length, "others");
-    return [names.slice(0, -1).join(", "), ...names.slice(-1)].filter(Boolean).join(" and ");
-  }
-  function why([, node, unknown, reason]) {
-    return node ? unknown ? "not known" : "not all of it is known" : reason.replace(/:.*/s, "");
-  }
-  var nounOf = (role) => words(role)[2];
-  function number(count3, one2, many2 = `${one2}s`) {
-    return `${count3.toLocaleString("en")} ${count3 === 1 ? one2 : many2}`;
-  }
-  function notice({ verdict, why: why2, withArgs, launcher }) {
-    if (verdict === "loads") return withArgs && `loads; ${withArgs}`;
-    return `${verdict === "refused" ? `refused by ${launcher}` : verdict}: ${why2}${withArgs && `; ${withArgs}`}`;
-  }
-  function entryTitle(data, index) {
-    const entry = data.entries[index];
-    return entry ? `${data.files[entry.file]} ${entry.configurations[0] ?? ""}`.trimEnd() : "";
-  }
-  function configurationName(args) {
-    return args || "default args";
-  }
-  function when(entry, only2) {
-    if (only2.length === 0) return "";
-    const names = (those2) => those2.map((each) => configurationName(entry.configurations[each] ?? "")).join(" or ");
-    const others = entry.configurations.map((_, index) => index).filter((index) => !only2.includes(index));
-    if (others.length > 0 && others.length < only2.length) return `not with ${names(others)}`;
-    return `only with ${names([...only2])}`;
-  }
-  function lastPart2(name) {
-    return name.slice(name.lastIndexOf("/") + 1) || name;
-  }
-
   // launchlint/report/html/js/page/picture.js
   var LAYER_OF = /* @__PURE__ */ new Map([
     ["topic", "topics"],
@@ -3433,7 +3910,7 @@ ${counted(about.nodes, "node")}`;
     const arrows = /* @__PURE__ */ new Map();
     for (const [at, channel] of model.entry.channels.entries()) {
       if (!isShown(page, state, channel, at)) continue;
-      const ends = (model.onChannel[at] ?? []).filter((each) => isIn(each, state.configuration));
+      const ends = endsAt(model, at).flatMap(({ end, mark }) => isIn(end, state.configuration) ? [{ ...end, mark: mark ?? "" }] : []);
       const givers = sides(
         page,
         ends.filter((each) => givesData(channel, each)),
@@ -3462,7 +3939,7 @@ ${counted(about.nodes, "node")}`;
         for (const [to, end] of takers) draw(arrows, id, to, channel.kind, "", end);
       } else {
         for (const [from, giver] of givers)
-          for (const [to, taker] of takers) if (from !== to) draw(arrows, from, to, channel.kind, channel.name, both(giver, taker));
+          for (const [to, taker] of takers) if (from !== to && meet(giver, taker)) draw(arrows, from, to, channel.kind, channel.name, both(giver, taker));
       }
     }
     return { title: page.model.data.files[model.entry.file] ?? "", verdict: notice(model.entry), boxes, arrows: [...arrows.values()] };
@@ -3511,11 +3988,12 @@ ${counted(about.nodes, "node")}`;
     const found2 = /* @__PURE__ */ new Map();
     for (const end of ends) {
       const box2 = drawing.standsFor(end.node);
-      if (box2 !== null && drawn.has(box2) && !found2.has(box2)) found2.set(box2, { conditional: !end.certain || end.only.length > 0, mark: end.mark ?? "" });
+      if (box2 !== null && drawn.has(box2) && !found2.has(box2)) found2.set(box2, { conditional: !end.certain || end.only.length > 0, mark: end.mark });
     }
     return found2;
   }
   var both = (one2, other) => ({ conditional: one2.conditional || other.conditional, mark: one2.mark || other.mark });
+  var meet = (one2, other) => one2.mark === other.mark || ![one2.mark, other.mark].every((mark) => mark === "added" || mark === "removed");
   function draw(arrows, from, to, kind, name, end) {
     const key = `${from}
 ${to}
@@ -3593,7 +4071,7 @@ ${end.mark}`;
     const { entry } = model.entry(index);
     const file = data.files[entry.file] ?? "";
     const hits = [];
-    const add3 = (kind, label2, detail, target2, byFile2 = false) => {
+    const add4 = (kind, label2, detail, target2, byFile2 = false) => {
       hits.push({
         kind,
         label: label2,
@@ -3605,22 +4083,22 @@ ${end.mark}`;
         tail: lastPart2(label2).toLowerCase()
       });
     };
-    for (const [at, each] of entry.nodes.entries()) add3("node", each.name, each.program, { kind: "node", id: `n:${at}` });
+    for (const [at, each] of entry.nodes.entries()) add4("node", each.name, each.program, { kind: "node", id: `n:${at}` });
     for (const [at, each] of entry.channels.entries()) {
-      if (!each.plumbing) add3(each.kind, each.name, each.types.join(", "), { kind: "channel", id: `c:${at}` });
+      if (!each.plumbing) add4(each.kind, each.name, each.types.join(", "), { kind: "channel", id: `c:${at}` });
     }
-    for (const [at, each] of entry.params.entries()) add3("param", each.name, each.value, { kind: "param", id: `p:${at}` });
+    for (const [at, each] of entry.params.entries()) add4("param", each.name, each.value, { kind: "param", id: `p:${at}` });
     for (const at of entry.findings) {
       const finding = data.findings[at];
       if (finding)
-        add3("finding", finding.message, `${finding.rule} ${finding.name} ${model.place(finding.place)}`, { kind: "finding", id: finding.id });
+        add4("finding", finding.message, `${finding.rule} ${finding.name} ${model.place(finding.place)}`, { kind: "finding", id: finding.id });
     }
-    add3("file", file, "entry file", null);
+    add4("file", file, "entry file", null);
     const seen = /* @__PURE__ */ new Set();
     for (const [at, each] of entry.containers.entries()) {
       if (each.kind !== "include" || seen.has(each.label)) continue;
       seen.add(each.label);
-      add3("file", each.label, `included by ${file}`, { kind: "container", id: `g:file:${at}` }, true);
+      add4("file", each.label, `included by ${file}`, { kind: "container", id: `g:file:${at}` }, true);
     }
     return hits;
   }
@@ -3735,10 +4213,10 @@ ${end.mark}`;
 
   // launchlint/report/html/js/page/theme.js
   var KEY = "launchlint-theme";
-  var ORDER = ["system", "light", "dark"];
+  var ORDER2 = ["system", "light", "dark"];
   var SIGNS2 = { system: "◐", light: "☀", dark: "☾" };
   function themeButton() {
-    const host2 = button("", () => show2(ORDER[(ORDER.indexOf(now) + 1) % ORDER.length] ?? "system"), { class: "theme" });
+    const host2 = button("", () => show2(ORDER2[(ORDER2.indexOf(now) + 1) % ORDER2.length] ?? "system"), { class: "theme" });
     let now = remembered();
     function show2(theme) {
       now = theme;
@@ -3754,7 +4232,7 @@ ${end.mark}`;
   }
   function remembered() {
     try {
-      return ORDER.find((each) => each === localStorage.getItem(KEY)) ?? "system";
+      return ORDER2.find((each) => each === localStorage.getItem(KEY)) ?? "system";
     } catch {
       return "system";
     }
@@ -3769,23 +4247,17 @@ ${end.mark}`;
   // launchlint/report/html/js/page/controls.js
   function createControls(page, { help }) {
     const search = createSearch(page);
-    const configuration = element2("select", { class: "one-only", "aria-label": "Configuration" });
     const entry = entryChooser(page);
-    configuration.addEventListener("change", () => page.store.set({ configuration: Number(configuration.value) }));
     fill(
       part("controls"),
       entry,
-      configuration,
+      createConfigurations(page),
       search.host,
       createExportMenu(page),
       themeButton(),
       button("?", help, { class: "help", "aria-label": "Keyboard help", title: "Keyboard (?)" })
     );
     page.store.listen((state) => entry && (entry.value = state.landing ? "-1" : String(state.entry)), { always: true });
-    page.store.listen((state, before) => {
-      if (state === before || state.entry !== before.entry) fillConfigurations(page, configuration);
-      configuration.value = String(state.configuration);
-    });
     return search;
   }
   function entryChooser({ model, store }) {
@@ -3806,15 +4278,6 @@ ${end.mark}`;
     const host2 = element2("select", { "aria-label": "Launch file" }, all, ...options);
     host2.addEventListener("change", () => store.set(host2.value === "-1" ? { ...initialState(), landing: true } : { entry: Number(host2.value) }));
     return host2;
-  }
-  function fillConfigurations({ model, store }, host2) {
-    const { configurations } = model.entry(store.get().entry).entry;
-    host2.hidden = configurations.length < 2;
-    fill(
-      host2,
-      element2("option", { value: -1 }, `All ${configurations.length} configurations`),
-      ...configurations.map((args, index) => element2("option", { value: index }, configurationName(args)))
-    );
   }
 
   // launchlint/report/html/js/page/drawing_keys.js
@@ -3931,31 +4394,6 @@ ${end.mark}`;
     };
   }
 
-  // launchlint/report/html/js/page/reference.js
-  function reference(page, target2, label2, entry = page.store.get().entry) {
-    const address = addressOf(page.model, { ...initialState(), entry, grouping: page.store.get().grouping, selection: target2 });
-    return element2("a", { href: `#${address}`, click: (event) => follow(page, target2, entry, event) }, label2);
-  }
-  function nodeReference(page, node) {
-    var _a;
-    const { store, model } = page;
-    return reference(page, { kind: "node", id: `n:${node}` }, ((_a = model.entry(store.get().entry).entry.nodes[node]) == null ? void 0 : _a.name) ?? "");
-  }
-  function channelReference(page, channel) {
-    var _a;
-    const { store, model } = page;
-    return reference(page, { kind: "channel", id: `c:${channel}` }, ((_a = model.entry(store.get().entry).entry.channels[channel]) == null ? void 0 : _a.name) ?? "");
-  }
-  function select({ store }, target2, entry = store.get().entry) {
-    if (entry === store.get().entry) store.set({ selection: target2 });
-    else store.set({ entry, selection: target2 });
-  }
-  function follow(page, target2, entry, event) {
-    if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
-    event.preventDefault();
-    select(page, target2, entry);
-  }
-
   // launchlint/report/html/js/page/keyboard.js
   var STORED = "launchlint-single-keys";
   function createKeyboard(page, go) {
@@ -4061,194 +4499,6 @@ ${end.mark}`;
         if (model.data.entries.length > 1) store.set({ ...initialState(), landing: true });
       }
     };
-  }
-
-  // launchlint/report/html/js/links.js
-  function sourceLink(data, file, line4) {
-    const path = data.files[file];
-    if (data.sourceUrl === null || data.baseFiles.includes(file) || /^\/|^\.\.\//.test(path)) return null;
-    if (!/^https?:\/\//.test(data.sourceUrl)) return null;
-    return `${data.sourceUrl}${path.split("/").map(encodeURIComponent).join("/")}#L${line4}`;
-  }
-
-  // launchlint/report/html/js/page/source.js
-  var AROUND = 2;
-  var LONGEST_MARKED = 12;
-  function written(model, place2) {
-    const address = sourceLink(model.data, place2[0], place2[1]);
-    const text2 = model.place(place2);
-    return address === null ? element2("code", { class: "place" }, text2) : element2("a", { class: "place", href: address }, text2);
-  }
-  function source(model, place2, marked) {
-    const [file, line4, column] = place2;
-    const last = marked ? Math.min(marked.endLine, line4 + LONGEST_MARKED) : line4;
-    const shown = [];
-    for (let at = Math.max(1, line4 - AROUND); at <= last + AROUND; at += 1) {
-      const text2 = model.line(file, at);
-      if (text2 === void 0) continue;
-      const inside = at >= line4 && at <= last;
-      const from = at === line4 ? column - 1 : 0;
-      const to = marked && at === marked.endLine ? marked.endColumn - 1 : Infinity;
-      shown.push(
-        element2(
-          "span",
-          { class: inside ? "line hit" : "line" },
-          element2("span", { class: "number", "aria-hidden": "true" }, String(at)),
-          element2("span", { class: "text" }, ...inside && marked ? split2(text2, from, to) : [text2 || " "])
-        )
-      );
-      if ((marked == null ? void 0 : marked.label) && at === last) {
-        const start2 = at === line4 ? Math.max(column - 1, indentOf(Array.from(text2))) : indentOf(Array.from(text2));
-        const below = Array.from(text2).slice(0, start2).join("").replaceAll(/[^\t]/g, " ");
-        const label2 = element2("span", { class: "text" }, `${below}└ ${marked.label}`);
-        shown.push(element2("span", { class: "line label" }, element2("span", { class: "number" }), label2));
-      }
-    }
-    const where = element2("figcaption", {}, written(model, place2));
-    const code = shown.length > 0 && element2("pre", { class: "source", tabindex: 0, role: "group", "aria-label": model.place(place2) }, shown);
-    return element2("figure", { class: "source" }, where, code);
-  }
-  function split2(line4, from, to) {
-    const points = Array.from(line4);
-    const start2 = Math.max(from, indentOf(points));
-    const end = Math.max(start2, Math.min(to, points.length));
-    const middle2 = points.slice(start2, end).join("");
-    return [points.slice(0, start2).join(""), middle2 && element2("mark", {}, middle2), points.slice(end).join("")];
-  }
-  function indentOf(points) {
-    return Math.max(
-      0,
-      points.findIndex((each) => each.trim() !== "")
-    );
-  }
-
-  // launchlint/report/html/js/page/panel_blocks.js
-  var MANY = 12;
-  function block(title2, ...children) {
-    return element2("section", { class: "block" }, title2 && element2("h3", {}, title2), ...children);
-  }
-  function heading(kind, name, badges, actions = []) {
-    return [
-      element2("p", { class: "kind" }, kind),
-      element2("h2", { tabindex: -1 }, name),
-      badges.some(Boolean) && element2("p", { class: "badges" }, ...badges),
-      actions.some(Boolean) && element2("p", { class: "actions" }, ...actions)
-    ];
-  }
-  function badge2(text2, name = "") {
-    return element2("span", { class: `badge ${name}`.trim() }, text2);
-  }
-  function list(items, name = "") {
-    const host2 = element2("ul", { class: name || null }, ...items.slice(0, MANY).map((item2) => element2("li", {}, item2)));
-    if (items.length <= MANY) return host2;
-    const rest = items.slice(MANY);
-    const more = element2(
-      "li",
-      {},
-      button(`${rest.length} more`, () => more.replaceWith(...rest.map((item2) => element2("li", {}, item2))), { class: "more" })
-    );
-    host2.append(more);
-    return host2;
-  }
-  function findingsBlock(page, findings) {
-    if (findings.length === 0) return null;
-    return block(findings.length === 1 ? "Finding" : `${findings.length} findings`, findingList(page, findings));
-  }
-  function findingList(page, findings) {
-    const order = ["error", "warning", "info"];
-    const those2 = findings.flatMap((index) => page.model.data.findings[index] ?? []);
-    those2.sort((one2, other) => order.indexOf(one2.severity) - order.indexOf(other.severity));
-    const items = those2.map((each) => [
-      badge2(each.severity, each.severity),
-      " ",
-      element2("code", {}, each.rule),
-      " ",
-      reference(page, { kind: "finding", id: each.id }, each.message),
-      element2("span", { class: "note" }, written(page.model, each.place))
-    ]);
-    return list(
-      items.map((item2) => element2("div", {}, ...item2)),
-      "findings"
-    );
-  }
-  function sourceBlock(page, place2, title2 = "Written at") {
-    return place2 && block(title2, source(page.model, place2));
-  }
-  function presenceBlock(page, only2, conditions = []) {
-    const entry = page.model.entry(page.store.get().entry).entry;
-    const words2 = when(entry, only2);
-    if (!words2 && conditions.length === 0) return null;
-    const lines = conditions.map((condition) => element2("code", {}, condition));
-    const there = words2 || (entry.configurations.length > 1 ? "in every configuration of this page" : "in the one configuration of this page");
-    return block("When it is there", element2("p", {}, there), lines.length > 0 && list(lines));
-  }
-  function renaming({ model }, connection) {
-    const steps = connection.remaps.filter(([from, to]) => from !== to);
-    if (steps.length === 0) return null;
-    const items = steps.map(([from, to, place2]) => {
-      const where = place2 ? written(model, place2) : "its args";
-      return element2("li", {}, element2("code", {}, from), " → ", element2("code", {}, to), " ", element2("span", { class: "note" }, "in ", where));
-    });
-    return element2("ol", { class: "remaps", "aria-label": "Remapped" }, ...items);
-  }
-  function peerList(page, others, self) {
-    const { entry: shown, configuration } = page.store.get();
-    const model = page.model.entry(shown);
-    const channel = model.entry.channels[self.channel];
-    const direction = (channel == null ? void 0 : channel.kind) === "topic" === self.offers ? "to" : "from";
-    if (others.length > 0)
-      return list(
-        [...new Set(others.map((each) => each.node))].map((node) => nodeReference(page, node)),
-        `peers ${direction}`
-      );
-    const doubts = mayBeAt(model, self.channel, !self.offers, configuration);
-    const isNote = (channel == null ? void 0 : channel.hub) || (channel == null ? void 0 : channel.plumbing) || !self.certain || doubts.length > 0;
-    return element2("p", { class: isNote ? "note" : "missing" }, missed(self.role, doubts));
-  }
-  function connectionFacts(page, connection, withType = true) {
-    var _a;
-    const entry = page.model.entry(page.store.get().entry).entry;
-    const notes = [moment(connection), when(entry, connection.only), connection.mark && `${connection.mark} since ${page.model.data.base}`];
-    const renamed = renaming(page, connection);
-    const evidence = element2(
-      "details",
-      {},
-      element2("summary", {}, "How this is known"),
-      list(connection.evidence.map((each) => element2("code", {}, each)))
-    );
-    const name = (_a = entry.channels[connection.channel]) == null ? void 0 : _a.name;
-    return [
-      withType && connection.type && element2("div", { class: "type" }, element2("code", {}, connection.type)),
-      (renamed || connection.unremapped !== name || connection.spelling === "private") && element2("div", { class: "note" }, "in the code: ", element2("code", {}, connection.declared), ` (${connection.spelling})`),
-      renamed,
-      notes.filter(Boolean).map((note) => element2("div", { class: "note" }, note)),
-      connection.evidence.length > 0 && evidence
-    ];
-  }
-  function moment({ certain, when: since }) {
-    const known6 = /* @__PURE__ */ new Map([
-      ["on_subscriber", "once somebody subscribes"],
-      ["on_message", "once a message has come"],
-      ["condition", "under a condition"]
-    ]);
-    return known6.get(since) ?? (certain ? "" : "perhaps: it is not certain that it does");
-  }
-  function focusButton({ store }, id, label2) {
-    const focused = store.get().focus === id;
-    return button(focused ? "Leave focus" : label2, () => store.set({ focus: focused ? null : id }), { "aria-pressed": String(focused) });
-  }
-  function hideButton({ store }, id) {
-    const hidden = store.get().hidden.has(id);
-    return button(hidden ? "Show in the drawing" : "Hide in the drawing", () => store.set({ hidden: toggled(store.get().hidden, id) }));
-  }
-  function toggled(those2, id) {
-    const next = new Set(those2);
-    if (!next.delete(id)) next.add(id);
-    return next;
-  }
-  function commandPart(command, words2) {
-    if (!command) return [];
-    return [element2("p", {}, words2), element2("pre", { class: "command", tabindex: 0, role: "group", "aria-label": "Command" }, command)];
   }
 
   // launchlint/report/html/js/page/panel_channel.js
@@ -4564,13 +4814,13 @@ ${end.mark}`;
     const items = those2.flatMap((at) => {
       const param = model.entry.params[at];
       if (!param) return [];
-      const read2 = param.readers.includes(index) ? "" : "not known to be read";
+      const read3 = param.readers.includes(index) ? "" : "not known to be read";
       return element2(
         "div",
         { class: "param" },
         element2("div", { class: "name" }, reference(page, { kind: "param", id: `p:${at}` }, param.name)),
         element2("code", { class: "value" }, param.value),
-        element2("div", { class: "note" }, param.place && written(page.model, param.place), read2 && ` · ${read2}`),
+        element2("div", { class: "note" }, param.place && written(page.model, param.place), read3 && ` · ${read3}`),
         param.overrides.length > 0 && element2("div", { class: "note" }, "overrides ", element2("code", {}, param.overrides.map(([value]) => value).join(", ")))
       );
     });
@@ -4596,95 +4846,12 @@ ${end.mark}`;
     return steps.length > 0 && block("How the launch file gets there", element2("ol", { class: "steps" }, ...steps));
   }
 
-  // launchlint/report/html/js/page/changes.js
-  var MARKS = [
-    ["removed", "Lost"],
-    ["added", "Gained"],
-    ["changed", "Changed"]
-  ];
-  function changesBlocks(page, model) {
-    const { base } = page.model.data;
-    if (base === null) return [];
-    if (model.entry.mark === "added") return [block(`Since ${base}`, element2("p", {}, "This launch file is new."))];
-    if (model.entry.mark === "removed") return [block(`Since ${base}`, element2("p", {}, "This launch file is gone. What it started is shown."))];
-    const blocks = MARKS.flatMap(([mark, title2]) => {
-      const items = [...nodesWith(page, model, mark), ...linksWith(page, model, mark), ...connectionsWith(page, model, mark)];
-      return items.length > 0 ? [block(`${title2} since ${base}`, list(items, "changes"))] : [];
-    });
-    return blocks.length > 0 ? blocks : [block(`Since ${base}`, element2("p", {}, "Nothing changed in what this launch file starts and connects."))];
-  }
-  function createSequence(model) {
-    const known6 = /* @__PURE__ */ new Map();
-    return (index) => {
-      let found2 = known6.get(index);
-      if (!found2) known6.set(index, found2 = targetsOf(model, index));
-      return found2;
-    };
-  }
-  function targetsOf(model, index) {
-    const one2 = model.entry(index);
-    const { nodes, channels: channels2, params, findings } = one2.entry;
-    const marked = MARKS.flatMap(([mark]) => [
-      ...channels2.flatMap(({ hub, plumbing }, at) => !hub && !plumbing && endsAt(one2, at).some((each) => each.mark === mark) ? [`c:${at}`] : []),
-      ...nodes.flatMap((each, at) => each.mark === mark ? [`n:${at}`] : []),
-      ...params.flatMap((each, at) => each.mark === mark ? [`p:${at}`] : [])
-    ]);
-    const fresh = findings.flatMap((each) => {
-      var _a, _b;
-      return ((_a = model.data.findings[each]) == null ? void 0 : _a.since) ? [((_b = model.data.findings[each]) == null ? void 0 : _b.id) ?? ""] : [];
-    });
-    return [
-      ...fresh.map((id) => (
-        /** @type {Target} */
-        { kind: "finding", id }
-      )),
-      ...[...new Set(marked)].map((id) => (
-        /** @type {Target} */
-        { kind: KIND_OF[id.charAt(0)], id }
-      ))
-    ];
-  }
-  var KIND_OF = { c: "channel", n: "node", p: "param" };
-  function nodesWith(page, model, mark) {
-    return model.entry.nodes.flatMap((each, index) => each.mark === mark ? [line3(mark, "node ", nodeReference(page, index))] : []);
-  }
-  function linksWith(page, model, mark) {
-    return model.entry.channels.flatMap(({ kind, hub, plumbing }, channel) => {
-      if (hub || plumbing) return [];
-      const there = endsAt(model, channel).filter((each) => each.mark !== opposite(mark));
-      const [givers, takers] = [true, false].map((gives) => there.filter(({ end }) => kind === "topic" === end.offers === gives));
-      const pairs2 = (givers ?? []).flatMap((from) => (takers ?? []).map((to) => (
-        /** @type {const} */
-        [from, to]
-      )));
-      return pairs2.filter(([from, to]) => from.mark === mark || to.mark === mark).map(
-        ([from, to]) => line3(mark, nodeReference(page, from.end.node), " → ", nodeReference(page, to.end.node), " on ", channelReference(page, channel))
-      );
-    });
-  }
-  function connectionsWith(page, model, mark) {
-    return model.entry.channels.flatMap(({ plumbing }, channel) => {
-      const ends = plumbing ? [] : endsAt(model, channel).filter((each) => each.mark !== opposite(mark));
-      const alone = ends.filter((each) => each.mark === mark && !ends.some((other) => other.end.offers !== each.end.offers));
-      return alone.map(({ end }) => line3(mark, nodeReference(page, end.node), ` ${does(end.role)} `, channelReference(page, channel)));
-    });
-  }
-  function endsAt(model, channel) {
-    return (model.onChannel[channel] ?? []).map((end) => {
-      var _a;
-      const moved = (each) => each.mark === "removed" && each.role === end.role && each.declared === end.declared && each.channel !== channel;
-      return { end, mark: end.mark === "changed" && ((_a = model.ofNode[end.node]) == null ? void 0 : _a.some(moved)) ? "added" : end.mark };
-    });
-  }
-  function line3(mark, ...words2) {
-    return element2("div", {}, badge2(mark, mark), " ", ...words2);
-  }
-  var opposite = (mark) => mark === "removed" ? "added" : "removed";
-
   // launchlint/report/html/js/page/panel_overview.js
   function overviewPanel(page, model) {
     const { entry } = model;
     const { configuration } = page.store.get();
+    const findings = findingsIn(model, configuration);
+    const fixed = entry.fixed.flatMap((each) => page.model.data.fixed[each] ?? []);
     return [
       element2("p", { class: "kind" }, "Launch file"),
       element2("h2", { tabindex: -1 }, page.model.data.files[entry.file] ?? ""),
@@ -4694,7 +4861,8 @@ ${end.mark}`;
       !entry.complete && element2("p", { class: "note" }, `${entry.python ? "Not everything could be followed" : "An include could not be followed"}, so there may be more nodes than are shown.`),
       ...page.model.data.notices.map((each) => element2("p", { class: "note" }, each)),
       ...changesBlocks(page, model),
-      entry.findings.length > 0 ? block("What is wrong", findingList(page, entry.findings)) : block("What is wrong", element2("p", {}, "Nothing was found. Mistakes that only show while the robot runs are not looked for.")),
+      findings.length > 0 ? block(`What is wrong (${findings.length})`, findingList(page, findings)) : block("What is wrong", element2("p", {}, "Nothing was found. Mistakes that only show while the robot runs are not looked for.")),
+      fixed.length > 0 && block(`Fixed since ${page.model.data.base} (${fixed.length})`, list(fixed.map(({ rule, message }) => element2("div", {}, badge2("fixed", "since fixed"), " ", element2("code", {}, rule), ` ${message}`)), "findings")),
       ...(entry.python ?? []).map(
         (each) => block(
           `Python, known ${each.state === "not" ? "not at all" : "in part"}: ${each.file}`,
@@ -5064,21 +5232,6 @@ ${end.mark}`;
       element2("thead", {}, element2("tr", {}, ...COLUMNS.map((each) => element2("th", { scope: "col" }, each)))),
       element2("tbody", {}, ...cells2.map((each) => element2("tr", {}, ...each.map((text2) => element2("td", {}, text2)))))
     );
-  }
-
-  // launchlint/report/html/js/page/same_findings.js
-  var ORDER2 = ["error", "warning", "info"];
-  function grouped(data, findings) {
-    const groups = /* @__PURE__ */ new Map();
-    for (const index of findings) {
-      const each = data.findings[index];
-      if (!each) continue;
-      const key = `${ORDER2.indexOf(each.severity)} ${each.since ?? ""} ${each.rule} ${each.message}`;
-      const known6 = groups.get(key);
-      if (known6) known6.push(index);
-      else groups.set(key, [index]);
-    }
-    return [...groups].sort(([one2], [other]) => one2.charCodeAt(0) - other.charCodeAt(0)).map(([, those2]) => those2);
   }
 
   // launchlint/report/html/js/page/rows.js
@@ -5496,15 +5649,21 @@ ${end.mark}`;
     fill(part("tree"), grouping.host, tree);
     const items = /* @__PURE__ */ new Map();
     const entryNow = () => page.model.entry(page.store.get().entry).entry;
+    const isThere = (node) => isIn(entryNow().nodes[node] ?? { only: [] }, page.store.get().configuration);
+    const nodesIn = (group3) => group3.nodes.filter(isThere).length + group3.groups.reduce((sum, each) => sum + nodesIn(each), 0);
     function grow(group3, host2, level) {
       const entry = entryNow();
-      for (const each of group3.groups) add3(groupItem(page.model, entry, each, level), host2);
+      for (const each of group3.groups) {
+        const count3 = nodesIn(each);
+        if (count3 > 0) add4(groupItem(page.model, entry, { ...each, count: count3 }, level), host2);
+      }
       for (const node of group3.nodes) {
+        if (!isThere(node)) continue;
         const made2 = nodeItem(page.model, entry, node, level, group3.namespace);
-        if (made2) add3(made2, host2);
+        if (made2) add4(made2, host2);
       }
     }
-    function add3(item2, host2) {
+    function add4(item2, host2) {
       items.set(item2.id, item2);
       markHidden(item2, page.store.get());
       host2.append(item2.host);
@@ -5603,7 +5762,10 @@ ${end.mark}`;
       action();
     });
     page.store.listen((state, before) => {
-      const anew = state === before || state.entry !== before.entry || state.grouping !== before.grouping;
+      const anew = (
+        /** @type {const} */
+        ["entry", "grouping", "configuration"].some((key) => state === before || state[key] !== before[key])
+      );
       if (anew) {
         grouping.show(state.grouping, entryNow().nodes.some((each) => each.machine.length > 0));
         rebuild(state);
@@ -5648,8 +5810,9 @@ ${end.mark}`;
     const counts = part("counts");
     page.store.listen((state, before) => {
       if (state !== before && state.entry === before.entry && state.configuration === before.configuration) return;
-      const { entry } = page.model.entry(state.entry);
-      const severities = entry.findings.map((each) => {
+      const model = page.model.entry(state.entry);
+      const { entry } = model;
+      const severities = findingsIn(model, state.configuration).map((each) => {
         var _a;
         return (_a = page.model.data.findings[each]) == null ? void 0 : _a.severity;
       });
@@ -5659,14 +5822,17 @@ ${end.mark}`;
       verdict.className = isRefused(entry) || has("error") > 0 ? "error" : entry.verdict !== "loads" || has("warning") > 0 ? "warning" : "ok";
       verdict.textContent = base === null ? words2 : `${words2}; compared with ${base}`;
       const nodes = entry.nodes.filter((each) => isIn(each, state.configuration) && each.mark !== "removed");
-      const topics = entry.channels.filter((each) => each.kind === "topic" && !each.plumbing && each.mark !== "removed");
+      const topics = entry.channels.filter((each, at) => each.kind === "topic" && !each.plumbing && each.mark !== "removed" && isUsedIn(model, at, state.configuration));
       const unknown = nodes.filter((each) => each.knowledge === "unknown");
+      const partly = nodes.filter((each) => each.knowledge !== "unknown" && (each.open.length > 0 || each.partly.length > 0));
       fill(
         counts,
         ...SEVERITIES4.map((severity) => count2(has(severity), severity, severity)),
         count2(nodes.length, "node"),
         count2(unknown.length, "not known", "unknown", "not known"),
-        count2(topics.length, "topic")
+        count2(partly.length, "known in part", "partly", "known in part"),
+        count2(topics.length, "topic"),
+        !entry.complete && element2("li", { class: "unknown" }, "not all includes followed")
       );
     });
   }
@@ -5674,7 +5840,7 @@ ${end.mark}`;
   function loads(errors, warnings) {
     return errors > 0 ? "loads, with errors" : warnings > 0 ? "loads, with warnings" : "loads";
   }
-  function count2(number2, one2, name = "", many2 = one2 === "info" ? one2 : `${one2}s`) {
+  function count2(number2, one2, name = "", many2 = `${one2}s`) {
     return number2 > 0 && element2("li", { class: name || null }, element2("b", {}, number2.toLocaleString("en")), ` ${number2 === 1 ? one2 : many2}`);
   }
 
@@ -5684,7 +5850,7 @@ ${end.mark}`;
     const told2 = element2("span", { class: "visually-hidden", role: "status" });
     const host2 = button("Copy link", copy, { class: "share", title: "Copy a link to exactly this view" });
     async function copy() {
-      const done = await copied(linkTo(page));
+      const done = await copied2(linkTo(page));
       host2.textContent = done ? "Copied" : "Not copied";
       told2.textContent = done ? "The link is copied." : "The browser does not let the page copy: the address of the page is the link.";
       window.setTimeout(() => {
@@ -5699,7 +5865,7 @@ ${end.mark}`;
     const exact = addressOf(model, { ...state, expanded: drawing.expanded(), place: drawing.spot() });
     return `${location.href.replace(/#.*$/s, "")}#${exact}`;
   }
-  async function copied(text2) {
+  async function copied2(text2) {
     try {
       await navigator.clipboard.writeText(text2);
       return true;
@@ -5902,7 +6068,7 @@ ${end.mark}`;
     /** @type {const} */
     ["containers", "nodes", "channels", "connections", "params"]
   );
-  function read(text2) {
+  function read2(text2) {
     const [head2 = "", ...lines] = text2.split("\n");
     const data = unpack(JSON.parse(head2));
     data.entries.forEach((entry, index) => {
@@ -5945,7 +6111,7 @@ ${end.mark}`;
 
   // launchlint/report/html/js/main.js
   function start() {
-    const data = read(part("launchlint-data").textContent ?? "");
+    const data = read2(part("launchlint-data").textContent ?? "");
     if (data.entries.length === 0) return;
     const model = createModel(data);
     const store = createStore(stateOf(model, location.hash), { write: (state) => addressOf(model, state), read: (hash) => stateOf(model, hash) });

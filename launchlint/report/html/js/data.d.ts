@@ -67,6 +67,12 @@ export interface Entry {
   withArgs: string;
   /** Args of each configuration as on the command line; the first is the default one (often ""). */
   configurations: string[];
+  /** The same as names and values, without what it is started with anyway. */
+  given: [name: string, value: string][][];
+  /** Whether of any other combination of their args it can be told what it starts: args that act on the same things were all combined. */
+  whole: boolean;
+  /** What starts it, on the command line; empty where it cannot be typed. */
+  command: string;
   /** Whether every include could be followed. */
   complete: boolean;
   /** Launch files in Python that are not known as a whole, with the reasons, each behind its line; absent where there are none. */

@@ -86,6 +86,41 @@ def _changed(directory: Path) -> Path:
     return _written(directory, "robot.launch", "--library", "library.json", "--title", "changed", "--base", "HEAD")
 
 
+def _pull(directory: Path) -> Path:
+    """A pull request: one launch file with other connections, one that a finding was fixed in, one as it was, one new."""
+    shutil.copytree(HERE / "robot", directory)
+    (directory / "calm.launch").write_text('<launch><node pkg="vision" type="camera" name="eye"/></launch>')
+    for words in (("init", "--quiet"), ("add", "--all"), ("commit", "--quiet", "--message", "before")):
+        subprocess.run([*GIT, *words], cwd=directory, check=True)
+    launch, tools = directory / "robot.launch", directory / "tools.launch"
+    launch.write_text(launch.read_text().replace('to="left/image_raw"', 'to="right/image_raw"').replace('name="mystery"', 'name="riddle"'))
+    tools.write_text(tools.read_text().replace('name="camera"', 'name="second"', 1))
+    (directory / "fresh.launch").write_text('<launch><node pkg="drive" type="driver" name="fresh"/></launch>')
+    return _written(directory, "--library", "library.json", "--title", "pull", "--base", "HEAD")
+
+
+def _choices(directory: Path) -> Path:
+    """Nodes that depend on one arg, on another one, and on both."""
+    directory.mkdir()
+    (directory / "package.xml").write_text("<package><name>demo</name><version>1.0.0</version></package>")
+    args = "".join(f'<arg name="{each}" default="false"/>' for each in ("sim", "gui", "log"))
+    node = '<node pkg="demo" type="talk" name="{}"/>'
+    both = f'<group if="$(arg gui)">{node.format("both")}<group unless="$(arg log)">{node.format("quiet")}</group></group>'
+    text = f'{args}{node.format("always")}<group if="$(arg sim)">{node.format("sim")}{both}</group>'
+    alone = f'<group if="$(arg log)">{node.format("log")}<param name="level" value="1"/></group>'
+    (directory / "choices.launch").write_text(f"<launch>{text}{alone}</launch>")
+    return _written(directory, "choices.launch")
+
+
+def _copies(directory: Path) -> Path:
+    """Forty copies of one mistake, and another one."""
+    directory.mkdir()
+    wrong = '<node pkg="demo" type="talk" name="n{}"><remap from="a" to="a"/></node>'
+    nodes = "".join(wrong.format(number) for number in range(40))
+    (directory / "copies.launch").write_text(f"<launch>{nodes}<wrong/></launch>")
+    return _written(directory, "copies.launch")
+
+
 def _hostile(directory: Path) -> Path:
     write_hostile(directory)
     return _written(directory, "hostile.launch", "--library", "library.json", "--title", "<b>hostile</b>")
@@ -128,6 +163,9 @@ MAKERS: dict[str, Callable[[Path], Path]] = {
     "unknown": _unknown,
     "between": _between,
     "otherwise": _otherwise,
+    "pull": _pull,
+    "choices": _choices,
+    "copies": _copies,
 }
 
 

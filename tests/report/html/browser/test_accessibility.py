@@ -11,6 +11,8 @@ from tests.report.html.browser.reading import drawn
 pytestmark = [pytest.mark.chromium, pytest.mark.axe]
 
 STATES = {
+    "landing": ("robot", "#"),
+    "pull request": ("pull", "#"),
     "overview": ("robot", ""),
     "node": ("robot", "#node=/base/driver&open=/base"),
     "unknown node": ("robot", "#node=/mystery"),
@@ -52,6 +54,8 @@ def test_what_opens(open_report, problems):
     page.get_by_role("combobox", name="Search names").press("Escape")
     page.locator(".menu summary").click()
     page.locator(".ll-legend summary").click()
+    assert problems(page) == []
+    page.locator(".popup summary").click()
     assert problems(page) == []
     page.locator("#tree [tabindex='0']").focus()
     page.keyboard.press("?")

@@ -73,3 +73,12 @@ def test_graphviz_reads_hostile_names(open_report, tmp_path, dot_command):
     page = open_report("hostile")
     file = saved(page, "Graphviz DOT", tmp_path)
     subprocess.run([dot_command, "-Tcanon", str(file)], check=True, capture_output=True)
+
+
+def test_a_comparison_marks_what_has_gone_and_what_is_new(open_report, tmp_path):
+    page = open_report("changed")
+    written = saved(page, "Mermaid", tmp_path).read_text(encoding="utf-8").splitlines()
+    arrows = [line for line in written if any(sign in line for sign in ("-->", "-.->", "==>"))]
+    styles = dict(line.split(maxsplit=2)[1:] for line in written if line.startswith("  linkStyle"))
+    assert sorted(styles.values()) == ["stroke:#1a7f37,stroke-width:3px", "stroke:#cf222e,stroke-width:3px,stroke-dasharray: 6 3"]
+    assert all("image_raw" in arrows[int(number)] for number in styles)

@@ -3,6 +3,7 @@
  * files; what an address says that is not on the page is left out silently.
  */
 
+import { configurationNamed } from "./combination.js";
 import { channelKey } from "./model.js";
 import { byIndex, byName } from "./stable_names.js";
 import { initialState, LAYERS } from "./state.js";
@@ -58,10 +59,11 @@ export function stateOf(model, hash) {
   const state = initialState();
   const wanted = wantedOf(said);
   state.landing = said.size === 0 && model.data.entries.length > 1;
+  if (state.landing) return state;
   state.entry = entryOf(model, said, wanted) ?? state.entry;
   const entry = model.entry(state.entry);
   const configuration = said.get("configuration");
-  if (configuration !== undefined) state.configuration = entry.entry.configurations.indexOf(configuration);
+  if (configuration !== undefined) state.configuration = configurationNamed(entry.entry, configuration);
   const grouping = said.get("group") ?? "";
   if (GROUPINGS.includes(grouping)) state.grouping = /** @type {PageState["grouping"]} */ (grouping);
   const outside = (/** @type {string} */ path) => byIndex(entry, `g:${state.grouping}:${path}`);

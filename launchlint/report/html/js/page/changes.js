@@ -108,7 +108,7 @@ function connectionsWith(page, model, mark) {
  * @param {number} channel
  * @returns {{ end: Connection, mark: Mark | undefined }[]}
  */
-function endsAt(model, channel) {
+export function endsAt(model, channel) {
   return (model.onChannel[channel] ?? []).map((end) => {
     const moved = (/** @type {Connection} */ each) =>
       each.mark === "removed" && each.role === end.role && each.declared === end.declared && each.channel !== channel;

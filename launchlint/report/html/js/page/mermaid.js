@@ -34,6 +34,8 @@ export function mermaid({ verdict, boxes, arrows }) {
   };
   write("", 1);
   for (const arrow of arrows) lines.push(`  ${names.get(arrow.from)} ${line(arrow)} ${names.get(arrow.to)}`);
+  // What has gone must not look as if it were there.
+  for (const [at, { mark }] of arrows.entries()) if (mark) lines.push(`  linkStyle ${at} ${STYLES.get(mark)}`);
   for (const [style, css] of STYLES) {
     const those = boxes.filter((box) => box.mark === style || (style === "unknown" && box.unknown) || (style === "conditional" && box.conditional));
     if (those.length > 0) lines.push(`  classDef ${style} ${css}`, `  class ${those.map((box) => names.get(box.id)).join()} ${style}`);

@@ -4,11 +4,13 @@ import { button, element } from "./elements.js";
 import { mayBeAt } from "./model.js";
 import { nodeReference, reference } from "./reference.js";
 import { source, written } from "./source.js";
-import { missed, when } from "./wording.js";
+import { grouped } from "./same_findings.js";
+import { missed, number, when } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
 /** @typedef {import("./elements.js").Child} Child */
 /** @typedef {import("../data").Connection} Connection */
+/** @typedef {import("../data").Finding} Finding */
 /** @typedef {import("../data").Place} Place */
 
 const MANY = 12;
@@ -75,22 +77,34 @@ export function findingsBlock(page, findings) {
   return block(findings.length === 1 ? "Finding" : `${findings.length} findings`, findingList(page, findings));
 }
 
-/** @param {Page} page @param {readonly number[]} findings */
+/** Those of the same words are one item with their number. @param {Page} page @param {readonly number[]} findings */
 export function findingList(page, findings) {
-  const order = ["error", "warning", "info"];
-  const those = findings.flatMap((index) => page.model.data.findings[index] ?? []);
-  those.sort((one, other) => order.indexOf(one.severity) - order.indexOf(other.severity));
-  const items = those.map((each) => [
-    badge(each.severity, each.severity),
+  const { data } = page.model;
+  const items = grouped(data, findings).flatMap((those) => {
+    const [each, ...others] = those.flatMap((index) => data.findings[index] ?? []);
+    return each ? [findingItem(page, each, others)] : [];
+  });
+  return list(items, "findings");
+}
+
+/** @param {Page} page @param {Finding} finding @param {readonly Finding[]} others of the same words */
+function findingItem(page, finding, others) {
+  const link = (/** @type {Finding} */ each, /** @type {string} */ text) => reference(page, { kind: "finding", id: each.id }, text);
+  const more = others.length > 0 && [
+    element("summary", {}, `and at ${number(others.length, "more place")}`),
+    list(others.map((each) => link(each, page.model.place(each.place)))),
+  ];
+  return element(
+    "div",
+    {},
+    finding.since === "new" && [badge("new", "since"), " "],
+    badge(finding.severity, finding.severity),
     " ",
-    element("code", {}, each.rule),
+    element("code", {}, finding.rule),
     " ",
-    reference(page, { kind: "finding", id: each.id }, each.message),
-    element("span", { class: "note" }, written(page.model, each.place)),
-  ]);
-  return list(
-    items.map((item) => element("div", {}, ...item)),
-    "findings",
+    link(finding, finding.message),
+    element("span", { class: "note" }, written(page.model, finding.place)),
+    more && element("details", { class: "others" }, ...more),
   );
 }
 

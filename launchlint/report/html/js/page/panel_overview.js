@@ -2,7 +2,7 @@
 
 import { element } from "./elements.js";
 import { changesBlocks } from "./changes.js";
-import { endsOf, isIn, mayBeAt } from "./model.js";
+import { endsOf, findingsIn, isIn, mayBeAt } from "./model.js";
 import { badge, block, commandPart, findingList, list } from "./panel_blocks.js";
 import { channelReference, nodeReference } from "./reference.js";
 import { number } from "./wording.js";
@@ -19,6 +19,8 @@ import { number } from "./wording.js";
 export function overviewPanel(page, model) {
   const { entry } = model;
   const { configuration } = page.store.get();
+  const findings = findingsIn(model, configuration);
+  const fixed = entry.fixed.flatMap((each) => page.model.data.fixed[each] ?? []);
   return [
     element("p", { class: "kind" }, "Launch file"),
     element("h2", { tabindex: -1 }, page.model.data.files[entry.file] ?? ""),
@@ -30,9 +32,10 @@ export function overviewPanel(page, model) {
     !entry.complete && element("p", { class: "note" }, `${entry.python ? "Not everything could be followed" : "An include could not be followed"}, so there may be more nodes than are shown.`),
     ...page.model.data.notices.map((each) => element("p", { class: "note" }, each)),
     ...changesBlocks(page, model),
-    entry.findings.length > 0
-      ? block("What is wrong", findingList(page, entry.findings))
+    findings.length > 0
+      ? block(`What is wrong (${findings.length})`, findingList(page, findings))
       : block("What is wrong", element("p", {}, "Nothing was found. Mistakes that only show while the robot runs are not looked for.")),
+    fixed.length > 0 && block(`Fixed since ${page.model.data.base} (${fixed.length})`, list(fixed.map(({ rule, message }) => element("div", {}, badge("fixed", "since fixed"), " ", element("code", {}, rule), ` ${message}`)), "findings")),
     ...(entry.python ?? []).map((each) =>
       block(
         `Python, known ${each.state === "not" ? "not at all" : "in part"}: ${each.file}`,

@@ -1,6 +1,7 @@
 /** What the drawing shows as plain boxes and arrows, for other formats. */
 
 import { containersOf } from "../drawing/index.js";
+import { endsAt } from "./changes.js";
 import { fullName } from "./containers.js";
 import { isIn } from "./model.js";
 import { notice, number } from "./wording.js";
@@ -38,7 +39,7 @@ export function pictureOf(page) {
   const arrows = new Map();
   for (const [at, channel] of model.entry.channels.entries()) {
     if (!isShown(page, state, channel, at)) continue;
-    const ends = (model.onChannel[at] ?? []).filter((each) => isIn(each, state.configuration));
+    const ends = endsAt(model, at).flatMap(({ end, mark }) => (isIn(end, state.configuration) ? [{ ...end, mark: mark ?? "" }] : []));
     const givers = sides(
       page,
       ends.filter((each) => givesData(channel, each)),
@@ -67,13 +68,13 @@ export function pictureOf(page) {
       for (const [to, end] of takers) draw(arrows, id, to, channel.kind, "", end);
     } else {
       for (const [from, giver] of givers)
-        for (const [to, taker] of takers) if (from !== to) draw(arrows, from, to, channel.kind, channel.name, both(giver, taker));
+        for (const [to, taker] of takers) if (from !== to && meet(giver, taker)) draw(arrows, from, to, channel.kind, channel.name, both(giver, taker));
     }
   }
   return { title: page.model.data.files[model.entry.file] ?? "", verdict: notice(model.entry), boxes, arrows: [...arrows.values()] };
 }
 
-/** Data flows from publishers, and from clients to servers. @param {Channel} channel @param {Connection} end */
+/** Data flows from publishers, and from clients to servers. @param {Channel} channel @param {{ offers: boolean }} end */
 const givesData = ({ kind }, end) => (kind === "topic") === end.offers;
 
 /** @param {Page} page @param {PageState} state @param {Channel} channel @param {number} at */
@@ -123,18 +124,21 @@ function boxesOf({ drawing }, entry, state) {
 
 /** @typedef {{ conditional: boolean, mark: string }} End */
 
-/** The boxes at one side of a channel. @param {Page} page @param {Connection[]} ends @param {ReadonlySet<string>} drawn @returns {Map<string, End>} */
+/** The boxes at one side of a channel. @param {Page} page @param {(Omit<Connection, "mark"> & { mark: string })[]} ends @param {ReadonlySet<string>} drawn @returns {Map<string, End>} */
 function sides({ drawing }, ends, drawn) {
   const found = new Map();
   for (const end of ends) {
     const box = drawing.standsFor(end.node);
-    if (box !== null && drawn.has(box) && !found.has(box)) found.set(box, { conditional: !end.certain || end.only.length > 0, mark: end.mark ?? "" });
+    if (box !== null && drawn.has(box) && !found.has(box)) found.set(box, { conditional: !end.certain || end.only.length > 0, mark: end.mark });
   }
   return found;
 }
 
 /** @param {End} one @param {End} other @returns {End} */
 const both = (one, other) => ({ conditional: one.conditional || other.conditional, mark: one.mark || other.mark });
+
+/** Whether both are there in one of the two states that are compared. @param {End} one @param {End} other */
+const meet = (one, other) => one.mark === other.mark || ![one.mark, other.mark].every((mark) => mark === "added" || mark === "removed");
 
 /** @param {Map<string, Arrow>} arrows @param {string} from @param {string} to @param {Channel["kind"]} kind @param {string} name @param {End} end */
 function draw(arrows, from, to, kind, name, end) {

@@ -3,6 +3,7 @@
 import { containersOf } from "../drawing/index.js";
 import { around } from "./containers.js";
 import { button, element, fill, part } from "./elements.js";
+import { isIn } from "./model.js";
 import { toggled } from "./panel_blocks.js";
 import { select } from "./reference.js";
 import { groupItem, nodeItem } from "./tree_items.js";
@@ -33,11 +34,21 @@ export function createTree(page) {
 
   const entryNow = () => page.model.entry(page.store.get().entry).entry;
 
+  /** Whether the configuration that is shown has a node. @param {number} node */
+  const isThere = (node) => isIn(entryNow().nodes[node] ?? { only: [] }, page.store.get().configuration);
+
+  /** @param {Group} group @returns {number} */
+  const nodesIn = (group) => group.nodes.filter(isThere).length + group.groups.reduce((sum, each) => sum + nodesIn(each), 0);
+
   /** @param {Group} group @param {Element} host @param {number} level */
   function grow(group, host, level) {
     const entry = entryNow();
-    for (const each of group.groups) add(groupItem(page.model, entry, each, level), host);
+    for (const each of group.groups) {
+      const count = nodesIn(each);
+      if (count > 0) add(groupItem(page.model, entry, { ...each, count }, level), host);
+    }
     for (const node of group.nodes) {
+      if (!isThere(node)) continue;
       const made = nodeItem(page.model, entry, node, level, group.namespace);
       if (made) add(made, host);
     }
@@ -161,7 +172,7 @@ export function createTree(page) {
   });
 
   page.store.listen((state, before) => {
-    const anew = state === before || state.entry !== before.entry || state.grouping !== before.grouping;
+    const anew = /** @type {const} */ (["entry", "grouping", "configuration"]).some((key) => state === before || state[key] !== before[key]);
     if (anew) {
       grouping.show(state.grouping, entryNow().nodes.some((each) => each.machine.length > 0));
       rebuild(state);

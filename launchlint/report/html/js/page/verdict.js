@@ -1,7 +1,7 @@
 /** The verdict and the counts in the header, of the launch file that is shown. */
 
 import { element, fill, part } from "./elements.js";
-import { isIn } from "./model.js";
+import { findingsIn, isIn, isUsedIn } from "./model.js";
 import { notice } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
@@ -15,22 +15,26 @@ export function createVerdict(page) {
   const counts = part("counts");
   page.store.listen((state, before) => {
     if (state !== before && state.entry === before.entry && state.configuration === before.configuration) return;
-    const { entry } = page.model.entry(state.entry);
-    const severities = entry.findings.map((each) => page.model.data.findings[each]?.severity);
+    const model = page.model.entry(state.entry);
+    const { entry } = model;
+    const severities = findingsIn(model, state.configuration).map((each) => page.model.data.findings[each]?.severity);
     const has = (/** @type {string} */ severity) => severities.filter((each) => each === severity).length;
     const words = notice(entry) || loads(has("error"), has("warning"));
     const { base } = page.model.data;
     verdict.className = isRefused(entry) || has("error") > 0 ? "error" : entry.verdict !== "loads" || has("warning") > 0 ? "warning" : "ok";
     verdict.textContent = base === null ? words : `${words}; compared with ${base}`;
     const nodes = entry.nodes.filter((each) => isIn(each, state.configuration) && each.mark !== "removed");
-    const topics = entry.channels.filter((each) => each.kind === "topic" && !each.plumbing && each.mark !== "removed");
+    const topics = entry.channels.filter((each, at) => each.kind === "topic" && !each.plumbing && each.mark !== "removed" && isUsedIn(model, at, state.configuration));
     const unknown = nodes.filter((each) => each.knowledge === "unknown");
+    const partly = nodes.filter((each) => each.knowledge !== "unknown" && (each.open.length > 0 || each.partly.length > 0));
     fill(
       counts,
       ...SEVERITIES.map((severity) => count(has(severity), severity, severity)),
       count(nodes.length, "node"),
       count(unknown.length, "not known", "unknown", "not known"),
+      count(partly.length, "known in part", "partly", "known in part"),
       count(topics.length, "topic"),
+      !entry.complete && element("li", { class: "unknown" }, "not all includes followed"),
     );
   });
 }
@@ -44,6 +48,6 @@ function loads(errors, warnings) {
 }
 
 /** @param {number} number @param {string} one @param {string} [name] @param {string} [many] */
-function count(number, one, name = "", many = one === "info" ? one : `${one}s`) {
+function count(number, one, name = "", many = `${one}s`) {
   return number > 0 && element("li", { class: name || null }, element("b", {}, number.toLocaleString("en")), ` ${number === 1 ? one : many}`);
 }

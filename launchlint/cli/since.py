@@ -1,0 +1,65 @@
+"""Which findings are new since a revision, and which are fixed: the whole run once more, of the files as they were."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from launchlint.check.causes import told_once
+from launchlint.check.entry import EntryResult
+from launchlint.check.graphs import Revision
+from launchlint.check.ignores import PerFileIgnores
+from launchlint.check.merge import Outcome, merge
+from launchlint.check.options import EntryRequest
+from launchlint.check.survey import Surveyed, Surveyor, reached
+from launchlint.finding import Finding
+from launchlint.fingerprint import fingerprints
+from launchlint.verdict import Verdict
+
+
+class Since(NamedTuple):
+    """What became of findings and verdicts.
+
+    ``new`` are fingerprints of findings that were not there, ``fixed`` those that are not there any more, each with its fingerprint;
+    ``fixed_in`` has their indexes and ``verdicts`` what its launcher made of the file, by the path of the entry file.
+    """
+
+    new: frozenset[str] = frozenset()
+    fixed: Sequence[tuple[Finding, str]] = ()
+    fixed_in: Mapping[str, Sequence[int]] = {}
+    verdicts: Mapping[str, Verdict] = {}
+
+
+def since(
+    surveyed: Sequence[Surveyed], gone: Iterable[EntryRequest], surveyor: Surveyor, old: Revision, outcome: Outcome,
+    per_file: PerFileIgnores, asked: Sequence[str],
+) -> Since:  # fmt: skip
+    """What changed from the revision ``old`` to ``outcome``. ``gone`` are the entry files that are no more, as they are there."""
+    before = [each for each in (_before(one.result, surveyor, old) for one in surveyed) if each is not None]
+    before += [old.checker.check(request) for request in gone]
+    options = old.checker.options
+    separate = merge(before, options, old.checker.packages, per_file, asked=tuple(old.place(path) for path in asked)).findings
+    told = fingerprints(told_once(separate))
+    now = {mark for _, mark in fingerprints(outcome.findings)}
+    fixed = [(_at_home(finding, old), mark) for finding, mark in told if mark not in now]
+    concerned = reached([finding for finding, mark in told if mark not in now], separate, [Surveyed(each, None, {}) for each in before])
+    return Since(
+        frozenset(now - {mark for _, mark in told}),
+        fixed,
+        {result.path: those for result, those in zip(before, concerned, strict=True)},
+        {result.path: result.outcome for result in before},
+    )
+
+
+def _before(result: EntryResult, surveyor: Surveyor, old: Revision) -> EntryResult | None:
+    """The same entry file at the revision; checked anew only where something that it reads is otherwise."""
+    request = old.request(result.request)
+    if request is None:
+        return None
+    if old.differs(surveyor.options.root, (path for path, _ in result.visited)):
+        return old.checker.check(request)
+    return result
+
+
+def _at_home(finding: Finding, old: Revision) -> Finding:
+    return finding._replace(message=old.at_home(finding.message), help=old.at_home(finding.help), label=old.at_home(finding.label))
