@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from functools import lru_cache
+from itertools import islice
 
 _OPPOSITES = (
     ("min", "max"), ("minimum", "maximum"), ("minimal", "maximal"), ("left", "right"), ("upper", "lower"), ("top", "bottom"),
@@ -31,8 +32,9 @@ _OFF = frozenset(
 """Words that people put to the name of a tag or attribute to switch it off."""
 
 
+MOST_LOOKED_AT = 8_000
 MOST_COMPARED = 2_000
-"""Names of about the length and the letters of one that it is compared with, letter by letter."""
+"""Names that one is looked up in, and those of about its length and letters that it is compared with, letter by letter."""
 
 
 @lru_cache(maxsize=8192)  # the same misspelt names come up in every configuration
@@ -72,7 +74,8 @@ def closest(name: str, names: Iterable[str]) -> str | None:
     Near enough is one slip in a name of up to four letters, two in one of up to eight, three in a longer one. Letter case and
     the difference between ``-`` and ``_`` count as one slip together. Of several, the nearest and then alphabetically first. A name that
     says something else (:func:`differs_in_meaning`) is never near, nor one with another word: in ``min_height`` and ``scan_height`` most
-    letters are the same, and no word is a slip for the other. Where more than :data:`MOST_COMPARED` look alike at first sight, none is.
+    letters are the same, and no word is a slip for the other. Where more than :data:`MOST_COMPARED` look alike at first sight, none is;
+    behind the first :data:`MOST_LOOKED_AT` nobody looks.
     """
     if not name:
         return None
@@ -81,13 +84,13 @@ def closest(name: str, names: Iterable[str]) -> str | None:
     letters = frozenset(name)
     best: tuple[int, str] | None = None
     compared = 0
-    for candidate in names:
-        if candidate == name or not candidate:
-            continue
+    for candidate in islice(names, MOST_LOOKED_AT):
+        if candidate == name or not candidate or abs(len(candidate) - len(name)) > limit:
+            continue  # one slip changes the length by one
         if folded(candidate) == bare:
             apart = 1
-        elif abs(len(candidate) - len(name)) > limit or len(letters.difference(candidate)) > limit:
-            continue  # one slip changes the length by one and takes away one letter at most
+        elif len(letters.difference(candidate)) > limit:
+            continue  # and takes away one letter at most
         else:
             compared += 1
             if compared > MOST_COMPARED:

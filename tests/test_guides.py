@@ -116,3 +116,10 @@ def test_the_site_builds(tmp_path: Path) -> None:
     passes(sys.executable, ROOT / "scripts/docs_site.py", tmp_path / "site")
     assert (tmp_path / "site/rules/LL301/index.html").is_file()
     assert (tmp_path / "site/getting-started/index.html").is_file()
+
+
+def test_every_test_that_the_threat_model_names_is_there() -> None:
+    named = re.findall(r"`(tests/[\w/]+\.py)::(test_\w+)`", (DOCS / "security.md").read_text(encoding="utf-8"))
+    assert len(named) > 20
+    for file, test in named:
+        assert f"def {test}(" in (ROOT / file).read_text(encoding="utf-8"), f"{file}::{test}"

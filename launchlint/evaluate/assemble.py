@@ -36,7 +36,7 @@ from launchlint.syntax.tree import Document
 LARGEST_LAUNCH = 400_000
 """Effects of one configuration; includes that include each other twice at every level would go beyond it."""
 INHERITED_PER_EFFECT = 8
-"""How many remaps and environment settings, handed down to a node from including files, count as one more effect."""
+"""How many environment settings, handed down to a node from including files, count as one more effect; of remaps each does."""
 
 _OPEN_REMAPS: frozenset[Role] = frozenset(("remaps",))
 
@@ -102,7 +102,7 @@ class _Assembly:
         self.visited.setdefault(path, set()).update(block.visited)
         steer = _steering(block, inherited)
         place = _Placing(inherited)
-        inheritance = (len(inherited.remaps) + len(inherited.environment)) // INHERITED_PER_EFFECT + len(inherited.private)
+        inheritance = len(inherited.remaps) + len(inherited.environment) // INHERITED_PER_EFFECT + len(inherited.private)
         below = inherited.step
         for effect in block.effects:
             self.count += 1

@@ -157,6 +157,10 @@ class FileEvaluation:
         if inherited >= INHERITED_PER_ELEMENT:
             self.spend(inherited // INHERITED_PER_ELEMENT, span)
 
+    def spend_on_node(self, context: Context, remaps: int, variables: int, span: Span) -> None:
+        """Count what a node is started with: every rule that looks at nodes looks at each of its remaps. Raises Exhausted."""
+        self.spend(remaps + (variables + len(context.private)) // INHERITED_PER_ELEMENT, span)
+
     # -- values ------------------------------------------------------------------------------------------------
 
     def value(self, attribute: Attribute, context: Context, text: str | None = None) -> Value:

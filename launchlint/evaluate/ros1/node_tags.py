@@ -65,6 +65,7 @@ def node(file: FileEvaluation, element: Element, context: Context, default_machi
         file.record(conflicting_attributes(file.document, element, "respawn-and-required", ("respawn", "required")))
     chosen = {attribute: _choice(file, element, attribute, context) for attribute in CHOICES}
     remaps, environment, own_private = _children(file, element, context, values)
+    file.spend_on_node(context, len(remaps), len(environment), element.name_span)
     _check_name(file, element, name, unknown, is_test=is_test, given=name_value)
     collapsed = re.sub("//+", "/", as_namespace(namespace))
     item = Node(

@@ -61,12 +61,16 @@ def check(view: GraphView) -> Iterator[Finding | Fine]:
     if not problems:
         return
     settings, clients = _Settings(view.graph), _Clients(view.graph)
+    told: dict[tuple[str, int], set[str]] = {}  # a file that is included often sets the same params often
     for problem in problems:
         name = problem.name
         bare = name.lstrip("~/")
         if bare and name.startswith("/") and _ILLEGAL.search(name) is None:
             continue  # only the first character of what is written may not be a digit
-        readers = {client for setting in settings.made_at(problem) for client in clients.of(setting)}
+        readers = told.get(problem.place.key)
+        if readers is None:
+            readers = {client for setting in settings.made_at(problem) for client in clients.of(setting)}
+            told[problem.place.key] = readers
         if bare and "rospy" in readers:
             yield RULE.fine(problem.origin)
         else:

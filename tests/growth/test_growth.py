@@ -1,0 +1,50 @@
+"""No construct of a launch file makes the work grow faster than its text, up to the bounds that launchlint sets itself, and beyond them."""
+
+from __future__ import annotations
+
+from math import log2
+from pathlib import Path
+
+import pytest
+
+from tests.growth import ros1, ros2
+from tests.growth.work import calls
+from tests.growth.workspace import Construct, build
+
+SIZES = (60, 120, 240)
+STEEPEST = 1.2
+"""The greatest exponent: what a text twice as long costs more is at most 2 ** 1.2 times what it cost more for the doubling before."""
+STEEPEST_OF_DEPTH = 2.1
+"""The same for what can only be nested, and not 1,000 deep: each level may look at those around it."""
+FEW = 1_500
+"""So few calls more for 120 of a construct say nothing about growth."""
+LISTS = {
+    "launchlint.check.listing.MOST_LISTED": 20,
+    "launchlint.spelling.MOST_LOOKED_AT": 50,
+    "launchlint.spelling.MOST_COMPARED": 20,
+    "launchlint.rules.judging.loose_ends._MOST_COMPARISONS": 200,
+}
+"""Findings of a rule that are listed, names that one is compared with, and loose ends of connections that are."""
+WORK = {
+    "launchlint.evaluate.assemble.LARGEST_LAUNCH": 300,
+    "launchlint.evaluate.ros1.file.LARGEST_EVALUATION": 300,
+    "launchlint.evaluate.ros2.walk.LARGEST_EVALUATION": 300,
+}
+"""What one configuration may amount to."""
+
+
+def exponent(counts: list[int]) -> float:
+    """The power of the size with which the counts at ``SIZES`` grow, whatever the constant part; 0 where they hardly do."""
+    first, second = abs(counts[1] - counts[0]), counts[2] - counts[1]
+    return log2(second / max(first, 1)) if second > FEW else 0.0
+
+
+@pytest.mark.parametrize("construct", [*ros1.CONSTRUCTS, *ros2.CONSTRUCTS], ids=lambda construct: construct.name)
+def test_check(construct: Construct, tmp_path: Path) -> None:
+    counts = []
+    for size in SIZES:
+        directory = tmp_path / str(size)
+        build(construct, size, directory)
+        bounds = {**LISTS, **WORK} if construct.product else LISTS
+        counts.append(calls(("check", "--no-cache", "--jobs", "1", construct.entry), directory, bounds))
+    assert exponent(counts) <= (STEEPEST_OF_DEPTH if construct.most < 1_000 else STEEPEST), counts
