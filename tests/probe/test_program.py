@@ -345,7 +345,9 @@ def test_packages_of_ros_2_are_told_by_their_conditions(tmp_path: Path, monkeypa
 def test_what_was_built_is_installed_although_something_was_not(tmp_path: Path) -> None:
     script = tmp_path / "src" / "cmake_install.cmake"
     script.parent.mkdir()
-    script.write_text('  file(INSTALL DESTINATION "/i/lib" TYPE EXECUTABLE FILES "/b/x")\n  file(INSTALL DESTINATION "/i" TYPE FILE FILES "/b/y z")\n')
+    script.write_text(
+        '  file(INSTALL DESTINATION "/i/lib" TYPE EXECUTABLE FILES "/b/x")\n  file(INSTALL DESTINATION "/i" TYPE FILE FILES "/b/y z")\n'
+    )
     load("setup/build")._take_what_is_there(str(tmp_path))
     assert script.read_text() == (
         '  file(INSTALL DESTINATION "/i/lib" TYPE EXECUTABLE OPTIONAL FILES "/b/x")\n'
