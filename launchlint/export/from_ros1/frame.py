@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from launchlint.export.ros2.carrying import Lost, Remark
+from launchlint.export.ros2.losses import Lost, Remark
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

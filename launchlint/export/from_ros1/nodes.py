@@ -7,8 +7,8 @@ from launchlint.export.from_ros1.choosing import chosen
 from launchlint.export.from_ros1.frame import Account, Scope, Setting
 from launchlint.export.from_ros1.params import Params, dotted
 from launchlint.export.from_ros1.values import Values
-from launchlint.export.ros2.carrying import Left
 from launchlint.export.ros2.comparing import normal
+from launchlint.export.ros2.losses import Left
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.command_line import command_line
 from launchlint.syntax.ros2.description import Condition, Pair, Process, Remap, Substitution, Text

@@ -9,7 +9,7 @@ from launchlint.evaluate.ros2.parameters import LETTERS
 from launchlint.evaluate.ros2.typed import TypeFault, convert
 from launchlint.export.from_ros1.frame import Account
 from launchlint.export.from_ros1.values import Values
-from launchlint.export.ros2.carrying import Left
+from launchlint.export.ros2.losses import Left
 from launchlint.syntax.ros2.description import Parameter, ParameterFile, ParameterSource, Substitution, Text, TypedValue
 from launchlint.yaml.tree import YamlBeyond
 

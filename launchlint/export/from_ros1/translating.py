@@ -10,8 +10,8 @@ from launchlint.export.from_ros1.choosing import SUBSTITUTION
 from launchlint.export.from_ros1.frame import Account, Scope, Setting
 from launchlint.export.from_ros1.nodes import MOST_CONDITIONS, Nodes
 from launchlint.export.from_ros1.values import Values
-from launchlint.export.ros2.carrying import Left, Lost, Remark
 from launchlint.export.ros2.comparing import normal
+from launchlint.export.ros2.losses import Left, Lost, Remark
 from launchlint.syntax.ros2 import description as described
 from launchlint.syntax.ros2.description import Condition, Description, Pair, Substitution, Text, TypedValue
 from launchlint.syntax.ros2.tables import distribution

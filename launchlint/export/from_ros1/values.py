@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from launchlint.export.from_ros1.expressions import NotTranslated, translated
-from launchlint.export.ros2.carrying import Left
+from launchlint.export.ros2.losses import Left
 from launchlint.export.ros2.texts import joined
 from launchlint.source import Place
 from launchlint.syntax.parts import Literal, Malformed

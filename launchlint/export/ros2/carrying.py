@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from launchlint.evaluate.ros2.typed import TypeFault, convert
 from launchlint.export.ros2.ending import ending, shuts_down
+from launchlint.export.ros2.losses import Left, Lost, Remark, cut, in_words, no_tag, shown
 from launchlint.export.ros2.said import SAYABLE
 from launchlint.export.ros2.shaping import Shaper
 from launchlint.export.ros2.texts import NOWHERE, CannotWrite, TextWriter, joined
@@ -46,26 +47,6 @@ if TYPE_CHECKING:
 _JOIN = "path-join"
 
 
-class Lost(NamedTuple):
-    """Something that is not in what is written: ``what`` and ``why`` in plain words; at ``place`` in the original."""
-
-    place: Place
-    what: str
-    why: str
-
-    @property
-    def words(self) -> str:
-        """Both, without the place."""
-        return f"{self.what}: {self.why}" if self.why else self.what
-
-
-class Remark(NamedTuple):
-    """What is written in another way, and means the same only where ``words`` hold."""
-
-    place: Place
-    words: str
-
-
 class Carried(NamedTuple):
     """``description`` holds nothing but what can be written; ``lost`` what it lacks, ``remarks`` what a person should know.
 
@@ -88,15 +69,6 @@ def carried(description: Description, distribution: Distribution, *, xml: bool, 
     made = Description(carrier.actions(before), description.place)
     other = carrier.lost or carrier.ends or before is not description.actions
     return Carried(made, tuple(carrier.lost), tuple(dict.fromkeys(carrier.remarks)), made if other else None)
-
-
-class Left(Exception):
-    """This part cannot be carried over, or has no counterpart; ``why`` in plain words."""
-
-    def __init__(self, place: Place, why: str) -> None:
-        super().__init__(why)
-        self.place = place
-        self.why = why
 
 
 class _Carrier:
@@ -128,10 +100,10 @@ class _Carrier:
                 found.append(made)
             except Left as left:
                 del self.lost[before:]
-                self.lost.append(Lost(left.place, _what(action), left.why))
+                self.lost.append(Lost(left.place, in_words(action), left.why))
             except CannotWrite as cannot:
                 del self.lost[before:]
-                self.lost.append(Lost(action.place, _what(action), cannot.reason))
+                self.lost.append(Lost(action.place, in_words(action), cannot.reason))
         return tuple(found)
 
     def _writable(self, branch: Branch) -> None:
@@ -149,7 +121,7 @@ class _Carrier:
             name = Text(("use_sim_time",), action.place)
             action = described.SetParameter(name, value, action.place, action.condition)
         if not isinstance(action, SAYABLE):
-            raise Left(action.place, _why(action))
+            raise Left(action.place, no_tag(action))
         fields: dict[str, Any] = {}
         if action.condition is not None:
             fields["condition"] = self._condition(action.condition)
@@ -251,7 +223,7 @@ class _Carrier:
                 except Left as left:
                     if "None" not in _written(kinds[name]):
                         raise
-                    self.lost.append(Lost(value.place, f"{name} of {_what(item)}", left.why))
+                    self.lost.append(Lost(value.place, f"{name} of {in_words(item)}", left.why))
                     fields[name] = None
             elif isinstance(value, tuple) and not hasattr(value, "_fields") and name not in ("choices", "actions"):
                 fields[name] = self._each(item, name, value)
@@ -261,8 +233,8 @@ class _Carrier:
         if isinstance(item, described.Executable):
             return tuple(map(self._one, values))
         if values and isinstance(values[0], Text):  # the words of a command line: without one of them the others would say something else
-            return self._kept(f"{name} of {_what(item)}", lambda words: tuple(map(self._text, words)), values) or ()
-        found = (self._kept(f"one of the {name} of {_what(item)}", self._one, value) for value in values)
+            return self._kept(f"{name} of {in_words(item)}", lambda words: tuple(map(self._text, words)), values) or ()
+        found = (self._kept(f"one of the {name} of {in_words(item)}", self._one, value) for value in values)
         return tuple(each for each in found if each is not None)
 
     def _one(self, value: Any) -> Any:
@@ -364,9 +336,9 @@ class _Carrier:
             elif piece.name == FULL_NAME:
                 found += self._container(piece)
             elif piece.name == NOT_KNOWN:
-                raise Left(piece.place, f"{_shown(piece.place)} is not known ({piece.arguments[0].literal})")
+                raise Left(piece.place, f"{shown(piece.place)} is not known ({piece.arguments[0].literal})")
             elif piece.name == CALLED:
-                raise Left(piece.place, f"{_shown(piece.place)} is a substitution that the program has made itself")
+                raise Left(piece.place, f"{shown(piece.place)} is a substitution that the program has made itself")
             elif piece.name not in self._distribution.substitutions:
                 raise Left(piece.place, f"XML and YAML have no {piece.name or 'such substitution'}")
             else:
@@ -378,7 +350,7 @@ class _Carrier:
             return [text]
         found = self._portable.pieces(text, place)
         if any(isinstance(each, str) and self._portable.is_local(each) for each in found):
-            self.remarks.append(Remark(place, f"{_cut(text)} is a path of this machine that lies in no package"))
+            self.remarks.append(Remark(place, f"{cut(text)} is a path of this machine that lies in no package"))
         return found
 
     def _container(self, substitution: Substitution) -> tuple[str | Substitution, ...]:
@@ -453,56 +425,5 @@ def _somewhere(process: Process) -> Place:
     return next((text.place for text in texts), NOWHERE)
 
 
-def _shown(place: Place) -> str:
-    return _cut(" ".join(place.text.split()))
-
-
-def _cut(text: str) -> str:
-    return text if len(text) <= 60 else f"{text[:57]}…"
-
-
-def _why(action: Action) -> str:
-    """Why an action has no tag."""
-    if isinstance(action, described.Handler):
-        return f"what follows an event ({action.event}) cannot be said in XML and YAML"
-    if isinstance(action, (described.Maybe, described.Open)):
-        return action.reason
-    if isinstance(action, described.Fails):
-        return "launch stops here"
-    return "it is never called as this is exported" if isinstance(action, described.Opaque) else "XML and YAML have nothing for it"
-
-
 def _written(kind: object) -> str:
     return str(getattr(kind, "__forward_arg__", kind))
-
-
-_WORDS = {
-    "Handler": "an event handler",
-    "Opaque": "a function",
-    "Maybe": "what may be there",
-    "Open": "what else may be there",
-    "Fails": "the rest",
-    "Argument": "an arg",
-    "Let": "a let",
-    "Include": "an include",
-    "Group": "a group",
-    "Executable": "an executable",
-    "Component": "a composable node",
-    "LoadComponents": "a load_composable_node",
-    "Process": "a process",
-    "Remap": "a remap",
-    "Pair": "a pair",
-    "PushNamespace": "a push_ros_namespace",
-    "SetUseSimTime": "a set_use_sim_time",
-    "Timer": "a timer",
-    "Log": "a log",
-}
-
-
-def _what(item: Any) -> str:
-    """A part of a launch file in words."""
-    if isinstance(item, described.Node):
-        name = item.name.literal if item.name is not None else None
-        executable = item.executable.literal
-        return f"the node {name or executable}" if name or executable else "a node"
-    return _WORDS.get(type(item).__name__, type(item).__name__)

@@ -13,7 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from launchlint.export.ros2.carrying import Lost
+    from launchlint.export.ros2.losses import Lost
     from launchlint.export.ros2.tree import Branch
     from launchlint.source import Source, Span
     from launchlint.syntax.remarks import Remark

@@ -9,7 +9,7 @@ from launchlint.dialects.door import named
 from launchlint.evaluate.session import Read, Session
 from launchlint.export.ros2 import xml, yaml
 from launchlint.export.ros2.calling import called
-from launchlint.export.ros2.carrying import Lost, carried
+from launchlint.export.ros2.carrying import carried
 from launchlint.export.ros2.comments import Comments
 from launchlint.export.ros2.comparing import difference, launched, normal
 from launchlint.export.ros2.portable import Portable
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import Any
 
+    from launchlint.export.ros2.losses import Lost
     from launchlint.export.ros2.tree import Branch
     from launchlint.model import Launch
     from launchlint.source import Place
