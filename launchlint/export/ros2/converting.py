@@ -12,6 +12,7 @@ from launchlint.export.ros2.calling import called
 from launchlint.export.ros2.carrying import carried
 from launchlint.export.ros2.comments import Comments
 from launchlint.export.ros2.comparing import difference, launched, normal
+from launchlint.export.ros2.losses import Lost
 from launchlint.export.ros2.portable import Portable
 from launchlint.export.ros2.shaping import shaped
 from launchlint.export.ros2.texts import CannotWrite
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import Any
 
-    from launchlint.export.ros2.losses import Lost
     from launchlint.export.ros2.tree import Branch
     from launchlint.model import Launch
     from launchlint.source import Place
