@@ -82,7 +82,7 @@ LAZY = {
 # What a module may fill or change while it runs; all else is kept by what it is about: Packages.once, a view's cached_property, an object.
 KEPT_BY_A_MODULE = {
     ("launchlint.pool", "_here"),  # a pool hands its processes functions of modules, and nothing that lives from item to item
-    ("launchlint.workspace.looking", "_noted"),  # the account of what was looked at, for whoever asks last
+    ("launchlint.workspace.looking", "_account"),  # of what a thread looked at, for whoever asks last
 }
 FILLING = {
     *("add", "append", "appendleft", "clear", "discard", "extend", "insert", "move_to_end", "pop", "popitem", "remove", "setdefault"),

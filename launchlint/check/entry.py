@@ -33,6 +33,8 @@ from launchlint.workspace.packages import Packages
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing_extensions import Self
+
     from launchlint.graph.connections import ConnectionGraph
     from launchlint.graph.earlier import Earlier
     from launchlint.knowledge.own import OwnSources
@@ -117,11 +119,13 @@ class EntryChecker:
             packages = Packages(there, options.variables, explicit=options.explicit, complete=options.complete)
         return OwnSources(packages, options.root, options.sources_cache, options.staged)
 
-    def holding(self, texts: Mapping[str, bytes]) -> EntryChecker:
-        """A checker for which files hold ``texts`` instead; packages, and what was read of other files, are shared with this one."""
+    def holding(self, texts: Mapping[str, bytes | None]) -> Self:
+        """A checker for which files hold ``texts`` instead, or again (None) what is on disk.
+
+        Packages, and what was read of other files, are shared with this one. Unlike this one it does not remember.
+        """
         other = copy(self)
-        for file, data in texts.items():
-            other.session = other.session.with_text(file, data)
+        other.session = self.session.with_texts(texts)
         changed = {self.session.shown(file) for file in texts}
         other.remember = False
         other._files = {key: result for key, result in self._files.items() if result.path not in changed}
@@ -276,6 +280,7 @@ class EntryChecker:
         for rule in self.launch_rules:
             if launch.dialect not in rule.dialects:
                 continue
+            self.session.checkpoint()
             for found in listing.listed(run_rule(rule, view, launch.entry.path)):
                 if isinstance(found, Fine):
                     yield found
@@ -311,6 +316,7 @@ class EntryChecker:
         for rule in self.graph_rules:
             if evaluation.launch.dialect not in rule.dialects:
                 continue
+            self.session.checkpoint()
             for found in listing.listed(run_rule(rule, view, evaluation.launch.entry.path)):
                 yield found if isinstance(found, Fine) else self._at_home(said_of(found, switched), evaluation, assumed=False)
 

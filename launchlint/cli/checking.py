@@ -14,7 +14,6 @@ from launchlint.project.asked import EntryOptions, leave_others_out
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launchlint.baseline import Baseline
     from launchlint.check.merge import Outcome
     from launchlint.check.options import Options
     from launchlint.finding import Finding, Severity
@@ -138,6 +137,8 @@ def _check(
     if entry.entries is not None:
         return entry_lines(results, options, checker.packages, per_file, shown)
 
+    from launchlint.project.known import without_known
+
     def told(outcome: Outcome) -> Outcome:
         """``outcome`` without what nobody wants to hear of."""
         if known is not None:
@@ -215,14 +216,3 @@ def record(outcome: Outcome, file: str, *, quiet: bool) -> int:
         number = counted(len(findings), "finding")
         tell(f"wrote {number} to {file}; --baseline {file} leaves them out from now on")
     return 2 if outcome.crashed else 0
-
-
-def without_known(outcome: Outcome, known: Baseline) -> Outcome:
-    """``outcome`` without the findings that a baseline knows; a crash is never known."""
-    from launchlint.baseline import filter as unknown_ones
-    from launchlint.check.file import INTERNAL_ERROR
-    from launchlint.order import ordered
-
-    crashes = [finding for finding in outcome.findings if finding.rule == INTERNAL_ERROR]
-    others = [finding for finding in outcome.findings if finding.rule != INTERNAL_ERROR]
-    return outcome._replace(findings=tuple(ordered([*unknown_ones(others, known), *crashes])))

@@ -7,6 +7,7 @@ the blocks of one entry file into a :class:`~launchlint.model.Launch`.
 
 from __future__ import annotations
 
+import os
 from typing import NamedTuple
 
 from launchlint.model import (
@@ -193,3 +194,7 @@ class Block:
                     sides.add((effect.element.source.path, effect.element.span.start, effect.attribute, effect.taken))
             self._sides = frozenset(sides)
         return self._sides
+
+    def is_made_of(self, file: str) -> bool:
+        """Whether it hangs on what ``file`` (absolute) holds."""
+        return file in self.touched or self.document.source.file == file or os.path.abspath(self.document.source.file) == file

@@ -110,6 +110,7 @@ def configurations(session: Session, file: str, given: Pairs = (), way: Way | No
                     if evaluations >= MOST_EVALUATIONS:
                         return
                     evaluations += 1
+                    session.checkpoint()
                     telling = found[0][1].telling(changes)
                     if flow.has(pairs) or (len(telling) < len(changes) and tuple(sorted(telling)) in tried):
                         continue  # args are given what they have anyway: all that can come of it has been seen

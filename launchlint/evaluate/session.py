@@ -37,6 +37,14 @@ WRITTEN = "/tmp/launchlint_written_"  # only the beginning of names: nothing is 
 """How the names of files begin that a launch would write, and that only a session holds."""
 
 
+class Stopped(BaseException):
+    """Nobody waits any more for what is being worked out; no mistake, so that nothing takes it for one."""
+
+
+def _go_on() -> None:
+    """Nobody ever gives up."""
+
+
 class Read:
     """The outcome of reading one file: its ``data``, or the ``reason`` why there is none, in plain words."""
 
@@ -63,6 +71,7 @@ class Session:
     ``overlay`` maps the name of a file to content that is judged in its place (standard input, ``as:`` in an entries file, the git index).
     ``fresh``, which the evaluation of ROS 2 sets, gives the context of a launch in which nothing has been executed; ``arguments``, which
     it sets, too, are those that launch is given: programs may ask for its command line.
+    ``checkpoint`` is called every now and then while something is evaluated: who gives up waiting for that lets it raise :class:`Stopped`.
     ``root`` is the directory to which shown paths are relative. ``distro`` is the distribution of ROS 2 that somebody asks for.
     """
 
@@ -79,6 +88,7 @@ class Session:
         self.root = os.getcwd() if root is None else root
         self.asked_distro = distro
         self.fresh: Callable[[Session, str], LiveContext] | None = None
+        self.checkpoint: Callable[[], None] = _go_on
         self._meant: tuple[Meant, frozenset[str]] | None = None
         self.arguments: tuple[tuple[str, str], ...] = ()
         self._asking: set[str] = set()
@@ -102,14 +112,24 @@ class Session:
         self._made: dict[tuple[int, object], tuple[object, Any]] = {}
 
     def with_text(self, file: str, data: bytes) -> Session:
-        """A session in which ``file`` holds ``data``; what has been read of other files is shared, evaluated blocks are not."""
-        absolute = os.path.abspath(file)
+        """A session in which ``file`` holds ``data``; see :meth:`with_texts`."""
+        return self.with_texts({file: data})
+
+    def with_texts(self, texts: Mapping[str, bytes | None]) -> Session:
+        """A session in which files hold ``texts``, or again (None) what is on disk.
+
+        What has been read of other files is shared, and blocks that were made without these.
+        """
+        changed = {os.path.abspath(file): data for file, data in texts.items()}
         session = Session(self.packages, self.environment, self.root, distro=self.asked_distro)
-        session.overlay = {**self.overlay, absolute: data}
+        overlay = {**self.overlay, **changed}
+        session.overlay = {name: data for name, data in overlay.items() if data is not None}
         session._meant = self._meant
-        session._reads = {name: read for name, read in self._reads.items() if name != absolute}
-        session._documents = {name: known for name, known in self._documents.items() if name != absolute}
-        session._readings = {name: known for name, known in self._readings.items() if name != absolute}
+        session._reads = {name: read for name, read in self._reads.items() if name not in changed}
+        session._documents = {name: known for name, known in self._documents.items() if name not in changed}
+        session._readings = {name: known for name, known in self._readings.items() if name not in changed}
+        session.blocks = {key: block for key, block in self.blocks.items() if not any(map(block.is_made_of, changed))}
+        session.checkpoint = self.checkpoint
         return session
 
     def with_reading(self, file: str, reading: Reading) -> Session:

@@ -137,4 +137,5 @@ class _Comparison:
         assert data is not None
         copy = session.with_text(self.file, data)
         copy.environment = {**session.environment, **variables}
+        copy.blocks = {}
         return copy

@@ -6,6 +6,7 @@ What rules look at beside launch files passes through here and is noted, since t
 from __future__ import annotations
 
 import os
+from _thread import _local
 from collections.abc import Callable, Iterable, Iterator
 from typing import TypeVar
 
@@ -20,8 +21,15 @@ PART = "//"
 
 T = TypeVar("T")
 
-_noted: list[set[str]] = [set()]
-"""What was looked at: by everything, then by each piece of work inside of another that is watched."""
+
+class _Account(_local):
+    """What a thread looked at: by everything, then by each piece of work inside of another that is watched."""
+
+    def __init__(self) -> None:
+        self.noted: list[set[str]] = [set()]
+
+
+_account = _Account()
 
 
 def exists(path: str) -> bool:
@@ -92,30 +100,30 @@ def read_bytes(path: str, largest: int = LARGEST_FILE) -> bytes:
 
 def note_tree(directory: str) -> None:
     """Note that which files there are below ``directory``, and which of them can be run, matters."""
-    _noted[-1].add(os.path.join(os.path.abspath(directory), _ALL_BELOW))
+    _account.noted[-1].add(os.path.join(os.path.abspath(directory), _ALL_BELOW))
 
 
 def noted() -> frozenset[str]:
     """What was looked at since this was called last; absolute paths."""
-    taken = frozenset(_noted[-1])
-    _noted[-1].clear()
+    taken = frozenset(_account.noted[-1])
+    _account.noted[-1].clear()
     return taken
 
 
 def watched(work: Callable[[], T]) -> tuple[T, frozenset[str]]:
     """What ``work`` gives, and what it looked at; that stays noted."""
-    _noted.append(set())
+    _account.noted.append(set())
     try:
         result = work()
     finally:
-        looked = frozenset(_noted.pop())
+        looked = frozenset(_account.noted.pop())
         note(looked)
     return result, looked
 
 
 def note(paths: Iterable[str]) -> None:
     """Note ``paths`` (absolute) again."""
-    _noted[-1].update(paths)
+    _account.noted[-1].update(paths)
 
 
 def state(path: str) -> str:
@@ -163,5 +171,5 @@ def _tree(directory: str) -> bytes:
 
 
 def _note(path: str) -> str:
-    _noted[-1].add(os.path.abspath(path))
+    _account.noted[-1].add(os.path.abspath(path))
     return path

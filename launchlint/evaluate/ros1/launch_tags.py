@@ -57,6 +57,7 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
         session.variables |= known.variables
         progress.angles |= known.angles
         return known
+    session.checkpoint()
     file = FileEvaluation(
         session, document, entering.file, entry, progress, is_entry=entering.is_entry, private_above=entering.private_above,
         environment_arguments=entering.from_environment,

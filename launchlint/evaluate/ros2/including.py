@@ -44,6 +44,7 @@ def include(walk: Walk, action: described.Include) -> None:
         return
     if len(walk.here.files) >= DEEPEST_INCLUDE - 1:
         _too_deep(walk, action, file)
+    walk.session.checkpoint()
     known = walk.read(file)
     if isinstance(known, Read):
         walk.record(

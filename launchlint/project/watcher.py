@@ -1,0 +1,54 @@
+"""A checker that keeps what it saw: the evaluation of each configuration, with its connection graph."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from launchlint.check.entry import EntryChecker, EntryResult
+from launchlint.check.options import EntryRequest
+from launchlint.evaluate.assemble import Evaluation
+from launchlint.finding import Finding
+from launchlint.rules.rule import Fine
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from launchlint.graph.connections import ConnectionGraph
+    from launchlint.rules.view import LaunchView
+
+
+class Configuration(NamedTuple):
+    """One configuration of an entry file: what it starts, and what that connects, where it starts anything."""
+
+    evaluation: Evaluation
+    graph: ConnectionGraph | None
+
+
+class Understood(NamedTuple):
+    """One entry file: what was found, and every configuration of it, the one that is given first."""
+
+    result: EntryResult
+    configurations: tuple[Configuration, ...]
+
+
+class Watcher(EntryChecker):
+    """Checks entry files, and keeps what it evaluated on the way."""
+
+    _seen: list[Configuration]
+
+    def understand(self, request: EntryRequest) -> Understood:
+        """All findings of an entry file, and all its configurations. Never raises: a crash becomes a finding."""
+        self._seen = []
+        self.remember = True
+        result = self.check(request)
+        return Understood(result, tuple(self._seen))
+
+    def connected(self, evaluation: Evaluation) -> ConnectionGraph:
+        """The connection graph, kept."""
+        graph = super().connected(evaluation)
+        self._seen[-1] = Configuration(evaluation, graph)
+        return graph
+
+    def _launch_findings(self, evaluation: Evaluation, request: EntryRequest, view: LaunchView) -> Iterator[Finding | Fine]:
+        self._seen.append(Configuration(evaluation, None))
+        yield from super()._launch_findings(evaluation, request, view)

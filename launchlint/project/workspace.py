@@ -1,0 +1,312 @@
+"""A workspace held open: texts that are not saved yet, what was found in each entry file, and what a change of a file undoes.
+
+It is worked on in small steps by one thread at a time: :meth:`OpenWorkspace.hold` and :meth:`OpenWorkspace.reread` say what has changed,
+:attr:`OpenWorkspace.waiting` which entry files are to be checked again, :meth:`OpenWorkspace.work` checks one of them. Nothing depends on
+the current directory.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+
+from launchlint.baseline import load
+from launchlint.check.dialects import sort_out
+from launchlint.check.entry import EntryResult
+from launchlint.check.merge import Outcome, merge
+from launchlint.check.options import EntryRequest
+from launchlint.check.surroundings import CONTENT_ENDS, CONTENT_NAMES, ENTRY_ENDS
+from launchlint.finding import Finding, Location
+from launchlint.order import ordered
+from launchlint.project.asked import EntryOptions
+from launchlint.project.known import without_known
+from launchlint.project.selection import per_file_ignores
+from launchlint.project.watcher import Understood, Watcher
+from launchlint.source import Place, Source, Span
+from launchlint.syntax.decode import decode
+from launchlint.syntax.recovery import Recovered, changed_from, is_readable, recovered
+from launchlint.workspace.configuration import FILE_NAME
+from launchlint.workspace.discovery import may_be_launch_file
+from launchlint.workspace.looking import PART, state
+from launchlint.workspace.reading import standing_in
+from launchlint.workspace.source_lists import is_source_list
+
+
+class OpenWorkspace:
+    """The entry files below a directory, and what is known of each. Raises LaunchlintError where its configuration cannot be used.
+
+    ``cache`` is the directory in which indices of libraries, and what was read of sources, are kept.
+
+    A text that cannot be read since somebody is writing it is judged as it is, as ``check`` would; what else there is to say of it comes
+    from the text that was recovered from it (:mod:`launchlint.syntax.recovery`), checked beside it.
+    """
+
+    def __init__(self, root: str, cache: str | None = None) -> None:
+        self.root = os.path.abspath(root)
+        self.texts: dict[str, bytes] = {}
+        self.broken: dict[str, Recovered] = {}
+        self._readable: dict[str, str] = {}
+        self._beside: Watcher | None = None
+        self._cache = cache
+        self._checkpoint: Callable[[], None] | None = None
+        self._open()
+
+    def _open(self) -> None:
+        """Read the configuration, and start anew."""
+        asked = EntryOptions((self.root,), root=self.root)
+        self.asked = asked
+        self.options = asked.options(cache=self._cache)
+        self.per_file = per_file_ignores(asked.configuration, self.root)
+        baseline = asked.configuration.baseline
+        self._known = None if baseline is None else load(baseline)
+        self._results: dict[EntryRequest, EntryResult] = {}
+        self._guessed: dict[EntryRequest, EntryResult] = {}
+        self._understood: dict[EntryRequest, Understood] = {}
+        self._waiting: dict[EntryRequest, None] = {}
+        self._refresh()
+        self._discover()
+
+    def _refresh(self) -> None:
+        """Packages, libraries and sources are looked at again when they are next asked for."""
+        with self._looking():
+            self.checker = Watcher(self.options, self.texts, remember=True)
+        if self._checkpoint is not None:
+            self.checker.session.checkpoint = self._checkpoint
+        self._look_beside()
+
+    def _look_beside(self) -> None:
+        """Make the checker for which broken texts hold what was recovered from them."""
+        texts = {file: each.text.encode("utf-8", "surrogateescape") for file, each in self.broken.items()}
+        self._beside = self.checker.holding(texts) if texts else None
+
+    def _discover(self) -> None:
+        """Find the entry files; those that are new wait to be checked, those that are gone are forgotten."""
+        with self._looking():
+            found, _ = self.asked.requests()
+            kept = sort_out(found, self.texts.keys(), self.checker.session).kept  # what is open was asked for
+        self.requests = dict.fromkeys(kept)
+        files = {request.at for request in kept}
+        for file, data in self.texts.items():
+            if file not in files and may_be_launch_file(file) and not os.path.exists(file) and _is_below(file, self.root) and data:
+                self.requests[EntryRequest(file, file)] = None
+        for request in [each for each in self._results if each not in self.requests]:
+            del self._results[request]
+            self._guessed.pop(request, None)
+            self._understood.pop(request, None)
+        self._waiting = {each: None for each in self.requests if each in self._waiting or each not in self._results}
+
+    @contextmanager
+    def _looking(self) -> Iterator[None]:
+        with standing_in(self.texts):
+            yield
+
+    def stop_where(self, checkpoint: Callable[[], None]) -> None:
+        """``checkpoint`` is called every now and then; it raises :class:`~launchlint.evaluate.session.Stopped` to stop the work."""
+        self._checkpoint = checkpoint
+        self.checker.session.checkpoint = checkpoint
+
+    # -- what has changed ------------------------------------------------------------------------------------------
+
+    def hold(self, texts: Mapping[str, bytes | None]) -> None:
+        """Files (absolute) hold ``texts`` instead of what is on disk, or again (None) what is there."""
+        read = self.checker.session.read
+        opened = texts.keys() - self.texts.keys() - {request.at for request in self.requests}
+        closed = {file for file, data in texts.items() if data is None}
+        changed: dict[str, bytes | None] = {}
+        for file, data in texts.items():
+            before = self.texts.get(file)
+            if data is None:
+                self.texts.pop(file, None)
+                if before is not None and before != _on_disk(file):
+                    changed[file] = None
+                self.broken.pop(file, None)
+                self._readable.pop(file, None)
+            else:
+                self.texts[file] = data
+                self._recover(file, data)
+                if (before if before is not None else read(file).data) != data:
+                    changed[file] = data
+        # Also where nothing changed: what is on disk may do so, and must not be read over the text.
+        self.checker = self.checker.holding(dict(texts))
+        self._look_beside()
+        self._undo(changed)
+        if closed or any(map(may_be_launch_file, opened)):
+            self._discover()
+
+    def _recover(self, file: str, data: bytes) -> None:
+        """Note how a text can be read, where it cannot as it is: as far as it goes, else as it could be read last."""
+        self.broken.pop(file, None)
+        if not may_be_launch_file(file):
+            return
+        text = decode(data).text
+        found = recovered(text, file)
+        if found.edits and not is_readable(found.text, file):
+            found = changed_from(text, self._readable[file]) if file in self._readable else found
+        if found.edits:
+            self.broken[file] = found
+        self._readable[file] = found.text
+
+    def reread(self, files: Collection[str]) -> None:
+        """Files (absolute) were written, made or removed on disk."""
+        named = {os.path.basename(file) for file in files}
+        if FILE_NAME in named:
+            self._open()
+            return
+        self._undo(dict.fromkeys(file for file in files if file not in self.texts), on_disk=True)
+
+    def _undo(self, changed: Mapping[str, bytes | None], *, on_disk: bool = False) -> None:
+        """What hangs on ``changed`` files is to be worked out again."""
+        if not changed:
+            return
+        if any(map(_is_of_surroundings, changed)):
+            self._wait_all()
+            return
+        again, anew = set[EntryRequest](), False
+        with self._looking():
+            for request, result in self._results.items():
+                guessed = self._guessed.get(request, result)
+                if any(name in changed for each in (result, guessed) for name, _ in each.dependencies):
+                    again.add(request)
+                if any(_may_see(path, changed, on_disk=on_disk) and state(path) != known for path, known in result.looks):
+                    again.add(request)
+                    anew = True
+        appeared = on_disk and any(map(may_be_launch_file, changed))
+        sources = on_disk and any(map(_is_source, changed))
+        if anew or sources or appeared:
+            self._refresh()
+            if sources:
+                again.update(self._with_other_programs())
+        elif on_disk:
+            self.checker = self.checker.holding({file: self.texts.get(file) for file in changed})
+            self._look_beside()
+        self._wait(again)
+        if appeared:
+            self._discover()
+
+    def _with_other_programs(self) -> Iterator[EntryRequest]:
+        """The entry files that start a program of which the sources say something else now."""
+        own = self.checker.own
+        for request, result in self._results.items():
+            programs = result.programs
+            if any(own is None or own.of(ware).digest((package, table, name)) != known for ware, package, table, name, known in programs):
+                yield request
+
+    def _wait_all(self) -> None:
+        self._refresh()
+        self._wait(self.requests)
+        self._discover()
+
+    def _wait(self, requests: Iterable[EntryRequest]) -> None:
+        for request in requests:
+            if request in self.requests:
+                self._waiting[request] = None
+
+    # -- the work --------------------------------------------------------------------------------------------------
+
+    def waiting(self, files: Collection[str] = ()) -> list[EntryRequest]:
+        """The entry files that are to be checked: ``files`` (absolute) first, then those that lead to them, then the rest."""
+        wanted = frozenset(files)
+
+        def rank(request: EntryRequest) -> int:
+            known = self._results.get(request)
+            reaches = known is not None and any(name in wanted for name, _ in known.dependencies)
+            return 0 if request.at in wanted else 1 if reaches else 2
+
+        return sorted(self._waiting, key=rank)
+
+    def work(self, request: EntryRequest) -> None:
+        """Check one entry file. Raises what the checkpoint raises; then it goes on waiting."""
+        with self._looking():
+            understood = self.checker.understand(request)
+            result = understood.result
+            beside = self._beside
+            if beside is not None and any(name in self.broken for name, _ in result.dependencies):
+                understood = beside.understand(request)
+                self._guessed[request] = understood.result
+            else:
+                self._guessed.pop(request, None)
+        self._results[request] = result
+        self._understood[request] = understood
+        self._waiting.pop(request, None)
+
+    def settle(self) -> None:
+        """Check all that waits."""
+        for request in self.waiting():
+            self.work(request)
+
+    def forget_all_but(self, files: Collection[str]) -> None:
+        """Keep the evaluations of entry files that lead to ``files`` only; what was found in the others is kept."""
+        wanted = frozenset(files)
+        for request, known in list(self._understood.items()):
+            if not any(name in wanted for name, _ in known.result.dependencies):
+                del self._understood[request]
+
+    # -- what came of it -------------------------------------------------------------------------------------------
+
+    def outcome(self) -> Outcome:
+        """The findings of all entry files that have been checked, as ``launchlint check`` would tell them."""
+        results = [self._results[request] for request in self.requests if request in self._results]
+        with self._looking():
+            found = merge(results, self.options, self.checker.packages, self.per_file, asked=(self.root,))
+            guessed = [each for request, each in self._guessed.items() if request in self.requests]
+            if guessed:
+                more = merge(guessed, self.options, self.checker.packages, self.per_file, workspace=False, asked=(self.root,)).findings
+                found = found._replace(findings=tuple(ordered([*found.findings, *self._in_broken(more, found.findings)])))
+        return found if self._known is None else without_known(found, self._known)
+
+    def _in_broken(self, guessed: Iterable[Finding], told: Iterable[Finding]) -> Iterator[Finding]:
+        """What was found in texts that were recovered, where it stands in the broken ones, and is not told already."""
+        known = {finding.key for finding in told}
+        for file, recovery in self.broken.items():
+            shown = self.checker.session.shown(file)
+            source = Source(shown, decode(self.texts[file]).text, file)
+            for finding in guessed:
+                at = finding.location
+                if at.path != shown:
+                    continue
+                start, end = recovery.back(at.start), recovery.back(at.end)
+                if not recovery.is_lost(start, end):
+                    found = finding._replace(location=Location.of(Place(source, Span(start, end))), fix=None)
+                    if found.key not in known:
+                        yield found
+
+    def leading_to(self, file: str) -> list[Understood]:
+        """The entry files that read ``file`` (absolute), itself first, then by the length of the way: whose evaluations are kept."""
+        found = [each for each in self._understood.values() if any(name == file for name, _ in each.result.dependencies)]
+        return sorted(found, key=lambda each: (each.result.request.at != file, len(each.result.dependencies), each.result.path))
+
+    def includers(self, file: str) -> list[str]:
+        """The entry files (as shown) that include ``file`` (absolute), by any way."""
+        shown = self.checker.session.shown(file)
+        return sorted({each.path for each in self._results.values() if shown in each.summary.included})
+
+
+def _on_disk(file: str) -> bytes | None:
+    try:
+        with open(file, "rb") as stream:
+            return stream.read()
+    except OSError:
+        return None
+
+
+def _is_below(file: str, directory: str) -> bool:
+    return file.startswith(directory.rstrip(os.sep) + os.sep)
+
+
+def _is_of_surroundings(file: str) -> bool:
+    """Whether every result may hang on what the file holds (:mod:`launchlint.check.surroundings`)."""
+    name = os.path.basename(file)
+    return name in CONTENT_NAMES or (name.endswith(CONTENT_ENDS) and not name.endswith(ENTRY_ENDS)) or is_source_list(name)
+
+
+def _is_source(file: str) -> bool:
+    return file.endswith((".py", ".cpp", ".cc", ".cxx", ".c", ".h", ".hpp", ".hh", ".hxx", ".in", ".msg", ".srv", ".action", ".cfg"))
+
+
+def _may_see(path: str, changed: Collection[str], *, on_disk: bool) -> bool:
+    """Whether who looked at ``path`` may have seen one of the files; also that it is there, where that may have changed."""
+    file, _, _ = path.partition(PART)
+    if file in changed:
+        return True
+    return on_disk and any(os.path.dirname(each) == path or (path.endswith("**") and each.startswith(path[:-2])) for each in changed)
