@@ -48,6 +48,7 @@ UNKNOWN_TO = {
     "report": {"check", "suppression", "baseline", "fix", "evaluate", "syntax", "workspace", "extract", "probe"},
     "fix": {"rules"},
     "graph": {"workspace", "syntax"},
+    "ide": {"cli", "server", "rules"},
     "library": {"evaluate", "syntax", "knowledge", "extract"},
     "knowledge": {"evaluate", "syntax"},
     "extract": {"evaluate", "syntax"},
@@ -59,6 +60,8 @@ FOREIGN_TO = {
     "fix": {"click"},
     "rules": {"click", "json", "lxml", "os", "pathlib", "xml"},
     "report": {"click"},
+    "ide": {"click", "pygls", "lsprotocol"},
+    "project": {"click", "pygls", "lsprotocol"},
 }
 
 SAYS_NOTHING = {"utils", "util", "helpers", "helper", "common", "misc", "manager", "base"}
@@ -232,6 +235,8 @@ OF_ONE_DIALECT = (
     "launchlint.cli.schema",  # of launch files of ROS 1
     "launchlint.export",  # flattens launch files of ROS 1
     "launchlint.fix.format",  # its tables hold both
+    "launchlint.ide.ros1",  # what words mean, and what may stand where
+    "launchlint.ide.ros2",
     "launchlint.rules",  # each says of which dialects it speaks, see the registry
 )
 """What may know the rooms of a dialect; all else goes through the door."""
@@ -267,7 +272,9 @@ def test_only_the_graph_room_knows_networkx() -> None:
 
 def test_heavy_libraries_are_imported_where_they_are_needed() -> None:
     eager = [
-        f"{entry.module}:{entry.line} imports {entry.target}" for entry in imports() if entry.at_load and entry.target.split(".")[0] in LAZY
+        f"{entry.module}:{entry.line} imports {entry.target}"
+        for entry in imports()
+        if entry.at_load and entry.target.split(".")[0] in LAZY and room(entry.module) != "server"  # which lives for hours
     ]
     assert eager == [], "import these inside the function that needs them"
 

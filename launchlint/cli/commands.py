@@ -16,6 +16,7 @@ COMMANDS = {
     "model": ("launchlint.cli.model", "Print what a launch file would start."),
     "graph": ("launchlint.cli.graph", "Show who talks to whom, and what changed."),
     "report": ("launchlint.cli.report", "Write a page that shows what connects, what is wrong, and where that is written."),
+    "server": ("launchlint.cli.server", "Serve an editor: findings while you type, and answers."),
     "rules": ("launchlint.cli.rules", "List all rules."),
     "explain": ("launchlint.cli.explain", "Explain a rule."),
     "library": ("launchlint.cli.library", "Look at, join, compare and check libraries of node interfaces."),

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
-from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, MoreParameters, NodeEffect, PrivateParameter
+from launchlint.evaluate.block import Block, Call, Clear, LocalBranch, MoreParameters, NodeEffect, PrivateParameter, Value
 from launchlint.evaluate.names import UNKNOWN_NAMESPACE, canonical
 from launchlint.evaluate.problems import DuplicateNode, MachineConflict, UnknownMachine
 from launchlint.evaluate.steering import steering
@@ -41,17 +41,27 @@ INHERITED_PER_EFFECT = 8
 _OPEN_REMAPS: frozenset[Role] = frozenset(("remaps",))
 
 
+class Entered(NamedTuple):
+    """A launch file that was entered, by which include, and the args in it with their values."""
+
+    path: str
+    step: IncludeStep | None
+    arguments: Mapping[str, Value]
+
+
 class Evaluation(NamedTuple):
     """The outcome of evaluating one entry file in one configuration.
 
     ``documents`` are the launch files it reached by path; ``visited`` the indices of their conditional elements that were evaluated.
-    ``compared`` (ROS 2) says what launch configurations that can be given are compared with.
+    ``compared`` (ROS 2) says what launch configurations that can be given are compared with. ``entered`` (ROS 1) are the files in the order
+    in which they were entered, with the args that were read there.
     """
 
     launch: Launch
     documents: Mapping[str, Document]
     visited: Mapping[str, frozenset[int]]
     compared: Mapping[str, tuple[str, ...]] = MappingProxyType({})
+    entered: tuple[Entered, ...] = ()
 
 
 class _Inherited(NamedTuple):
@@ -74,6 +84,7 @@ class _Assembly:
 
     def __init__(self) -> None:
         self.problems: list[Problem] = []
+        self.entered: list[Entered] = []
         self.nodes: list[Node] = []
         self.tests: list[Node] = []
         self.settings: list[ParameterSetting] = []
@@ -99,6 +110,7 @@ class _Assembly:
         self.files.append(file)
         self.unknown_machines |= block.unknown_machines
         self.documents[path] = block.document
+        self.entered.append(Entered(path, inherited.step, block.argument_values))
         self.visited.setdefault(path, set()).update(block.visited)
         steer = _steering(block, inherited)
         place = _Placing(inherited)
@@ -340,7 +352,8 @@ def assemble(
         files=tuple(assembly.files),
         complete=assembly.complete,
     )
-    return Evaluation(launch, assembly.documents, {path: frozenset(visited) for path, visited in assembly.visited.items()})
+    visited = {path: frozenset(indices) for path, indices in assembly.visited.items()}
+    return Evaluation(launch, assembly.documents, visited, entered=tuple(assembly.entered))
 
 
 def not_loadable(source: Source, document: Document | None, given: tuple[tuple[str, str], ...], problem: Problem) -> Evaluation:

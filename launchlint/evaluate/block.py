@@ -119,9 +119,9 @@ class Block:
     """The effects of one launch file, in document order, and what leaks out of it.
 
     ``declared`` are the args declared at file level; ``argument_reads`` says for each arg of the file which other args its value was made
-    from; ``open_arguments`` are the args a caller can set. ``missing`` are args that were read but have no value: name to
-    (declaration, reading place); ``refused_overrides`` are ``value=`` args that the caller tried to set. ``default_machine`` and
-    ``leaked`` leak to the
+    from, ``argument_values`` what they are at its end; ``open_arguments`` are the args a caller can set. ``missing`` are args that were
+    read but have no value: name to (declaration, reading place); ``refused_overrides`` are ``value=`` args that the caller tried to set.
+    ``default_machine`` and ``leaked`` leak to the
     including file. ``anonymous``: an ``$(anon)`` was evaluated, so the block is not to be used again; ``near``: a package was found by its
     nearness to the entry file. ``unknown_machines`` are the machines that are defined by something unknown (empty: the name itself is).
     ``assumed_declarations``: an arg is declared under a condition of unknown value.
@@ -136,6 +136,7 @@ class Block:
         "angles",
         "anonymous",
         "argument_reads",
+        "argument_values",
         "assumed_declarations",
         "cycle_floor",
         "declared",
@@ -168,6 +169,7 @@ class Block:
         self.refused_overrides: dict[str, Place] = {}
         self.default_machine: str | None = None
         self.leaked: list[PrivateParameter] = []
+        self.argument_values: dict[str, Value] = {}
         self.anonymous = False
         self.near = False
         self.assumed_declarations = False

@@ -16,6 +16,7 @@ from launchlint.knowledge.entry import Key, Known, States
 from launchlint.model import ROS1, ROS2
 from launchlint.workspace import looking
 from launchlint.workspace.package import Package
+from launchlint.workspace.reading import stand_ins, standing_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -36,7 +37,8 @@ class SourceReader:
 
     def read(self, key: Key, package: Package, root: str) -> Known:
         """What the sources of ``package`` say of a program of it. Never raises; paths are told relative to ``root``."""
-        (program, reason), looked = looking.watched(lambda: _in_own_thread(lambda: self._read(key, package, root)))
+        (program, reason), looked = _in_own_thread(lambda: looking.watched(lambda: self._read(key, package, root)))
+        looking.note(looked)
         return Known(program, reason, self._states.all_of(looked, root))
 
     def _read(self, key: Key, package: Package, root: str) -> tuple[Mapping[str, Any] | None, str]:
@@ -67,7 +69,13 @@ def _in_own_thread(work: Callable[[], T]) -> T:
     from threading import Thread
 
     results: list[T] = []
-    thread = Thread(target=lambda: results.append(work()), daemon=True)
+    texts = stand_ins()
+
+    def run() -> None:
+        with standing_in(texts):
+            results.append(work())
+
+    thread = Thread(target=run, daemon=True)
     thread.start()
     thread.join()
     return results[0]

@@ -271,15 +271,13 @@ class OpenWorkspace:
                     if found.key not in known:
                         yield found
 
-    def leading_to(self, file: str) -> list[Understood]:
-        """The entry files that read ``file`` (absolute), itself first, then by the length of the way: whose evaluations are kept."""
-        found = [each for each in self._understood.values() if any(name == file for name, _ in each.result.dependencies)]
-        return sorted(found, key=lambda each: (each.result.request.at != file, len(each.result.dependencies), each.result.path))
+    def understood(self) -> tuple[Understood, ...]:
+        """The entry files whose evaluations are kept."""
+        return tuple(self._understood.values())
 
-    def includers(self, file: str) -> list[str]:
-        """The entry files (as shown) that include ``file`` (absolute), by any way."""
-        shown = self.checker.session.shown(file)
-        return sorted({each.path for each in self._results.values() if shown in each.summary.included})
+    def including(self) -> dict[str, tuple[str, ...]]:
+        """Each entry file that has been checked, as shown, and the files that it leads to."""
+        return {each.path: each.summary.included for each in self._results.values()}
 
 
 def _on_disk(file: str) -> bytes | None:

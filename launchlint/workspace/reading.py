@@ -32,6 +32,11 @@ def standing_in(texts: Mapping[str, bytes]) -> Iterator[None]:
         _stand_ins.texts = before
 
 
+def stand_ins() -> Mapping[str, bytes]:
+    """The texts that this thread reads instead of files, to be given to another thread that works for it."""
+    return _stand_ins.texts
+
+
 def read_bytes(path: str, largest: int = LARGEST_FILE) -> bytes:
     """Content of a plain file of at most ``largest`` bytes, or the text that stands in for it (:func:`standing_in`).
 

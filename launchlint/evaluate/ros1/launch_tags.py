@@ -12,7 +12,7 @@ from launchlint.evaluate.ros1.include_tags import include
 from launchlint.evaluate.ros1.machine_tags import machine
 from launchlint.evaluate.ros1.node_tags import node
 from launchlint.evaluate.ros1.parameter_tags import param, rosparam
-from launchlint.evaluate.ros1.scope import Context
+from launchlint.evaluate.ros1.scope import Context, Missing
 from launchlint.evaluate.ros1.scope_tags import clear_without_namespace, env, remap, scope_namespace
 from launchlint.evaluate.session import Session
 from launchlint.model import Argument, Scope, Unknown
@@ -81,6 +81,7 @@ def enter(session: Session, document: Document, entering: Entering, entry: str, 
         outer[1].update(inner[1])
         session.touched, session.variables = outer
     block.looked_at = progress.looked_at - before
+    block.argument_values = {name: value for name, value in context.arguments.items() if not isinstance(value, Missing)}
     block.entered.add(key)
     block.angles = progress.angles
     if entering.private_above:

@@ -1,0 +1,148 @@
+"""The thread in which an open workspace is looked at: what is open first, and all else when there is time.
+
+A text that changes stops the work on what was there before. What is ready is handed over as a :class:`Ready`, which never changes.
+"""
+
+from __future__ import annotations
+
+import logging
+import threading
+from collections.abc import Callable, Iterable, Mapping
+from typing import NamedTuple
+
+from launchlint.check.causes import told_once
+from launchlint.errors import LaunchlintError
+from launchlint.evaluate.session import Stopped
+from launchlint.finding import Finding
+from launchlint.ide.view import Snapshot
+from launchlint.project.workspace import OpenWorkspace
+
+STACK = 256 << 20
+"""Bytes of the thread's stack: as deep as files may include each other."""
+_log = logging.getLogger("launchlint.server")
+
+
+class Ready(NamedTuple):
+    """What was found in texts of the given ``versions`` (by absolute file); ``whole``: nothing waits any more."""
+
+    versions: Mapping[str, int]
+    findings: tuple[Finding, ...]
+    snapshot: Snapshot
+    whole: bool
+
+
+class Analysis:
+    """One open workspace and its thread. ``tell`` is called in that thread with what is ready, ``fail`` with what keeps it from working."""
+
+    def __init__(self, root: str, cache: str | None, tell: Callable[[Ready], None], fail: Callable[[str], None]) -> None:
+        self.root = root
+        self._cache = cache
+        self._tell = tell
+        self._fail = fail
+        self._condition = threading.Condition()
+        self._texts: dict[str, bytes | None] = {}
+        self._versions: dict[str, int] = {}
+        self._written: set[str] = set()
+        self._ends = False
+        self._thread = threading.Thread(target=self._run, name="launchlint", daemon=True)
+        before = threading.stack_size(STACK)
+        try:
+            self._thread.start()
+        finally:
+            threading.stack_size(before)
+
+    def hold(self, file: str, data: bytes | None, version: int) -> None:
+        """A file (absolute) holds ``data`` in the editor, or (None) is not open any more."""
+        with self._condition:
+            self._texts[file] = data
+            if data is None:
+                self._versions.pop(file, None)
+            else:
+                self._versions[file] = version
+            self._condition.notify()
+
+    def written(self, files: Iterable[str]) -> None:
+        """Files (absolute) were written, made or removed."""
+        with self._condition:
+            self._written.update(files)
+            self._condition.notify()
+
+    def end(self) -> None:
+        """Stop, and wait until it has."""
+        with self._condition:
+            self._ends = True
+            self._condition.notify()
+        self._thread.join(timeout=5)
+
+    # -- in the thread ---------------------------------------------------------------------------------------------
+
+    def _checkpoint(self) -> None:
+        if self._texts or self._written or self._ends:
+            raise Stopped
+
+    def _run(self) -> None:
+        workspace: OpenWorkspace | None = None
+        while not self._ends:
+            workspace = self._worked(workspace)
+
+    def _worked(self, workspace: OpenWorkspace | None) -> OpenWorkspace | None:
+        """One step of the work. Returns the workspace; None where it is to be opened anew."""
+        texts = {} if workspace is None else workspace.texts
+        try:
+            if workspace is None:
+                workspace = OpenWorkspace(self.root, self._cache)
+                workspace.stop_where(self._checkpoint)
+            self._step(workspace)
+        except Stopped:
+            pass
+        except LaunchlintError as error:
+            self._fail(str(error))
+            self._wait()
+            workspace = None
+        except Exception:  # a mistake of launchlint itself: the editor must not be left alone for it
+            _log.exception("the workspace is opened anew")
+            self._wait()
+            workspace = None
+        if workspace is None:
+            with self._condition:
+                self._texts = {**texts, **self._texts}
+        return workspace
+
+    def _wait(self) -> None:
+        with self._condition:
+            while not (self._texts or self._written or self._ends):
+                self._condition.wait()
+
+    def _step(self, workspace: OpenWorkspace) -> None:
+        with self._condition:
+            texts, written = dict(self._texts), set(self._written)
+            self._texts.clear()
+            self._written.clear()
+            versions = dict(self._versions)
+        if written:
+            workspace.reread(written)
+        if texts:
+            workspace.hold(texts)
+        opened = set(versions)
+        waiting = workspace.waiting(opened)
+        near = [each for each in waiting if each.at in opened]
+        for request in near:
+            workspace.work(request)
+        rest = waiting[len(near) :]
+        if rest and (texts or written):
+            self._hand_over(workspace, versions, whole=False)
+        for request in rest:
+            self._checkpoint()
+            workspace.work(request)
+            workspace.forget_all_but(opened)
+        self._hand_over(workspace, versions, whole=True)
+        self._wait()
+
+    def _hand_over(self, workspace: OpenWorkspace, versions: Mapping[str, int], *, whole: bool) -> None:
+        self._checkpoint()
+        findings = told_once(workspace.outcome().findings)
+        snapshot = Snapshot(
+            workspace.checker.session, workspace.checker.library, workspace.options.style, workspace.understood(), workspace.including(),
+            dict(workspace.broken),
+        )  # fmt: skip
+        self._tell(Ready(versions, findings, snapshot, whole))

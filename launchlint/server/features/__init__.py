@@ -1,0 +1,1 @@
+"""What is answered to each request of the protocol, one module for what belongs together."""
