@@ -32,7 +32,7 @@ def register(server: Service) -> None:
 
     @server.feature(types.INITIALIZED)
     def initialized(params: types.InitializedParams) -> None:
-        server.documents.unit = _UNITS.get(server.workspace.position_encoding, "utf-16")
+        server.documents.unit = _UNITS.get(server.workspace.position_encoding or "", "utf-16")
         able = server.client_capabilities.workspace
         watches = None if able is None else able.did_change_watched_files
         if watches is not None and watches.dynamic_registration:
