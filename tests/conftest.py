@@ -118,6 +118,20 @@ def find_dot() -> str | None:
 
 
 @cache
+def find_neovim() -> str | None:
+    """The command of Neovim."""
+    return shutil.which("nvim")
+
+
+@cache
+def find_emacs() -> str | None:
+    """The command of Emacs, where it has eglot."""
+    emacs = shutil.which("emacs")
+    has_eglot = ["--batch", "--eval", "(progn (require 'package) (package-initialize) (require 'eglot))"]
+    return emacs if emacs and _answers([emacs, *has_eglot]) else None
+
+
+@cache
 def find_strace() -> str | None:
     """The command of strace, where it may watch a process."""
     strace = shutil.which("strace")
@@ -156,13 +170,16 @@ NEEDS: dict[str, tuple[Callable[[], str | None], str]] = {
     "axe": (find_axe_core, "AXE_CORE does not name a directory with axe-core (npm install --prefix DIRECTORY axe-core)"),
     "graphviz": (find_dot, "Graphviz is not installed (Debian: apt-get install graphviz)"),
     "strace": (find_strace, "strace is not installed, or may not watch a process here (Debian: apt-get install strace)"),
+    "neovim": (find_neovim, "Neovim is not installed (Debian: apt-get install neovim)"),
+    "emacs": (find_emacs, "Emacs with eglot is not installed (Debian: apt-get install emacs-nox elpa-eglot)"),
     "corpus": (find_corpus, "LAUNCHLINT_CORPUS does not name a directory with a ros1 folder of public launch files"),
 }
 
 
 SLOW = (
     "tests/action", "tests/check", "tests/cli", "tests/conformance", "tests/evaluate", "tests/export", "tests/extract", "tests/fix/format",
-    "tests/fix/test_rule_fixes.py", "tests/hook", "tests/knowledge", "tests/library/test_bundled_script.py",
+    "tests/fix/test_rule_fixes.py", "tests/hook", "tests/ide", "tests/knowledge", "tests/library/test_bundled_script.py",
+    "tests/project", "tests/server",
     "tests/library/test_grow_script.py", "tests/library/test_hostile.py", "tests/packaging", "tests/probe", "tests/report",
     "tests/rules/test_pages.py", "tests/syntax", "tests/test_architecture.py", "tests/test_example.py", "tests/test_guides.py",
     "tests/test_hostile.py", "tests/test_readme.py", "tests/test_startup.py", "tests/test_workflows.py",
@@ -229,6 +246,18 @@ def axe_core() -> str:
 def dot_command() -> str:
     """Command of Graphviz; the test carries the marker ``graphviz``."""
     return _needed("graphviz")
+
+
+@pytest.fixture
+def neovim() -> str:
+    """Command of Neovim; the test carries the marker ``neovim``."""
+    return _needed("neovim")
+
+
+@pytest.fixture
+def emacs() -> str:
+    """Command of Emacs with eglot; the test carries the marker ``emacs``."""
+    return _needed("emacs")
 
 
 @pytest.fixture
