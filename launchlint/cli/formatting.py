@@ -142,10 +142,8 @@ class _Run:
         if result.problem is not None or result.refusal:
             self._leave(file, result)
             return None
-        if self._entry.configuration.sort_args and self._is_of_ros1(file, data):
-            from launchlint.fix.format.ordering import args_first
-
-            result = formatted(args_first(file, result.data, self._guard), file, self._style)
+        if self._entry.configuration.sort_args:
+            result = formatted(self._args_first(file, result.data), file, self._style)
         if result.data == data:
             self._kept += 1
             return data
@@ -195,12 +193,22 @@ class _Run:
         parts += [f"{_files(self._failed)} left alone"] if self._failed else []
         return ", ".join(parts) or "no launch files to format"
 
-    def _is_of_ros1(self, file: str, data: bytes) -> bool:
-        """Whether it is a launch file of roslaunch: that args may stand first is proved for those only."""
+    def _args_first(self, file: str, data: bytes) -> bytes:
+        """The file with the args of each block before all else in it, where that changes nothing; YAML stays as it is."""
         from launchlint.dialects.door import dialect_of
+        from launchlint.fix.format.ordering import args_first
         from launchlint.model import ROS1
 
-        return dialect_of(self._session.with_text(file, data), file).name == ROS1
+        session = self._session.with_text(file, data)
+        dialect = dialect_of(session, file)
+        if dialect.name == ROS1:
+            return args_first(data, lambda before, after: self._guard.refusal(file, before, after))
+        document = dialect.parse(session, file)
+        if getattr(document, "root", None) is None:
+            return data
+        from launchlint.export.ros2.reordering import refusal
+
+        return args_first(data, lambda before, after: refusal(self._session, file, before, after))
 
     @cached_property
     def _session(self) -> Session:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
 
 import pytest
@@ -151,6 +152,29 @@ def test_test_files_and_machine_files_are_launch_files(repository: Path, launch:
     assert run(repository, "format").output == "formatted demo/launch/a.test\nformatted demo/launch/robot.machine.xml\n"
     assert (launch / "a.test").read_text() == '<launch>\n  <test test-name="x" pkg="p" type="t"/>\n</launch>\n'
     assert (launch / "robot.machine.xml").read_text() == '<launch>\n  <machine name="m" address="here"/>\n</launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("stands", "moved"),
+    [
+        ('<node pkg="demo" exec="talk"/><arg name="a" default="1"/><node pkg="demo" exec="$(var a)"/>', ["arg", "node", "node"]),
+        ('<let name="a" value="2"/><arg name="a" default="1"/>', None),  # the arg would set it
+        ('<set_env name="A" value="2"/><arg name="a" default="$(env A 1)"/>', None),
+        ('<group><node pkg="demo" exec="talk"/><arg name="a" default="1"/></group>', ["group", "arg", "node"]),
+        ('<node pkg="demo" exec="talk"/><arg name="a" default="$(command x)"/>', ["arg", "node"]),
+        # a condition that is not met as the file is started alone
+        (
+            '<arg name="s" default="0"/><let name="a" value="2" if="$(var s)"/><arg name="a" default="1"/><log message="$(var a)"/>',
+            None,
+        ),
+    ],
+)
+def test_args_of_ros2_are_sorted_where_nothing_changes(stands: str, moved: list[str] | None, repository: Path, launch: Path) -> None:
+    write(launch, {"tidy.launch": TIDY, "ugly.launch": TIDY, "a.launch.xml": f"<launch>{stands}</launch>\n"})
+    write(repository, {".launchlint.yaml": "format: {sort-args: true}\n"})
+    assert run(repository, "format").status == 0
+    found = re.findall(r"<([a-z_]+)", (launch / "a.launch.xml").read_text())[1:]
+    assert found == (re.findall(r"<([a-z_]+)", stands) if moved is None else moved)
 
 
 def test_files_of_ros2_are_formatted_and_their_args_stay(repository: Path, launch: Path) -> None:

@@ -26,7 +26,7 @@ from launchlint.syntax.ros2.tables import distribution
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from typing import Any
 
     from launchlint.export.ros2.tree import Branch
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from launchlint.syntax.ros2.reading import Reading
 
     Pairs = tuple[tuple[str, str], ...]
+    Started = tuple[Session, str]
 
 XML, YAML = "xml", "yaml"
 ENDS = {XML: ".launch.xml", YAML: ".launch.yaml"}
@@ -110,18 +111,23 @@ def prove(session: Session, file: str, given: Pairs, language: str, data: bytes,
     ``less``: what the file describes without what is said to be lost, where anything is.
     """
     before, after, there = side_by_side(session, file, language, data, less, reading)
-    names = {there: file}
+    found = disagreement((before, file), (after, there), given, lambda launch: launched(launch, {there: file}))
+    if found:
+        raise CannotExport(f"the written file would not do the same: {found}")
+
+
+def disagreement(before: Started, after: Started, given: Pairs, seen: Callable[[Launch], dict[str, list[Any]]]) -> str:
+    """What two files would do differently, as far as that is ``seen`` of a launch, in some configuration of either; empty where nothing."""
     evaluate = named(ROS2).evaluate
-    known = [_configurations(*each, given) for each in ((before, file), (after, there))]
+    known = [_configurations(*each, given) for each in (before, after)]
     for pairs in _to_compare(known[0], known[1], given):
-        old, new = (
-            done.get(pairs) or evaluate(*each, pairs).launch for done, each in zip(known, ((before, file), (after, there)), strict=True)
-        )
-        was = launched(old, names)
-        found = difference(was, _listing_as(was, launched(new, names)))
+        old, new = (done.get(pairs) or evaluate(*each, pairs).launch for done, each in zip(known, (before, after), strict=True))
+        was = seen(old)
+        found = difference(was, _listing_as(was, seen(new)))
         if found:
             words = " ".join(f"{name}:={value}" for name, value in pairs)
-            raise CannotExport(f"the written file would not do the same: {found}{f' (with {words})' if words else ''}")
+            return f"{found}{f' (with {words})' if words else ''}"
+    return ""
 
 
 def _listing_as(before: dict[str, list[Any]], after: dict[str, list[Any]]) -> dict[str, list[Any]]:

@@ -15,10 +15,6 @@ from launchlint.fix.format.line_ends import prevailing_line_end
 from launchlint.fix.format.tokens import SPACE, Token, tokens
 from launchlint.syntax.decode import decode
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from launchlint.fix.guard import Guard
-
 MOST_TRIED = 100
 """Sets of moves that are tried for one file: each costs an evaluation of it in every configuration."""
 
@@ -35,11 +31,12 @@ class _Move(NamedTuple):
     target: int
 
 
-def args_first(file: str, data: bytes, guard: Guard) -> bytes:
+def args_first(data: bytes, refusal: Callable[[bytes, bytes], str]) -> bytes:
     """A launch file with the args of each block, and the comments that belong to them, before all else in it.
 
     Args keep their order, so that each still stands behind those it uses. What would change anything in any configuration stays where
-    it is. ``data`` is in normal form; the result may have blank lines too many.
+    it is: ``refusal`` says why one text must not become another, empty where it may. ``data`` is in normal form; the result may have blank
+    lines too many.
     """
     decoded = decode(data)
     text = decoded.text
@@ -49,7 +46,7 @@ def args_first(file: str, data: bytes, guard: Guard) -> bytes:
         return decoded.bom + result.replace("\n", line_end).encode(decoded.encoding)
 
     text = text.replace(line_end, "\n")
-    moves = _allowed(list(_moves(text)), lambda some: not guard.refusal(file, data, written(_moved(text, some))))
+    moves = _allowed(list(_moves(text)), lambda some: not refusal(data, written(_moved(text, some))))
     return written(_moved(text, moves))
 
 

@@ -138,7 +138,8 @@ STAYS = {
 def sorted_in(directory: Path, text: str, line_end: str = "\n") -> str:
     file = directory / "a.launch"
     file.write_bytes(text.replace("\n", line_end).encode())
-    return args_first(str(file), file.read_bytes(), Guard(session_in(directory))).decode()
+    guard = Guard(session_in(directory))
+    return args_first(file.read_bytes(), lambda before, after: guard.refusal(str(file), before, after)).decode()
 
 
 @pytest.mark.parametrize("case", CASES.values(), ids=CASES.keys())
