@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from copy import copy
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import islice
 from typing import NamedTuple
 
@@ -155,6 +155,21 @@ class EntryChecker:
         outcomes: list[tuple[tuple[tuple[str, str], ...], Verdict]] = []
         pinned = frozenset(name for name, _ in request.arguments)
         count = 0
+
+        def so_far(first: Evaluation) -> EntryResult:
+            """What the configurations that have been looked at give."""
+            known = dict(files)
+            for file in self._parameter_files(session, findings.values(), files, first.launch.dialect):
+                known[file.path] = file
+            result = self._result(request, first, findings, fine, visited, known, tuple(included), count)
+            return result._replace(
+                outcome=outcomes[0][1].beside(outcomes[1:]),
+                sight=(self._sights[0] if self._sights else NOTHING)._replace(
+                    followed=_followed(first.launch),
+                    distros=((first.launch.distro, first.launch.named_by),) if first.launch.named_by else (),
+                ),
+            )
+
         for evaluation in configurations(session, request.at, request.arguments):
             count += 1
             for path, document in evaluation.documents.items():
@@ -174,27 +189,24 @@ class EntryChecker:
                     fine[found] = None
                 else:
                     _keep_plainer(findings, found)
+            if count == 1:
+                self.after_first(partial(so_far, first))
             if self.options.default_only:
                 break
         assert first is not None
-        for file in self._parameter_files(session, findings.values(), files, first.launch.dialect):
-            files[file.path] = file
-        result = self._result(request, first, findings, fine, visited, files, tuple(included), count)
-        result = result._replace(
-            outcome=outcomes[0][1].beside(outcomes[1:]),
-            sight=(self._sights[0] if self._sights else NOTHING)._replace(
-                followed=_followed(first.launch), distros=((first.launch.distro, first.launch.named_by),) if first.launch.named_by else ()
-            ),
-        )
+        result = so_far(first)
         if not self.remember:
             return result
-        looks = dict(look for file in files.values() for look in file.looks) | {path: state(path) for path in noted()}
+        looks = dict(look for file in result.files for look in file.looks) | {path: state(path) for path in noted()}
         return result._replace(
             dependencies=tuple((name, session.read(name).digest) for name in sorted(session.touched)),
             variables=tuple((name, session.environment.get(name)) for name in sorted(session.variables)),
             looks=tuple(sorted(looks.items())),
             programs=() if self.own is None else self._asked(self.own),
         )
+
+    def after_first(self, so_far: Callable[[], EntryResult]) -> None:
+        """The configuration that is given has been looked at, and gives ``so_far``; there may be more. Nobody waits for that here."""
 
     @staticmethod
     def _asked(own: OwnSources) -> tuple[tuple[str, str, str, str, str], ...]:

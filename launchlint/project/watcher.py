@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from launchlint.check.entry import EntryChecker, EntryResult
@@ -36,12 +36,23 @@ class Watcher(EntryChecker):
 
     _seen: list[Configuration]
 
-    def understand(self, request: EntryRequest) -> Understood:
-        """All findings of an entry file, and all its configurations. Never raises: a crash becomes a finding."""
+    _first: Callable[[EntryResult], None] | None = None
+
+    def understand(self, request: EntryRequest, first: Callable[[EntryResult], None] | None = None) -> Understood:
+        """All findings of an entry file, and all its configurations. Never raises: a crash becomes a finding.
+
+        ``first`` is called with what the configuration that is given gives, as soon as that is known.
+        """
         self._seen = []
+        self._first = first
         self.remember = True
         result = self.check(request)
         return Understood(result, tuple(self._seen))
+
+    def after_first(self, so_far: Callable[[], EntryResult]) -> None:
+        """Tell whoever waits."""
+        if self._first is not None:
+            self._first(so_far())
 
     def connected(self, evaluation: Evaluation) -> ConnectionGraph:
         """The connection graph, kept."""

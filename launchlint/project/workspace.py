@@ -63,6 +63,7 @@ class OpenWorkspace:
         self._results: dict[EntryRequest, EntryResult] = {}
         self._guessed: dict[EntryRequest, EntryResult] = {}
         self._understood: dict[EntryRequest, Understood] = {}
+        self._seen_text: dict[EntryRequest, str] = {}
         self._waiting: dict[EntryRequest, None] = {}
         self._refresh()
         self._discover()
@@ -215,10 +216,21 @@ class OpenWorkspace:
 
         return sorted(self._waiting, key=rank)
 
-    def work(self, request: EntryRequest) -> None:
-        """Check one entry file. Raises what the checkpoint raises; then it goes on waiting."""
+    def work(self, request: EntryRequest, first: Callable[[], None] | None = None) -> None:
+        """Check one entry file. Raises what the checkpoint raises; then it goes on waiting.
+
+        ``first`` is called when it has been checked as it is given, and other configurations are not looked at yet: until then, what was
+        found in those before is taken to be true still.
+        """
+
+        def so_far(result: EntryResult) -> None:
+            before = self._results.get(request)
+            if first is not None and before is not None:
+                self._results[request] = self._with_others(result, before, self._seen_text.get(request, ""))
+                first()
+
         with self._looking():
-            understood = self.checker.understand(request)
+            understood = self.checker.understand(request, so_far)
             result = understood.result
             beside = self._beside
             if beside is not None and any(name in self.broken for name, _ in result.dependencies):
@@ -227,8 +239,34 @@ class OpenWorkspace:
             else:
                 self._guessed.pop(request, None)
         self._results[request] = result
+        self._seen_text[request] = self._text(request)
         self._understood[request] = understood
         self._waiting.pop(request, None)
+
+    def _text(self, request: EntryRequest) -> str:
+        data = self.texts.get(request.at)
+        return "" if data is None else decode(data).text
+
+    def _with_others(self, result: EntryResult, before: EntryResult, text: str) -> EntryResult:
+        """``result`` of the given configuration, with what others showed ``before``, when the entry file held ``text``."""
+        request = result.request
+        source = Source(result.path, self._text(request), request.at)
+        moved = changed_from(text, source.text)
+        known = {finding.key for finding in result.findings}
+        others = []
+        for finding in before.findings:
+            at = finding.location
+            if finding.arguments == request.arguments or at.path != result.path or moved.is_lost(at.start, at.end):
+                continue
+            place = Place(source, Span(moved.forth(at.start), moved.forth(at.end)))
+            others.append(finding._replace(location=Location.of(place), fix=None))
+        visited = dict(before.visited) | dict(result.visited)
+        return result._replace(
+            findings=(*result.findings, *(each for each in others if each.key not in known)),
+            visited=tuple((path, tuple(sorted({*visited[path], *dict(before.visited).get(path, ())}))) for path in visited),
+            summary=before.summary,
+            dependencies=before.dependencies, looks=before.looks, programs=before.programs, variables=before.variables,
+        )  # fmt: skip
 
     def settle(self) -> None:
         """Check all that waits."""

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from launchlint.check.causes import told_once
 from launchlint.errors import LaunchlintError
-from launchlint.evaluate.session import Stopped
+from launchlint.evaluate.session import Session, Stopped
 from launchlint.finding import Finding
 from launchlint.ide.view import Snapshot
 from launchlint.project.workspace import OpenWorkspace
@@ -31,10 +31,18 @@ class Ready(NamedTuple):
     whole: bool
 
 
+class First(NamedTuple):
+    """What was found before all configurations had been looked at; the fields are those of :class:`Ready`."""
+
+    versions: Mapping[str, int]
+    findings: tuple[Finding, ...]
+    session: Session
+
+
 class Analysis:
     """One open workspace and its thread. ``tell`` is called in that thread with what is ready, ``fail`` with what keeps it from working."""
 
-    def __init__(self, root: str, cache: str | None, tell: Callable[[Ready], None], fail: Callable[[str], None]) -> None:
+    def __init__(self, root: str, cache: str | None, tell: Callable[[Ready | First], None], fail: Callable[[str], None]) -> None:
         self.root = root
         self._cache = cache
         self._tell = tell
@@ -127,7 +135,7 @@ class Analysis:
         waiting = workspace.waiting(opened)
         near = [each for each in waiting if each.at in opened]
         for request in near:
-            workspace.work(request)
+            workspace.work(request, lambda: self._tell_first(workspace, versions))
         rest = waiting[len(near) :]
         if rest and (texts or written):
             self._hand_over(workspace, versions, whole=False)
@@ -137,6 +145,11 @@ class Analysis:
             workspace.forget_all_but(opened)
         self._hand_over(workspace, versions, whole=True)
         self._wait()
+
+    def _tell_first(self, workspace: OpenWorkspace, versions: Mapping[str, int]) -> None:
+        """What is known before all configurations have been looked at."""
+        self._checkpoint()
+        self._tell(First(versions, told_once(workspace.outcome().findings), workspace.checker.session))
 
     def _hand_over(self, workspace: OpenWorkspace, versions: Mapping[str, int], *, whole: bool) -> None:
         self._checkpoint()

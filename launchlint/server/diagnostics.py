@@ -13,8 +13,8 @@ from launchlint.source import Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from launchlint.evaluate.session import Session
     from launchlint.finding import Location
-    from launchlint.ide.view import Snapshot
 
 PAGES = "https://launchlint.readthedocs.io/en/stable/rules/"
 _SEVERITIES = {
@@ -26,24 +26,24 @@ _UNNECESSARY = ("unused", "redundant", "no-effect", "ineffective", "dead", "neve
 _DEPRECATED = ("deprecated", "retired", "defunct")
 
 
-def by_file(findings: Iterable[Finding], documents: Documents, snapshot: Snapshot) -> dict[str, list[types.Diagnostic]]:
+def by_file(findings: Iterable[Finding], documents: Documents, session: Session) -> dict[str, list[types.Diagnostic]]:
     """The diagnostics of each open file (absolute), in order; an open file without any has an empty list."""
     found: dict[str, list[types.Diagnostic]] = {file: [] for file in documents.files}
     for finding in findings:
-        file = snapshot.session.named(finding.location.path)
+        file = session.named(finding.location.path)
         if file in found:
-            found[file].append(diagnostic(finding, documents, snapshot))
+            found[file].append(diagnostic(finding, documents, session))
     return found
 
 
-def diagnostic(finding: Finding, documents: Documents, snapshot: Snapshot) -> types.Diagnostic:
+def diagnostic(finding: Finding, documents: Documents, session: Session) -> types.Diagnostic:
     """A finding of an open file."""
     words = [finding.message, *(f"note: {note}" for note in finding.notes)]
     if finding.help:
         words.append(f"help: {finding.help}")
     related = [(each.location, each.label) for each in finding.related] + [(each, "included from here") for each in finding.chain]
     return types.Diagnostic(
-        range=_range(finding.location, documents, snapshot),
+        range=_range(finding.location, documents, session),
         message="\n".join(words),
         severity=_SEVERITIES[finding.severity],
         code=finding.rule,
@@ -52,7 +52,7 @@ def diagnostic(finding: Finding, documents: Documents, snapshot: Snapshot) -> ty
         tags=_tags(finding.name) or None,
         related_information=[
             types.DiagnosticRelatedInformation(
-                types.Location(documents.address(snapshot.session.named(at.path)), _range(at, documents, snapshot)), label or "see here"
+                types.Location(documents.address(session.named(at.path)), _range(at, documents, session)), label or "see here"
             )
             for at, label in related
         ]
@@ -61,8 +61,8 @@ def diagnostic(finding: Finding, documents: Documents, snapshot: Snapshot) -> ty
     )
 
 
-def _range(at: Location, documents: Documents, snapshot: Snapshot) -> types.Range:
-    return documents.lines(snapshot.session.named(at.path)).range(Span(at.start, max(at.end, at.start)))
+def _range(at: Location, documents: Documents, session: Session) -> types.Range:
+    return documents.lines(session.named(at.path)).range(Span(at.start, max(at.end, at.start)))
 
 
 def _tags(name: str) -> list[types.DiagnosticTag]:

@@ -12,7 +12,7 @@ from launchlint import __version__
 from launchlint.check.run import default_directory
 from launchlint.ide.view import Snapshot, View
 from launchlint.server.addresses import path_of
-from launchlint.server.analysis import Analysis, Ready
+from launchlint.server.analysis import Analysis, First, Ready
 from launchlint.server.diagnostics import by_file
 from launchlint.server.documents import Document, Documents
 from launchlint.workspace.repository import repository_root
@@ -50,7 +50,7 @@ class Service(LanguageServer):
         if root not in self._analyses:
             loop = asyncio.get_running_loop()
 
-            def tell(ready: Ready) -> None:
+            def tell(ready: Ready | First) -> None:
                 loop.call_soon_threadsafe(self._take, root, ready)
 
             def fail(message: str) -> None:
@@ -75,11 +75,13 @@ class Service(LanguageServer):
 
     # -- what is ready -------------------------------------------------------------------------------------------
 
-    def _take(self, root: str, ready: Ready) -> None:
+    def _take(self, root: str, ready: Ready | First) -> None:
         if any((known := self.documents.get(file)) is None or known.version != version for file, version in ready.versions.items()):
             return  # somebody has typed since: what is true of that text comes next
-        self._ready[root] = ready
-        for file, found in by_file(ready.findings, self.documents, ready.snapshot).items():
+        if isinstance(ready, Ready):
+            self._ready[root] = ready
+        session = ready.session if isinstance(ready, First) else ready.snapshot.session
+        for file, found in by_file(ready.findings, self.documents, session).items():
             document = self.documents.get(file)
             if document is not None and file in ready.versions and self._published.get(file) != found:
                 self._published[file] = found

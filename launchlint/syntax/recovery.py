@@ -8,6 +8,7 @@ being read.
 from __future__ import annotations
 
 import ast
+import pyexpat as expat
 import re
 from typing import NamedTuple
 
@@ -132,6 +133,7 @@ class _Scan:
         self.edits: list[Edit] = []
         self.opened: list[_Open] = []
         self.rooted = False
+        self.has_entities = "<!ENTITY" in text
 
     def replace(self, start: int, end: int, by: str = "") -> None:
         self.edits.append(Edit("", start, end, by))
@@ -163,7 +165,7 @@ class _Scan:
         self._ampersands(start, end)
 
     def _ampersands(self, start: int, end: int) -> None:
-        if "<!ENTITY" not in self.text:
+        if not self.has_entities:
             for match in _AMPERSAND.finditer(self.text, start, end):
                 self.replace(match.start(), match.end(), "&amp;")
 
@@ -315,12 +317,24 @@ def _finish(text: str, at: int, limit: int) -> int:
 
 def recovered_xml(text: str) -> Recovered:
     """``text`` as XML that can be read, as far as that can be had."""
+    if _is_well_formed(text):
+        return Recovered(text)
     edits = _Scan(text).run()
     merged: dict[tuple[int, int], Edit] = {}
     for edit in edits:  # what is put in at one place goes into one edit, in order
         same = merged.get((edit.start, edit.end)) if edit.start == edit.end else None
         merged[edit.start, edit.end] = edit if same is None else same._replace(text=same.text + edit.text)
     return with_edits(text, list(merged.values()))
+
+
+def _is_well_formed(text: str) -> bool:
+    """Whether an XML parser reads all of it: told without making anything of it."""
+    parser = expat.ParserCreate(namespace_separator=" ")
+    try:
+        parser.Parse(text.encode("utf-8", "surrogateescape"), True)
+    except (expat.ExpatError, LookupError, ValueError, TypeError):
+        return False
+    return True
 
 
 def _by_lines(text: str, error: object) -> Recovered:

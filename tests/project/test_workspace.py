@@ -144,3 +144,24 @@ def test_files_that_come_and_go(tmp_path: Path) -> None:
     (tmp_path / "launch" / "part.launch").unlink()
     workspace.reread([str(tmp_path / "launch" / "part.launch")])
     assert told(workspace) == told(OpenWorkspace(str(tmp_path)))
+
+
+def test_what_the_given_configuration_shows_is_told_before_the_others_have_been_looked_at(tmp_path: Path) -> None:
+    workspace = make(tmp_path)
+    main = tmp_path / "launch" / "main.launch"
+    text = MAIN.replace(
+        "</launch>", '  <group unless="$(arg sim)">\n    <node name="turtle" pkg="turtlesim" type="none"/>\n  </group>\n</launch>'
+    )
+    workspace.hold({str(main): text.encode()})
+    before = told(workspace)
+    assert any(each.arguments for each in before if each.location.path == "launch/main.launch")
+    workspace.hold({str(main): text.replace('default="1"', 'default="12"').encode()})
+    interim: list[list[tuple[str, int, int]]] = []
+    (request,) = [each for each in workspace.waiting() if each.at == str(main)]
+    workspace.work(request, lambda: interim.append(places(list(workspace.outcome().findings))))
+    assert interim == [places(told(workspace))]
+    assert [each[:2] for each in places(before)] == [each[:2] for each in interim[0]]
+
+
+def places(findings: list[Finding]) -> list[tuple[str, int, int]]:
+    return [(each.rule, each.location.line, each.location.start) for each in findings]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -17,12 +18,19 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 SCRIPTS = Path(__file__).resolve().parent / "editors"
 
 
-def session(command: list[str], directory: Path) -> dict[str, Any]:
+def settings(language: str) -> str:
+    """The first snippet of docs/editors.md in a language of settings."""
+    found = re.search(rf"^```{language}\n(.*?)^```$", (ROOT / "docs" / "editors.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    assert found is not None
+    return found[1]
+
+
+def session(command: list[str], language: str, directory: Path) -> dict[str, Any]:
     """What the script of an editor says came of its session."""
     root = make(directory / "ws")
     environment = {
-        **os.environ, "PYTHON": sys.executable, "PYTHONPATH": str(ROOT), "WORKSPACE": str(root), "HOME": str(directory),
-        "XDG_CACHE_HOME": str(directory / "cache"),
+        **os.environ, "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}", "PYTHONPATH": str(ROOT), "WORKSPACE": str(root),
+        "HOME": str(directory), "XDG_CACHE_HOME": str(directory / "cache"), "SETTINGS": settings(language),
     }  # fmt: skip
     run = subprocess.run(command, cwd=root, env=environment, capture_output=True, text=True, timeout=300, check=False)
     lines = [line for line in run.stdout.splitlines() if line.startswith("{")]
@@ -42,7 +50,7 @@ def holds(found: dict[str, Any]) -> None:
 
 @pytest.mark.neovim
 def test_neovim(neovim: str, tmp_path: Path) -> None:
-    found = session([neovim, "--headless", "-u", "NONE", "-n", "-c", f"luafile {SCRIPTS / 'neovim.lua'}"], tmp_path)
+    found = session([neovim, "--headless", "-u", "NONE", "-n", "-c", f"luafile {SCRIPTS / 'neovim.lua'}"], "lua", tmp_path)
     assert found["diagnostics"] == ["LL206:2", "LL301:9"]
     assert found["after_fix"] == ["LL301:8"]
     holds(found)
@@ -50,7 +58,7 @@ def test_neovim(neovim: str, tmp_path: Path) -> None:
 
 @pytest.mark.emacs
 def test_emacs(emacs: str, tmp_path: Path) -> None:
-    found = session([emacs, "--batch", "-l", str(SCRIPTS / "emacs.el")], tmp_path)
+    found = session([emacs, "--batch", "-l", str(SCRIPTS / "emacs.el")], "elisp", tmp_path)
     assert len(found["diagnostics"]) == 2
     assert len(found["after_fix"]) == 1
     holds(found)

@@ -77,7 +77,7 @@ def _action(server: Service, view: View, document: Document, action: repair.Acti
 
 
 def _diagnostics(server: Service, view: View, findings: tuple[Finding, ...]) -> list[types.Diagnostic]:
-    return [diagnostic(each, server.documents, view.snapshot) for each in findings]
+    return [diagnostic(each, server.documents, view.snapshot.session) for each in findings]
 
 
 def _changes(server: Service, view: View, edits: tuple[Edit, ...]) -> dict[str, list[types.TextEdit]]:

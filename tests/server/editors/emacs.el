@@ -16,12 +16,12 @@
   (vconcat (mapcar (lambda (each) (format "%s:%d" (flymake-diagnostic-text each) (line-number-at-pos (flymake-diagnostic-beg each))))
                    (flymake-diagnostics))))
 (condition-case problem
-    (let* ((root (getenv "WORKSPACE")) (python (getenv "PYTHON")) (eglot-sync-connect 60) (eglot-autoshutdown t) server)
+    (let* ((root (getenv "WORKSPACE")) (eglot-sync-connect 60) (eglot-autoshutdown t) server)
       (setq default-directory (file-name-as-directory root))
       (setq eglot-confirm-server-initiated-edits nil)
       (find-file (expand-file-name "demo/launch/main.launch" root))
-      (nxml-mode)
-      (add-to-list 'eglot-server-programs (cons '(nxml-mode) (list python "-m" "launchlint" "server")))
+      (with-temp-buffer (insert (getenv "SETTINGS")) (eval-buffer)) ; those of docs/editors.md
+      (set-auto-mode)
       (apply #'eglot (eglot--guess-contact))
       (wait-until (lambda () (eglot-current-server)))
       (setq server (eglot-current-server))
