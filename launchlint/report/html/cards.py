@@ -44,12 +44,13 @@ class Card(NamedTuple):
 
 
 class Group(NamedTuple):
-    """Cards below one heading; ``folded`` where most people look for something else first."""
+    """Cards below one heading; ``folded`` where most people look for something else first, ``changed`` where they are compared."""
 
     title: str
     cards: Sequence[Card]
     folded: bool
     said: str
+    changed: bool = False
 
 
 def groups(data: Mapping[str, Any], materials: Sequence[EntryMaterial]) -> list[Group]:
@@ -72,7 +73,7 @@ def groups(data: Mapping[str, Any], materials: Sequence[EntryMaterial]) -> list[
     same = bool(changed)
     found = []
     if changed:
-        found.append(Group(f"Changed since {data['base']}", cards(changed), False, ""))
+        found.append(Group(f"Changed since {data['base']}", cards(changed), False, "", changed=True))
     found.append(Group("Not changed" if same else "Launch files", cards(own), same, _troubles(data, entries, own)))
     found.append(Group("Parts that other launch files include", cards(parts), True, _troubles(data, entries, parts)))
     return [each for each in found if each.cards]

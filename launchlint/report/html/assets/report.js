@@ -5896,7 +5896,6 @@ ${end.mark}`;
     document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
     const widths = /* @__PURE__ */ new Map();
     return SIDES.map(({ id, name, sign, usual, grows }) => {
-      const host2 = part(id);
       const key = `launchlint-${id}`;
       let form = remembered2(key, usual);
       const fold2 = button(sign, () => become({ ...form, folded: !form.folded }), { class: "fold-side", "aria-controls": id });
@@ -5909,7 +5908,7 @@ ${end.mark}`;
         "aria-valuemin": LEAST,
         "aria-valuemax": MOST4
       });
-      host2.after(bar);
+      part("stage").append(bar);
       function become(next) {
         form = { ...next, width: Math.max(LEAST, Math.min(MOST4, Math.round(next.width))) };
         widths.set(id, form.width);

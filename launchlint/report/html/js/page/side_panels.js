@@ -20,7 +20,6 @@ export function createSidePanels() {
   /** @type {Map<string, number>} */
   const widths = new Map();
   return SIDES.map(({ id, name, sign, usual, grows }) => {
-    const host = part(id);
     const key = `launchlint-${id}`;
     let form = remembered(key, usual);
     const fold = button(sign, () => become({ ...form, folded: !form.folded }), { class: "fold-side", "aria-controls": id });
@@ -33,7 +32,7 @@ export function createSidePanels() {
       "aria-valuemin": LEAST,
       "aria-valuemax": MOST,
     });
-    host.after(bar);
+    part("stage").append(bar); // a landmark has to hold it
 
     /** @param {Form} next */
     function become(next) {
