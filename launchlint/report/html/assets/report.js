@@ -90,7 +90,7 @@
     [hasBox("unknown"), "unknown: what it connects to is not known", () => [...box("node unknown"), element("rect", { x: 3, y: 3, width: 38, height: 14, fill: "url(#ll-hatching)" })]],
     [hasBox("pill"), "many to many, or shared", () => [group("box pill topic", element("rect", { class: "shape", x: 2, y: 3, width: 40, height: 14, rx: 7 }))]],
     [hasBox("stub"), "around what is in focus", () => box("node stub")],
-    [(sheet) => sheet.loose.length > 0, "nobody else uses or offers it", () => [group("loose topic", element("circle", { cx: 22, cy: 10, r: 4 }))]],
+    [(sheet) => sheet.loose.length > 0, "nobody else is known to use or offer it", () => [group("loose topic", element("circle", { cx: 22, cy: 10, r: 4 }))]],
     [hasAny("added"), "added", () => box("node added")],
     [hasAny("removed"), "removed", () => box("node removed")],
     [hasAny("changed"), "changed", () => box("node changed")],
@@ -848,10 +848,16 @@ ${counted(about.nodes, "node")}`;
       kind
     ] ?? shapes.topic, transform: `translate(${x} ${y})` });
   }
+  function missing(wire, out) {
+    var _a;
+    const does2 = out ? "uses" : "offers";
+    const doubtful = (_a = wire.may) == null ? void 0 : _a.some(([offers]) => offers !== (wire.kind === "topic" === out));
+    return doubtful ? `nobody known ${does2} it; a node that is not known as a whole may` : `nobody else ${does2} it`;
+  }
   function looseElement({ x, y, port, label: label2 }) {
     var _a;
     const drawn = element("g", { class: `loose ${port.classes.join(" ")}`, "data-loose": port.wires.map((wire) => wire.id).join(" ") }, [
-      title(port.wires.map((wire) => `${wire.name}: nobody else ${port.out ? "uses" : "offers"} it`).join("\n")),
+      title(port.wires.map((wire) => `${wire.name}: ${missing(wire, port.out)}`).join("\n")),
       element("circle", { cx: x, cy: y, r: 4 })
     ]);
     if (label2) {
@@ -1695,10 +1701,10 @@ ${counted(about.nodes, "node")}`;
     conditional(number2, within2) {
       const set = this.set(number2);
       const all = this.set(within2);
-      const missing = all & ~set;
-      if (!this.compared) return missing !== 0n;
+      const missing2 = all & ~set;
+      if (!this.compared) return missing2 !== 0n;
       const [before, after] = [set >> this.count, set & this.half];
-      return before !== 0n && missing >> this.count !== 0n || after !== 0n && (missing & this.half) !== 0n;
+      return before !== 0n && missing2 >> this.count !== 0n || after !== 0n && (missing2 & this.half) !== 0n;
     }
     /**
      * What became of it between the two states.
@@ -1889,7 +1895,7 @@ ${counted(about.nodes, "node")}`;
       if (!layers[channel.kind] || channel.plumbing || channel.hub && !state.hubs) return null;
       const { kind, name, types, findings } = channel;
       const mark = channel.mark ?? "";
-      return { id: `c:${index}`, kind, name, types, findings, mark, givers: [], takers: [], pilled: false, always: false };
+      return { id: `c:${index}`, kind, name, types, findings, mark, may: channel.may, givers: [], takers: [], pilled: false, always: false };
     });
     for (const each of entry.connections) {
       const wire = wires[each.channel];

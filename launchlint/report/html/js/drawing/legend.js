@@ -18,7 +18,7 @@ const SIGNS = [
   [hasBox("unknown"), "unknown: what it connects to is not known", () => [...box("node unknown"), element("rect", { x: 3, y: 3, width: 38, height: 14, fill: "url(#ll-hatching)" })]],
   [hasBox("pill"), "many to many, or shared", () => [group("box pill topic", element("rect", { class: "shape", x: 2, y: 3, width: 40, height: 14, rx: 7 }))]],
   [hasBox("stub"), "around what is in focus", () => box("node stub")],
-  [(sheet) => sheet.loose.length > 0, "nobody else uses or offers it", () => [group("loose topic", element("circle", { cx: 22, cy: 10, r: 4 }))]],
+  [(sheet) => sheet.loose.length > 0, "nobody else is known to use or offer it", () => [group("loose topic", element("circle", { cx: 22, cy: 10, r: 4 }))]],
   [hasAny("added"), "added", () => box("node added")],
   [hasAny("removed"), "removed", () => box("node removed")],
   [hasAny("changed"), "changed", () => box("node changed")],

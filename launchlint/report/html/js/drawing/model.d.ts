@@ -1,6 +1,6 @@
 // What the modules of the drawing hand to each other, in this order: view → levels → laid out → items on the page.
 
-import type { Entry, Finding, Mark } from "../data";
+import type { Entry, Finding, Mark, MayBe } from "../data";
 import type { Group, ViewState } from "./types";
 import type { Presence } from "./presence";
 
@@ -29,6 +29,8 @@ export interface Wire {
   always: boolean;
   findings: number[];
   mark: Mark | "";
+  /** Who may be at an empty end. */
+  may?: MayBe[];
 }
 
 /** A connection that nobody shares. */

@@ -152,10 +152,17 @@ function head(kind, x, y) {
   return element("path", { class: "head", d: shapes[/** @type {keyof typeof shapes} */ (kind)] ?? shapes.topic, transform: `translate(${x} ${y})` });
 }
 
+/** What is said of an empty end, with the doubt that there is. @param {Sheet["loose"][number]["port"]["wires"][number]} wire @param {boolean} out */
+function missing(wire, out) {
+  const does = out ? "uses" : "offers";
+  const doubtful = wire.may?.some(([offers]) => offers !== ((wire.kind === "topic") === out));
+  return doubtful ? `nobody known ${does} it; a node that is not known as a whole may` : `nobody else ${does} it`;
+}
+
 /** @param {Sheet["loose"][number]} placed @returns {SVGGElement} */
 function looseElement({ x, y, port, label }) {
   const drawn = element("g", { class: `loose ${port.classes.join(" ")}`, "data-loose": port.wires.map((wire) => wire.id).join(" ") }, [
-    title(port.wires.map((wire) => `${wire.name}: nobody else ${port.out ? "uses" : "offers"} it`).join("\n")),
+    title(port.wires.map((wire) => `${wire.name}: ${missing(wire, port.out)}`).join("\n")),
     element("circle", { cx: x, cy: y, r: 4 }),
   ]);
   if (label) {

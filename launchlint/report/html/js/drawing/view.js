@@ -97,7 +97,7 @@ function wiresOf(entry, state, presence, now, exists) {
     const { kind, name, types, findings } = channel;
     /** @type {Mark | ""} */
     const mark = channel.mark ?? "";
-    return { id: `c:${index}`, kind, name, types, findings, mark, givers: [], takers: [], pilled: false, always: false };
+    return { id: `c:${index}`, kind, name, types, findings, mark, may: channel.may, givers: [], takers: [], pilled: false, always: false };
   });
   for (const each of entry.connections) {
     const wire = wires[each.channel];
