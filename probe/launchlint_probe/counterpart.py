@@ -19,6 +19,7 @@ class Known:
         untold: topics on which no message could be sent to it, likewise.
         missed: params it asks for again and again that are not set, likewise.
         silence: what to say of a node that never got in touch.
+        misses_nothing: a node cannot have been in touch without that being known, however soon it ended.
     """
 
     def __init__(
@@ -32,6 +33,7 @@ class Known:
         untold: List[str],
         missed: List[str],
         silence: str,
+        misses_nothing: bool,
     ) -> None:
         self.contacted = contacted
         self.registered = registered
@@ -42,6 +44,7 @@ class Known:
         self.untold = untold
         self.missed = missed
         self.silence = silence
+        self.misses_nothing = misses_nothing
 
 
 class Seen:

@@ -128,7 +128,7 @@ def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
         problems.append(_problem("ended", _ended(outcome.code, False)))
     if known.has_names:
         return "ok", problems
-    if not known.contacted and not signs and outcome.code == 0:
+    if known.misses_nothing and not known.contacted and not signs and outcome.code == 0:
         return "not-a-node", problems
     return ("ok" if known.registered and outcome.code == 0 and not signs else "failed"), problems
 

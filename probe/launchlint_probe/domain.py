@@ -366,6 +366,7 @@ class Domain(Counterpart):
             untold=lost["subscribers"],
             missed=[],
             silence="it never showed up among the nodes",
+            misses_nothing=False,
         )
 
     def doubts(self) -> List[Dict[str, str]]:

@@ -167,6 +167,7 @@ class Master(Counterpart):
             untold=[spelled(name) for name in untold if not is_infrastructure(name)],
             missed=[spelled(name) for name in missed],
             silence="it never contacted the master",
+            misses_nothing=True,
         )
 
     def _unanswered(self) -> List[str]:

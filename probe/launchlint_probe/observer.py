@@ -7,6 +7,7 @@ standard input, what it knows goes out likewise: ``{"graph": …}`` whenever the
 import importlib
 import json
 import os
+import re
 import select
 import sys
 import time
@@ -51,6 +52,8 @@ VALUES = (
     ("string_array", "string_array_value"),
 )
 """The types of a param by their numbers (rcl_interfaces/ParameterType), and where a ParameterValue has its value."""
+NOT_DECLARED = re.compile(r"not declared|undeclared")
+"""What rclcpp and rclpy say of a param that a node has not declared."""
 STRANGE_PARAM = "launchlint_undeclared"
 """No node declares it: who takes it takes any."""
 
@@ -295,13 +298,15 @@ class Observer:
         return {"answered": True, "params": found}
 
     def takes_any(self, node: str) -> Json:
-        """Whether a node takes a param that it has not declared."""
+        """Whether a node takes a param that it has not declared: also where it is only this one's value that it does not want."""
         service, kind = SERVICE_TYPES["set"]
         strange = interface_class("rcl_interfaces/msg/Parameter")()
         strange.name = STRANGE_PARAM
         strange.value.type, strange.value.bool_value = 1, True
         done = self.ask("{}/{}".format(node, service), kind, lambda request: _with(request, parameters=[strange]))
-        return {"taken": bool(done is not None and done.results and done.results[0].successful)}
+        if done is None or not done.results:
+            return {"taken": False}
+        return {"taken": bool(done.results[0].successful or not NOT_DECLARED.search(done.results[0].reason))}
 
     def change_state(self, node: str, transition: int) -> Json:
         """Configure or activate a node with a lifecycle."""

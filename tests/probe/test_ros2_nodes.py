@@ -129,6 +129,7 @@ EXPECTED: dict[str, tuple[str, dict[str, Any], list[str], list[str]]] = {
         ["clients map/load std_srvs/srv/Trigger", "publishers loaded std_msgs/msg/String reliable volatile 10"],
         [],
     ),
+    "wants_even_numbers.py": ("ok", {"node": "wants_even_numbers", "undeclared": True}, [], []),
     "wants_args.py": (
         "ok",
         {"node": "wants_args"},
@@ -200,3 +201,10 @@ def test_names_without_end_are_open(live: dict[str, dict[str, Any]]) -> None:
     codes = {problem["code"] for problem in record["problems"]}
     assert codes & {"too-many-names", "never-quiet"}
     assert record["seconds"] < 3 * (LIMIT + 10)
+
+
+@pytest.mark.ros2
+def test_what_ends_before_it_is_seen_is_not_taken_for_something_else(live: dict[str, dict[str, Any]]) -> None:
+    record = live["ends_at_once.py"]
+    assert record["status"] != "not-a-node"
+    assert [problem["detail"] for problem in record["problems"] if problem["code"] == "ended"] == ["it ended by itself with status 0"]

@@ -323,6 +323,24 @@ int main(int argc, char ** argv) {{
     assert [each.get("node") for each in variant["publishers"]] == [None, "second"]
 
 
+def test_a_node_whose_loggers_can_be_asked_serves_that(tmp_path: Path) -> None:
+    source = f"""{HEAD}
+int main(int argc, char ** argv) {{
+  rclcpp::init(argc, argv);
+  auto quiet = std::make_shared<rclcpp::Node>("quiet", rclcpp::NodeOptions().enable_logger_service(false));
+  auto asked = std::make_shared<rclcpp::Node>("asked", "ns", rclcpp::NodeOptions().enable_logger_service(true));
+  rclcpp::spin(asked);
+  return 0;
+}}
+"""
+    facts, doubts, nodes = follow(tmp_path, source)
+    assert [spelled(fact) for fact in facts] == [
+        f"services ~get_logger_levels rcl_interfaces/srv/GetLoggerLevels node={nodes[1].key}",
+        f"services ~set_logger_levels rcl_interfaces/srv/SetLoggerLevels node={nodes[1].key}",
+    ]
+    assert doubts == ()
+
+
 def test_a_node_that_its_options_move_lies_below_the_first_one(tmp_path: Path) -> None:
     """As the costmaps of navigation lie in a namespace of their own."""
     facts, _, nodes = follow(

@@ -68,7 +68,11 @@ def made(asked: Call, name: Value, space: Value, options: Value = UNKNOWN, *, li
         machine.doubt_all(f"only {_MOST_NODES} nodes are listed", asked.frame.path, asked.node.line)
         return Handle("", "")
     machine.nodes[key] = Made(key, called, namespace, lifecycle, undeclared, condition, asked.frame.path, asked.node.line)
-    return Handle(_beside_first(key, moved), key)
+    node = Handle(_beside_first(key, moved), key)
+    if _held(options, "enable_logger_service") == Number(True):
+        for word in ("Get", "Set"):
+            note(asked, node, "services", Text(f"~/{word.lower()}_logger_levels"), type=f"rcl_interfaces/srv/{word}LoggerLevels")
+    return node
 
 
 def _beside_first(key: str, moved: str | None) -> str:
