@@ -119,7 +119,8 @@ def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
         if known.registered:
             return "ok", problems + _doubts(outcome, _signs(outcome.before, outcome.said))
         problems += _not_registered(outcome, signs)
-        return ("failed" if known.contacted or (problems and problems[0]["code"] != "silent") else "not-a-node"), problems
+        is_one = known.contacted or not known.misses_nothing or (problems and problems[0]["code"] != "silent")
+        return ("failed" if is_one else "not-a-node"), problems
     if outcome.sent:
         problems.append(_problem("ended", _ended(outcome.code, True)))
         return "ok", problems

@@ -13,6 +13,10 @@ if [ -n "$(sh "${0%/*}/find.sh")" ]; then
         # shellcheck disable=SC2086
         install $missing
     fi
+    # Where nodes run nothing can be written: what is not compiled now is compiled by each of them anew.
+    for setup in $(sh "${0%/*}/find.sh"); do
+        python3 -m compileall -q "${setup%/setup.sh}"/lib/python3*/ >/dev/null 2>&1 || true
+    done
 else
     apt-get update -q
     # shellcheck disable=SC2086

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import pytest
 
 from launchlint.probe.record import NodeRecord, parse
 from tests.probe.odd_nodes import processes_with
-from tests.probe.ros2_nodes import HERE, RECORDED, VARIABLE, environment, install, installation, job, replayed, run
+from tests.probe.ros2_nodes import HERE, RECORDED, VARIABLE, environment, install, installation, job, replayed, run, stand_in
 
 LIMIT = 12
 
@@ -201,6 +202,16 @@ def test_names_without_end_are_open(live: dict[str, dict[str, Any]]) -> None:
     codes = {problem["code"] for problem in record["problems"]}
     assert codes & {"too-many-names", "never-quiet"}
     assert record["seconds"] < 3 * (LIMIT + 10)
+
+
+def test_a_node_that_is_never_seen_is_not_taken_for_something_else(tmp_path: Path) -> None:
+    """A program that rclpy is imported by may be slow: that it was silent does not make it a program without names."""
+    (tmp_path / "empty.jsonl").write_text("")
+    prefix = install(tmp_path / "prefix", ["talks.py"], stand_in=True)
+    observer = stand_in(tmp_path, tmp_path / "empty.jsonl", "replay")
+    variables = {**os.environ, "AMENT_PREFIX_PATH": str(prefix)}
+    (record,) = [each for each in run(job(prefix, "talks.py", limit=2), variables, observer) if each["kind"] == "node"]
+    assert (record["status"], record["problems"]) == ("failed", [{"code": "silent", "detail": "it never showed up among the nodes"}])
 
 
 @pytest.mark.ros2
