@@ -34,11 +34,16 @@ if TYPE_CHECKING:
 
 
 def tried(launch: Launch) -> str:
-    """The args of ``launch`` with a default that only the search for configurations gave another value: ``sim:=true``."""
+    """The args of ``launch`` with a default that only the search for configurations gave another value: ``sim:=true``.
+
+    In ROS 2 these may be args of included files.
+    """
     if not launch.given:
         return ""
     steered: frozenset[str] = frozenset().union(*(branch.steered_by for branch in launch.branches))
     free = {each.name for each in launch.declared if each.origin.step is None and not each.passed and each.default is not None}
+    own = {each.argument.name for each in launch.declarations if each.argument.origin.step is None}
+    free |= {each.argument.name for each in launch.declarations if each.has_default and each.argument.name not in own}
     return " ".join(f"{name}:={value}" for name, value in launch.given if name in steered and name in free)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from collections.abc import Iterable
 
 from launchlint.workspace.looking import content, is_file, names, note, watched
 
@@ -34,6 +35,17 @@ def built_for_ros2(file: str, packages: Packages) -> Package | None:
         return None
     written = (content(posixpath.join(package.directory, "CMakeLists.txt")) or b"").decode("utf-8", "replace")
     return None if any("catkin" in line.partition("#")[0] for line in written.splitlines()) else package
+
+
+def is_all_of_ros2(packages: Packages, launch_files: Iterable[str]) -> bool:
+    """Whether ament builds packages of the workspaces, and catkin none; where no manifest says how, whether all launch files are such as
+    roslaunch never reads.
+    """
+    own = [each for place in packages.places[: len(packages.workspaces)] for each in place.everything if each.manifest is not None]
+    if own:
+        return any(each.manifest.is_ament for each in own if each.manifest) and not any(map(_is_of_catkin, own))
+    files = list(launch_files)
+    return bool(files) and all(file.endswith((".py", ".yaml", ".yml")) for file in files)
 
 
 def _unported(file: str, packages: Packages) -> Package | None:

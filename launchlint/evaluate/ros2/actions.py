@@ -55,8 +55,12 @@ _STARTING = frozenset((described.Node, described.Executable))
 def _is_started(walk: Walk, action: Action) -> bool:
     """Whether a process has been started by this very action, in the same file read once: launch stops (launch.actions.ExecuteLocal).
 
-    Only objects of Python stand in two places, and only Python can give two includes one source.
+    Only objects of Python stand in two places, and only Python can give two includes one source. What waits for a process that this
+    launch does not start is never executed.
     """
+    if walk.here.idle:
+        return False
+    walk.running.add(action.place.key)
     key = (id(action), walk.here.sources)
     if key not in walk.started:
         walk.started[key] = action

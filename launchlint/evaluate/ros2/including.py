@@ -82,7 +82,7 @@ def include(walk: Walk, action: described.Include) -> None:
     walk.executions.append((way, known.description))
     walk.here = Here(
         file, step, (*outer.files, context.file), scope, outer.conditions, outer.assumed, outer.deferred, outer.told | told, way,
-        (*outer.sources, id(action.file)),
+        (*outer.sources, id(action.file)), outer.idle,
     )  # fmt: skip
     walk.performer.way = way
     _run(walk, known, file)

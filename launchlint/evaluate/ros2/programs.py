@@ -114,7 +114,7 @@ def handler(walk: Walk, action: described.Handler) -> None:
     actions = action.actions
     if not isinstance(actions, tuple):
         actions = (described.Opaque(actions, action.place),)
-    walk.defer(action.event, actions)
+    walk.defer(action.event, actions, action.target)
 
 
 def maybe(walk: Walk, action: described.Maybe) -> None:

@@ -127,7 +127,8 @@ class Here(NamedTuple):
     """Where the walk is: the included ``file`` and the includes that lead to it, the group around, the conditions that were met on the way.
 
     ``told`` are the args whose absence has been told where the file was included, each with the place of its declaration. ``way`` are the
-    includes once more, each by its identity, and ``sources`` what these load, by the identity of its name.
+    includes once more, each by its identity, and ``sources`` what these load, by the identity of its name. ``idle``: what waits for a
+    process that this launch does not start.
     """
 
     file: str
@@ -140,12 +141,13 @@ class Here(NamedTuple):
     told: frozenset[tuple[str, tuple[str, int]]] = frozenset()
     way: tuple[int, ...] = ()
     sources: tuple[int, ...] = ()
+    idle: bool = False
 
 
 class Body(NamedTuple):
     """Actions to be executed later, from ``here``; ``directory``, ``launch_file``: what ``$(dirname)`` and ``$(filename)`` say then.
 
-    ``configurations`` are those of the group around.
+    ``configurations`` are those of the group around. ``target``: where the process is made without which they are never executed.
     """
 
     kind: str
@@ -154,6 +156,7 @@ class Body(NamedTuple):
     directory: str | None
     launch_file: str | None
     configurations: Mapping[str, Setting]
+    target: Place | None = None
 
 
 class Walk:
@@ -207,6 +210,7 @@ class Walk:
         self.waiting: list[Body] = []
         self.said: Said = []
         self.started: dict[tuple[int, tuple[int, ...]], Action] = {}
+        self.running: set[tuple[str, int]] = set()
         self._recorded: set[tuple[object, ...]] = set()
 
     # -- files -------------------------------------------------------------------------------------------------
@@ -423,9 +427,10 @@ class Walk:
             return Weighed(found if isinstance(found, Unknown) else expected, None, name, steer, outside)
         return Weighed(expected, (found == expected) is (condition.kind == "equals"), name, steer, outside)
 
-    def defer(self, kind: str, actions: tuple[Action, ...]) -> None:
+    def defer(self, kind: str, actions: tuple[Action, ...], target: Place | None = None) -> None:
         """Execute ``actions`` after everything else, with the context as it is then."""
-        self.waiting.append(Body(kind, actions, self.here, self.context.directory, self.context.file, self.context.configurations))
+        context = self.context
+        self.waiting.append(Body(kind, actions, self.here, context.directory, context.file, context.configurations, target))
 
     def finish(self) -> None:
         """Execute what was deferred, in the order in which it was."""
@@ -441,7 +446,8 @@ class Walk:
 
     def execute_later(self, body: Body) -> None:
         """Execute what was deferred, once everything else has been."""
-        self.here = body.here._replace(deferred=body.kind)
+        idle = body.here.idle or (body.target is not None and body.target.key not in self.running)
+        self.here = body.here._replace(deferred=body.kind, idle=idle)
         self.context.directory, self.context.file = body.directory, body.launch_file
         self.performer.way = body.here.way
         for problem in lost_in(body.actions, body.configurations, self.context.configurations, body.kind, self.at):

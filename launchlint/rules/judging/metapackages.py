@@ -1,7 +1,7 @@
-"""What the well-known metapackages of ROS 1, and some much used packages, pull in, for a checkout where they are not installed.
+"""What the well-known metapackages of ROS, and some much used packages, pull in, for a checkout where they are not installed.
 
-Facts from the package.xml files of ROS Indigo to Noetic, all of them together; what no launch file can use (message generators, tests) is
-left out.
+Facts from the package.xml files of ROS Indigo to Noetic and of ROS 2 since Humble, all of them together; what no launch file can use
+(message generators, tests) is left out.
 """
 
 from __future__ import annotations
@@ -33,9 +33,14 @@ _MEMBERS: Mapping[str, str] = {
     " moveit_ros_visualization moveit_ros_warehouse",
     "moveit_runtime": "moveit_core moveit_planners moveit_plugins moveit_ros_manipulation moveit_ros_move_group"
     " moveit_ros_perception moveit_ros_planning moveit_ros_planning_interface moveit_ros_warehouse",
+    "nav2_bringup": "navigation2 slam_toolbox",
     "navigation": "amcl base_local_planner carrot_planner clear_costmap_recovery costmap_2d dwa_local_planner"
     " fake_localization global_planner map_server move_base move_base_msgs move_slow_and_clear nav_core navfn robot_pose_ekf"
     " rotate_recovery voxel_grid",
+    "navigation2": "nav2_amcl nav2_behavior_tree nav2_behaviors nav2_bt_navigator nav2_collision_monitor nav2_constrained_smoother"
+    " nav2_controller nav2_core nav2_costmap_2d nav2_dwb_controller nav2_lifecycle_manager nav2_map_server nav2_navfn_planner nav2_planner"
+    " nav2_regulated_pure_pursuit_controller nav2_rotation_shim_controller nav2_rviz_plugins nav2_simple_commander nav2_smac_planner"
+    " nav2_smoother nav2_theta_star_planner nav2_util nav2_velocity_smoother nav2_voxel_grid nav2_waypoint_follower",
     "nodelet_core": "nodelet nodelet_topic_tools",
     "perception": "image_common image_pipeline image_transport_plugins laser_pipeline perception_pcl ros_base vision_opencv",
     "perception_pcl": "pcl_conversions pcl_msgs pcl_ros pointcloud_to_laserscan",
@@ -53,6 +58,11 @@ _MEMBERS: Mapping[str, str] = {
     " velocity_controllers",
     "ros_core": "class_loader common_msgs pluginlib ros ros_comm rosbag_migration_rule rosconsole"
     " rosconsole_bridge roscpp_core rosgraph_msgs roslisp rospack std_msgs std_srvs",
+    "ros2_control": "controller_interface controller_manager hardware_interface joint_limits ros2controlcli transmission_interface",
+    "ros2_controllers": "ackermann_steering_controller admittance_controller bicycle_steering_controller diff_drive_controller"
+    " force_torque_sensor_broadcaster forward_command_controller imu_sensor_broadcaster joint_state_broadcaster joint_trajectory_controller"
+    " range_sensor_broadcaster steering_controllers_library tricycle_controller tricycle_steering_controller",
+    "ros_gz": "ros_gz_bridge ros_gz_image ros_gz_sim ros_gz_sim_demos",
     "rosbridge_suite": "rosapi rosbridge_library rosbridge_server",
     "rqt_common_plugins": "rqt_action rqt_bag rqt_bag_plugins rqt_console rqt_dep rqt_graph rqt_image_view"
     " rqt_launch rqt_logger_level rqt_msg rqt_plot rqt_publisher rqt_py_common rqt_py_console rqt_reconfigure"
@@ -63,9 +73,13 @@ _MEMBERS: Mapping[str, str] = {
     " rtabmap_msgs rtabmap_odom rtabmap_python rtabmap_rviz_plugins rtabmap_slam rtabmap_sync rtabmap_util rtabmap_viz",
     "simulators": "gazebo_ros_pkgs robot rqt_common_plugins rqt_robot_plugins stage_ros",
     "slam_gmapping": "gmapping openslam_gmapping",
-    "turtlebot3": "turtlebot3_bringup turtlebot3_description turtlebot3_example turtlebot3_navigation turtlebot3_slam turtlebot3_teleop",
-    "turtlebot3_simulations": "turtlebot3_fake turtlebot3_gazebo",
+    "turtlebot3": "turtlebot3_bringup turtlebot3_cartographer turtlebot3_description turtlebot3_example turtlebot3_navigation"
+    " turtlebot3_navigation2 turtlebot3_node turtlebot3_slam turtlebot3_teleop",
+    "turtlebot3_simulations": "turtlebot3_fake turtlebot3_fake_node turtlebot3_gazebo",
+    "velodyne": "velodyne_driver velodyne_laserscan velodyne_msgs velodyne_pointcloud",
     "vision_opencv": "cv_bridge image_geometry",
+    "webots_ros2": "webots_ros2_control webots_ros2_driver webots_ros2_epuck webots_ros2_tiago webots_ros2_turtlebot"
+    " webots_ros2_universal_robot",
     "viz": "ros_base rqt_common_plugins rqt_robot_plugins rviz",
 }
 """Metapackage → what it lists, itself or through another metapackage."""

@@ -1,10 +1,12 @@
 """A `package.xml` cannot be read.
 
-What it does: it looks at the `package.xml` of every package in the workspaces: it must be well-formed XML and have a `<name>`.
+What it does: it looks at the `package.xml` of every package in the workspaces: it must be well-formed XML and have a `<name>`. In a
+workspace of ROS 2 what `COLCON_IGNORE` sets aside is left out, as `build` and `install` are.
 
 ## Why it matters
 
-rospkg, which roslaunch asks for packages, stops at the first such file. Then no `$(find …)` and no node of any package works.
+rospkg, which roslaunch asks for packages, stops at the first such file. Then no `$(find …)` and no node of any package works. colcon, which
+builds workspaces of ROS 2, passes over the package: it is never installed, so that ros2 launch does not find it.
 
 ## Example
 
@@ -44,14 +46,20 @@ from launchlint.finding import Finding, Severity
 from launchlint.rules.judging.other_file import line_of
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
+from launchlint.workspace.other_ros import is_all_of_ros2
+
+_OF_ROSPKG = "rospkg stops at such a file: then no $(find …) and no node of any package is found"
+_OF_COLCON = "colcon passes over such a package: it is not installed, and ros2 launch does not find it"
 
 RULE = Rule("LL704", "broken-manifest", Severity.WARNING)
 
 
 def check(view: RunView) -> Iterator[Finding]:
     """Yield one finding for each package whose manifest cannot be used (rospkg.manifest.parse_manifest_file)."""
-    for package in view.packages.broken():
-        if not view.is_asked(package.directory):
+    broken = [package for package in view.packages.broken() if view.is_asked(package.directory)]
+    ros2 = bool(broken) and is_all_of_ros2(view.packages, [entry.path for entry in view.entries])
+    for package in broken:
+        if ros2 and view.packages.colcon.is_hidden(package.directory):
             continue
         line = re.search(r"\bline (\d{1,7})\b", package.broken)
         reason = re.sub(r", line \d+(?:, column \d+)?", "", package.broken)
@@ -59,6 +67,6 @@ def check(view: RunView) -> Iterator[Finding]:
             line_of(package.manifest_path, view.root, int(line[1]) if line else 1),
             f"this package.xml cannot be used: {reason}",
             label="here",
-            notes=("rospkg stops at such a file: then no $(find …) and no node of any package is found",),
-            help="mend it, or put a CATKIN_IGNORE file beside it",
+            notes=(_OF_COLCON if ros2 else _OF_ROSPKG,),
+            help=f"mend it, or put a {'COLCON_IGNORE' if ros2 else 'CATKIN_IGNORE'} file beside it",
         )

@@ -2,7 +2,7 @@
 
 What it does: it looks for variables of a function that hold a `Node`, an include, an arg or another action of launch, and that nothing in
 the function reads. Where a comment names the variable, as when the line that adds the action has been taken out, it is an information, and
-so it is where more actions of the function are commented out like this than are added.
+so it is where more actions of the function are commented out, or left out like this, than are added.
 
 ## Why it matters
 
@@ -45,7 +45,7 @@ from launchlint.rules.rule import Rule
 from launchlint.syntax.ros2.python.problems import NeverAdded
 
 RULE = Rule("LL936", "action-never-added", Severity.WARNING)
-_CHOSEN = "most other actions here are commented out, so that this one may be left out on purpose, too"
+_CHOSEN = "most other actions here are left out, too, so that it may be done on purpose"
 _COMES_TO = {
     "DeclareLaunchArgument": "the arg is not declared",
     "IncludeLaunchDescription": "the file is not included",

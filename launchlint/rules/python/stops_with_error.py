@@ -1,7 +1,8 @@
 """The launch file is a program that ends with an exception, whenever somebody starts it: it raises one, or looks for what is not there.
 
 `launchlint` follows the program without running it, and tells this only where every way through it ends so. A program that refuses some
-values of its arguments does so on purpose: it is told only of what happens without arguments.
+values of its arguments does so on purpose: it is told only of what happens without arguments. Where a function asked for a launch
+configuration before that neither its file nor one that includes it here sets, it is an information: such a file is made to be included.
 
 ## Why it matters
 
@@ -50,18 +51,22 @@ _LACKING = frozenset(("FileNotFoundError", "IsADirectoryError", "NotADirectoryEr
 
 
 def tell(problem: StopsWithError, view: LaunchView) -> Iterator[Finding]:
-    """Say which exception it is. A file that is not here may be made by a build."""
+    """Say which exception it is. A build may make a file that is not here, a file that includes this one may set a configuration."""
     if problem.called and view.launch.given:
         return
     what = f"{problem.error}: {shown(problem.what)}" if problem.what else problem.error
     when = "a function of this launch file ends" if problem.called else "this launch file ends"
     severity = Severity.WARNING if problem.error in _LACKING and not problem.stated else level(problem)
+    notes = ("ros2 launch stops there" if problem.called else "ros2 launch stops before anything is started",)
+    if problem.lacking:
+        severity = Severity.INFO
+        notes = (f"so it is where no file that includes this one sets {problem.lacking}",)
     yield RULE.at(
         problem.origin,
         f"{when} with an exception: {what}",
         severity=severity,
         label="raised here" if problem.stated and not problem.related else "here",
         related=problem.related,
-        notes=("ros2 launch stops there" if problem.called else "ros2 launch stops before anything is started",),
+        notes=notes,
         cause=f"{problem.place.source.path} {problem.place.span.start} {what}",
     )

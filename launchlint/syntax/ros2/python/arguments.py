@@ -73,6 +73,7 @@ AnonName name=needed
 NotSubstitution value=needed
 AndSubstitution left=needed right=needed
 OrSubstitution left=needed right=needed
+IfElseSubstitution condition=needed if_value=needed else_value=needed
 FindPackageShare package=needed
 FindPackagePrefix package=needed
 ExecutableInPackage executable=needed package=needed
@@ -92,7 +93,7 @@ def wrong_values(given: Given) -> Iterator[Problem]:
     if given.callee == "IncludeLaunchDescription":
         yield from _source(given, conditional)
     for name, value in given.values.items():
-        judge = _condition if name == "condition" else takes.get(name)
+        judge = takes.get(name, _condition if name == "condition" else None)
         if judge is None:
             continue
         for problem in judge(given, name, value):

@@ -20,8 +20,11 @@ _CERTAIN = frozenset(
 """Exceptions of Python that nothing else can be meant by: others may come of an object that is known less well than it seems."""
 
 
-def actions_of(raised: Raised, run: Noticing, everything: Place, *, called: bool) -> tuple[Action, ...]:
-    """What stands for a program that ends so: what stops launch, for the reason that the program has, where that is certain."""
+def actions_of(raised: Raised, run: Noticing, everything: Place, *, called: bool, lacking: str = "") -> tuple[Action, ...]:
+    """What stands for a program that ends so: what stops launch, for the reason that the program has, where that is certain.
+
+    ``lacking`` is a launch configuration that it asked for before, and that nothing sets.
+    """
     place, related = _places(raised, run, everything)
     if raised.asked is not None:
         name, word = raised.asked
@@ -30,7 +33,7 @@ def actions_of(raised: Raised, run: Noticing, everything: Place, *, called: bool
     if not raised.stated and error not in _CERTAIN:
         return ()
     problem: Problem = StopsWithError(
-        origin=Origin(place), refused=True, related=related, error=error, what=what, stated=raised.stated, called=called
+        origin=Origin(place), refused=True, related=related, error=error, what=what, stated=raised.stated, called=called, lacking=lacking
     )
     return (described.Fails(problem, place),)
 

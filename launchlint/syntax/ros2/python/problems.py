@@ -145,13 +145,15 @@ class NoDescription(Problem):
 class StopsWithError(Problem):
     """The file itself ends with an exception, of the class ``error``, that says ``what``; ``stated``: it raises that itself.
 
-    ``called``: it comes when launch calls a function of the file, not when the file is loaded.
+    ``called``: it comes when launch calls a function of the file, not when the file is loaded. ``lacking``: a launch configuration that
+    the function asked for before, and that nothing here sets: the file is made to be included by one that does.
     """
 
     error: str
     what: str
     stated: bool
     called: bool
+    lacking: str = ""
 
 
 class ExecutedTwice(Problem):
@@ -189,7 +191,7 @@ class RunsAtLoad(Problem):
 class NeverAdded(Problem):
     """An action, made by ``callee``, that the variable ``name`` holds, and that nothing looks at. ``commented``: a comment names it.
 
-    ``chosen``: of the actions of the function more are commented out than added.
+    ``chosen``: of the actions of the function more are commented out, or left out like this one, than added.
     """
 
     callee: str

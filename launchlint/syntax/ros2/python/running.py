@@ -39,13 +39,17 @@ class Ending(Ended):
 
 
 class Running:
-    """What functions ask of the launch they are called by: ``live`` is its context, None where there is none yet."""
+    """What functions ask of the launch they are called by: ``live`` is its context, None where there is none yet.
+
+    ``lacking`` is the first launch configuration that the function asked for with a default, and that is not set.
+    """
 
     def __init__(self, run: Noticing, texts: Texts, fresh: Callable[[], LiveContext | None]) -> None:
         self._run = run
         self._texts = texts
         self._fresh = fresh
         self.live: LiveContext | None = None
+        self.lacking = ""
 
     def context(self, own: bool = False) -> Handle:
         """The context that a function is called with; ``own``: one that the program has made itself."""
@@ -99,6 +103,8 @@ class Running:
             found = self.item(receiver, given[0], place)
             if found is not MISSING:
                 return found
+            if receiver.kind == CONFIGURATIONS and isinstance(given[0], str):
+                self.lacking = self.lacking or given[0]
             default = given[1] if len(given) > 1 else None
             if name == "setdefault":
                 self.set_item(receiver, given[0], default)
@@ -166,6 +172,7 @@ class Caller:
         run, outer = self._run, self._running.live
         self._begin(live)
         self._running.live = live
+        self._running.lacking = ""
         run.steps = 0
         context = self._running.context()
         positional = [context if isinstance(each, Handle) and each.kind == "context" else each for each in given]
@@ -184,7 +191,8 @@ class Caller:
             found = [described.Fails(problem, problem.place) for problem in run.noticed(before) if problem.refused]
             if found:
                 return tuple(found)
-            stops = actions_of(ended, run, place, called=True) if isinstance(ended, Raised) else ()
+            lacking = self._running.lacking
+            stops = actions_of(ended, run, place, called=True, lacking=lacking) if isinstance(ended, Raised) else ()
             return (
                 *stops,
                 described.Open(f"the function ends with an error{f': {ended}' if str(ended) else ''}", place),

@@ -16,6 +16,8 @@ _ACTIONS = frozenset(
     RegisterEventHandler OpaqueFunction""".split()
 )
 _SETS = frozenset(("DeclareLaunchArgument", "SetEnvironmentVariable", "SetLaunchConfiguration", "SetParameter", "SetRemap"))
+_SLIPS = 2
+"""Actions that may be forgotten in one function."""
 _LOOKING = frozenset(("locals", "vars", "eval", "exec"))
 
 
@@ -46,8 +48,10 @@ def never_added(tree: ast.Module, place: Callable[[ast.AST], Place]) -> Iterator
                 found.append((at, callee, _is_commented(at)))
             elif callee not in _SETS:
                 added += 1
-        # Where more are commented out than added, people choose by comments what they start: what is missing is no slip.
-        chosen = sum(commented and callee not in _SETS for _, callee, commented in found) > added
+        # Where more are commented out than added, people choose by comments what they start: what is missing is no slip. Neither is it
+        # in what was cut down from a longer file.
+        left_out = [commented for _, callee, commented in found if callee not in _SETS]
+        chosen = sum(left_out) > added or len(left_out) > max(added, _SLIPS)
         for at, callee, commented in found:
             yield NeverAdded(origin=Origin(at), callee=callee, name=at.text, commented=commented, chosen=chosen)
 
