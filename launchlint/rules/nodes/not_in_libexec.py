@@ -124,6 +124,9 @@ def _where(missing: Missing) -> str:
 
 def _help(missing: Missing) -> str:
     name = missing.node.executable
+    made = [each.name for each in missing.installed.libexec.values() if missing.file in each.sources]
+    if len(made) == 1:
+        return f"write {made[0]}, which {build_file(missing.package)} makes of {posixpath.basename(missing.file or '')}"
     if build_file(missing.package) == "setup.py":
         if missing.built is not None:
             return f"write install_scripts=$base/lib/{missing.package.name} below [install] in setup.cfg, and script_dir below [develop]"
