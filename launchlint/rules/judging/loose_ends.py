@@ -18,6 +18,7 @@ from launchlint.late import late
 from launchlint.library.shipped import is_in_library
 from launchlint.rules.judging.name_places import owners
 from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
+from launchlint.rules.judging.part_of_launch import comes_from_around
 from launchlint.rules.judging.same_definition import STANDARD, is_known, stands_for
 from launchlint.rules.judging.signs import Signs
 from launchlint.rules.view import GraphView
@@ -63,6 +64,7 @@ class LooseEnds:
     """The loose ends of one graph."""
 
     def __init__(self, view: GraphView) -> None:
+        self._view = view
         self.graph = view.graph
         self.owners = view.once(owners)
         self._signs = Signs(self.graph, self.owners)
@@ -150,6 +152,8 @@ class LooseEnds:
             chosen = how == NAMESPACE and not offers and end.applied
             level = self._in_doubt(end, other, how, doubts, level) if loose or how == SLIP or chosen else None
             level = level if loose or level is not Severity.INFO else None
+        if level is Severity.WARNING and how != SLIP and comes_from_around(self._view, taker, end if offers else other):
+            level = Severity.INFO
         if level is None or (level is Severity.INFO and end.declaration.when == "subscriber"):
             return None
         partner = self.owners[id(other)]
