@@ -276,6 +276,7 @@ class Session:
         """What a launch file in Python describes; the names of the ``variables`` that it asks for are added to these."""
         from launchlint.syntax.ros2.python.reading import read
         from launchlint.syntax.ros2.python.recogniser import Outside
+        from launchlint.workspace.ament.shares import installed_source
 
         content = self.read(file)
         if content.data is None:
@@ -291,7 +292,14 @@ class Session:
             return self.arguments
 
         outside = Outside(
-            self.meant, lambda name: colcon.find(name, file), self.environment, variables.add, inside, lambda: self._fresh(file), arguments
+            self.meant,
+            lambda name: colcon.find(name, file),
+            self.environment,
+            variables.add,
+            inside,
+            lambda: self._fresh(file),
+            arguments,
+            lambda path: installed_source(self.packages, path),
         )
         return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
 

@@ -21,7 +21,7 @@ from launchlint.model import ROS2
 from launchlint.rules.judging.broken_call import broken_call
 from launchlint.rules.judging.near_launch_file import near_launch_file
 from launchlint.rules.judging.never_declared import never_declared
-from launchlint.rules.judging.other_file import root_of, shown
+from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.out_of_share import leads_out, where
 from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
@@ -122,6 +122,10 @@ def missing(problem: IncludeMissingArg, rule: Rule, view: LaunchView) -> Iterato
     )
 
 
+_HOMES = ("/home/", "/Users/", "/root/")
+"""Where files of one person lie: LL406 tells such paths, and that person has the file."""
+
+
 def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: LaunchView) -> Iterator[Finding]:
     """An included file that is not there."""
     from launchlint.workspace.ament.shares import may_be_installed
@@ -154,7 +158,10 @@ def not_found(problem: IncludeNotFound | IncludeNotLoadable, rule: Rule, view: L
     left = leads_out(file, problem.place, view.packages)
     if left:
         notes.append(where(left))
-    elsewhere = left or (relative and source.path.endswith(".py"))  # people start such files from the workspace they are made for
+    outside = file.startswith(_HOMES) and not is_inside(file, (*view.packages.workspaces, root_of(source) or "/nowhere"))
+    elsewhere = (
+        left or outside or (relative and source.path.endswith(".py"))
+    )  # people start such files from the workspace they are made for
     yield rule.at(
         problem.origin,
         f"the included file {named} does not exist" if file else "the name of the included file is empty",

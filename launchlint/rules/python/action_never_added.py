@@ -57,15 +57,6 @@ _COMES_TO = {
 }
 
 
-_LONGEST = 400
-
-
-def _made(problem: NeverAdded) -> str:
-    """How the action is made, as it is written: files that were copied from each other share the mistake."""
-    text, start = problem.place.source.text, problem.place.span.start
-    return " ".join(text[start : start + _LONGEST].split("\n\n")[0].split())
-
-
 def tell(problem: NeverAdded, view: object) -> Iterator[Finding]:
     """Say what does not come to pass."""
     why = "a comment names it, so that it may be left out on purpose" if problem.commented else _CHOSEN if problem.chosen else ""
@@ -74,7 +65,7 @@ def tell(problem: NeverAdded, view: object) -> Iterator[Finding]:
         f"{problem.name} is made and never added: {_COMES_TO.get(problem.callee, 'launch never executes it')}",
         severity=Severity.INFO if why else Severity.WARNING,
         label=f"this {problem.callee} is given to nobody",
-        cause=_made(problem),
+        cause=f"{bool(why)} {problem.name if problem.commented else problem.together}",
         notes=(why,) if why else (),
         help=f"add {problem.name} to the LaunchDescription, or take it out",
     )

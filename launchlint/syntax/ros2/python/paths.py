@@ -36,19 +36,27 @@ def spelled(value: Value) -> Value:
 
 
 class Paths:
-    """What one launch file asks of paths; ``inside`` says whether one lies in the workspace."""
+    """What one launch file asks of paths.
 
-    def __init__(self, run: Following, inside: Callable[[str], bool], environment: Map) -> None:
+    ``inside`` says whether one lies in the workspace, and ``installed`` which file a build puts there, if that is known.
+    """
+
+    def __init__(
+        self, run: Following, inside: Callable[[str], bool], environment: Map, installed: Callable[[str], str | None] = lambda file: None
+    ) -> None:
         self._run = run
         self._inside = inside
         self._environment = environment
+        self._installed = installed
 
     def within(self, file: Value) -> str | None:
         """A path below the workspace; None for all others, and what is not known."""
         if not isinstance(file, str) or not file.startswith("/") or "\0" in file or len(file) > LONGEST:
             return None
         file = posixpath.normpath(file)
-        return file if self._inside(file) else None
+        if not self._inside(file):
+            return None
+        return file if looking.exists(file) else self._installed(file) or file
 
     def of_os(self, name: str, given: list[Value]) -> Value:
         """A function of ``os.path``; MISSING where another one may know of it."""

@@ -191,10 +191,12 @@ class RunsAtLoad(Problem):
 class NeverAdded(Problem):
     """An action, made by ``callee``, that the variable ``name`` holds, and that nothing looks at. ``commented``: a comment names it.
 
-    ``chosen``: of the actions of the function more are commented out, or left out like this one, than added.
+    ``chosen``: of the actions of the function more are commented out, or left out like this one, than added. ``together`` are all that
+    the function leaves out, in words: the same in copies of it.
     """
 
     callee: str
     name: str
     commented: bool
     chosen: bool
+    together: str = ""

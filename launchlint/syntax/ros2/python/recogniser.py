@@ -74,7 +74,8 @@ class Outside:
 
     ``meant`` is the distribution that launch files are for. ``share`` gives the directory of a package (None: there is none of that name),
     ``environment`` the variables; ``looked_at`` is told
-    which of them a launch file asks for. ``inside`` says whether a path lies in the workspace, below which files are read.
+    which of them a launch file asks for. ``inside`` says whether a path lies in the workspace, below which files are read, and ``installed``
+    gives the file that a build puts to a path where the sources have none, if that is known.
     ``fresh`` gives the context of a launch in which nothing has been executed, ``arguments`` those that launch is given.
     """
 
@@ -87,6 +88,7 @@ class Outside:
         inside: Callable[[str], bool] = lambda file: False,
         fresh: Callable[[], LiveContext | None] = lambda: None,
         arguments: Callable[[], Iterable[tuple[str, str]]] = tuple,
+        installed: Callable[[str], str | None] = lambda file: None,
     ) -> None:
         self.meant = meant
         self.distro = meant.name
@@ -96,6 +98,7 @@ class Outside:
         self.inside = inside
         self.fresh = fresh
         self.arguments = arguments
+        self.installed = installed
 
 
 class LaunchRecogniser:
@@ -112,7 +115,7 @@ class LaunchRecogniser:
         self.shares: dict[str, str] = {}
         self.texts = Texts(self.shares)
         self.running = Running(run, self.texts, outside.fresh)
-        self.paths = Paths(run, outside.inside, self.environment)
+        self.paths = Paths(run, outside.inside, self.environment, outside.installed)
         self.files = Files(run, self.paths, lambda text: load(text, _YAML), self.texts.stand_in)
 
     def call(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:

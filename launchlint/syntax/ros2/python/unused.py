@@ -52,8 +52,9 @@ def never_added(tree: ast.Module, place: Callable[[ast.AST], Place]) -> Iterator
         # in what was cut down from a longer file.
         left_out = [commented for _, callee, commented in found if callee not in _SETS]
         chosen = sum(left_out) > added or len(left_out) > max(added, _SLIPS)
+        together = " ".join(sorted(f"{callee} {at.text}" for at, callee, commented in found if not commented))
         for at, callee, commented in found:
-            yield NeverAdded(origin=Origin(at), callee=callee, name=at.text, commented=commented, chosen=chosen)
+            yield NeverAdded(origin=Origin(at), callee=callee, name=at.text, commented=commented, chosen=chosen, together=together)
 
 
 def _imported(tree: ast.Module) -> dict[str, str]:
