@@ -276,7 +276,7 @@ class Session:
         """What a launch file in Python describes; the names of the ``variables`` that it asks for are added to these."""
         from launchlint.syntax.ros2.python.reading import read
         from launchlint.syntax.ros2.python.recogniser import Outside
-        from launchlint.workspace.ament.shares import installed_source
+        from launchlint.workspace.ament.shares import installed_source, may_be_installed
 
         content = self.read(file)
         if content.data is None:
@@ -300,6 +300,7 @@ class Session:
             lambda: self._fresh(file),
             arguments,
             lambda path: installed_source(self.packages, path),
+            lambda path: bool(may_be_installed(self.packages, path)),
         )
         return read(content.data, self.shown(file), file, outside, "" if package is None else package.directory)
 

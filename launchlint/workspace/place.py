@@ -47,12 +47,12 @@ class Place:
         return self._ignored
 
     def hidden(self) -> list[Hidden]:
-        """The packages that such a file keeps from being found; each call looks at the disk again."""
+        """The packages that such a file keeps from being found, but for what a build has installed; each call looks at the disk again."""
         return [
             Hidden(each.name, each.directory, marker)
             for marker in self.ignored
             for each in crawl_all(os.path.dirname(marker), self.way, through_ignored=True)[0]
-            if each.name and (self.way.metapackages or not each.metapackage) and not each.reason
+            if each.name and (self.way.metapackages or not each.metapackage) and not each.reason and not is_installed(each.directory)
         ]
 
     def _crawl(self) -> list[Package]:

@@ -73,12 +73,12 @@ def tell(problem: UnknownKeyword, view: object) -> Iterator[Finding]:
         problem.origin,
         message,
         severity=severity,
-        label="no such keyword",
+        label=f"{new} today" if problem.since and new else "no such keyword",
         notes=notes,
         help=f"write {new}" if new else f"did you mean {near}?" if near else "take it out",
         fix=_fix(problem, near),
         topic=keyword,
-        cause=f"{problem.place.source.path} {callee} {keyword}",
+        cause=f"since {problem.since} {problem.still}" if problem.since else f"{problem.place.source.path} {callee} {keyword}",
     )
 
 

@@ -40,6 +40,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.rules.judging.other_file import root_of
 from launchlint.rules.judging.python_text import level, shown
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
@@ -54,7 +55,8 @@ def tell(problem: StopsWithError, view: LaunchView) -> Iterator[Finding]:
     """Say which exception it is. A build may make a file that is not here, a file that includes this one may set a configuration."""
     if problem.called and view.launch.given:
         return
-    what = f"{problem.error}: {shown(problem.what)}" if problem.what else problem.error
+    said = problem.what.replace(f"{root_of(problem.place.source) or ' '}/", "")
+    what = f"{problem.error}: {shown(said)}" if said else problem.error
     when = "a function of this launch file ends" if problem.called else "this launch file ends"
     severity = Severity.WARNING if problem.error in _LACKING and not problem.stated else level(problem)
     notes = ("ros2 launch stops there" if problem.called else "ros2 launch stops before anything is started",)

@@ -66,6 +66,9 @@ class Files:
             self._run.risks += 1
             return Handle(FILE, {"text": MISSING, "name": file})
         if not looking.is_file(where):
+            if self._paths.may_be_built(where):
+                self._run.risks += 1
+                return Handle(FILE, {"text": MISSING, "name": file})
             raise failure(
                 "IsADirectoryError" if looking.is_directory(where) else "FileNotFoundError", f"No such file or directory: {file!r}"
             )

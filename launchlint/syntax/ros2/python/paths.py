@@ -38,16 +38,23 @@ def spelled(value: Value) -> Value:
 class Paths:
     """What one launch file asks of paths.
 
-    ``inside`` says whether one lies in the workspace, and ``installed`` which file a build puts there, if that is known.
+    ``inside`` says whether one lies in the workspace, ``installed`` which file a build puts there, if that is known, and ``may_be_built``
+    whether one may, whatever it is.
     """
 
     def __init__(
-        self, run: Following, inside: Callable[[str], bool], environment: Map, installed: Callable[[str], str | None] = lambda file: None
+        self,
+        run: Following,
+        inside: Callable[[str], bool],
+        environment: Map,
+        installed: Callable[[str], str | None],
+        may_be_built: Callable[[str], bool],
     ) -> None:
         self._run = run
         self._inside = inside
         self._environment = environment
         self._installed = installed
+        self.may_be_built = may_be_built
 
     def within(self, file: Value) -> str | None:
         """A path below the workspace; None for all others, and what is not known."""

@@ -74,8 +74,9 @@ class Outside:
 
     ``meant`` is the distribution that launch files are for. ``share`` gives the directory of a package (None: there is none of that name),
     ``environment`` the variables; ``looked_at`` is told
-    which of them a launch file asks for. ``inside`` says whether a path lies in the workspace, below which files are read, and ``installed``
-    gives the file that a build puts to a path where the sources have none, if that is known.
+    which of them a launch file asks for. ``inside`` says whether a path lies in the workspace, below which files are read,
+    ``installed`` gives the file that a build puts to a path where the sources have none, if that is known, and ``may_be_built`` says
+    whether it may put one there.
     ``fresh`` gives the context of a launch in which nothing has been executed, ``arguments`` those that launch is given.
     """
 
@@ -89,6 +90,7 @@ class Outside:
         fresh: Callable[[], LiveContext | None] = lambda: None,
         arguments: Callable[[], Iterable[tuple[str, str]]] = tuple,
         installed: Callable[[str], str | None] = lambda file: None,
+        may_be_built: Callable[[str], bool] = lambda file: False,
     ) -> None:
         self.meant = meant
         self.distro = meant.name
@@ -99,6 +101,7 @@ class Outside:
         self.fresh = fresh
         self.arguments = arguments
         self.installed = installed
+        self.may_be_built = may_be_built
 
 
 class LaunchRecogniser:
@@ -115,7 +118,7 @@ class LaunchRecogniser:
         self.shares: dict[str, str] = {}
         self.texts = Texts(self.shares)
         self.running = Running(run, self.texts, outside.fresh)
-        self.paths = Paths(run, outside.inside, self.environment, outside.installed)
+        self.paths = Paths(run, outside.inside, self.environment, outside.installed, outside.may_be_built)
         self.files = Files(run, self.paths, lambda text: load(text, _YAML), self.texts.stand_in)
 
     def call(self, name: str, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
