@@ -141,9 +141,9 @@ class _Inliner(Walk):
                     places.append(condition.place)
         return weighed
 
-    def defer(self, kind: str, actions: tuple[Action, ...]) -> None:
+    def defer(self, kind: str, actions: tuple[Action, ...], target: Place | None = None) -> None:
         """As any walk; what will be executed belongs to the action that is executed now."""
-        super().defer(kind, actions)
+        super().defer(kind, actions, target)
         self._bodies.append(self._later)
 
     def execute_later(self, body: Body) -> None:
