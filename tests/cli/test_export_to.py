@@ -114,6 +114,13 @@ def test_flattened(repository: Path) -> None:
     )
 
 
+def test_args_are_kept_for_ros1_only(repository: Path) -> None:
+    write(repository, {"demo/launch/robot.launch.xml": '<launch>\n  <node pkg="demo" exec="a"/>\n</launch>\n'})
+    ran = run(repository, "export", "demo/launch/robot.launch.xml", "--flatten", "--args-kept")
+    assert (ran.status, ran.output) == (2, "")
+    assert ran.errors.startswith("launchlint: --args-kept is for launch files of ROS 1: ")
+
+
 def test_from_ros1(repository: Path) -> None:
     text = ROS1.replace("/>", ' machine="m"/>').replace("<launch>", '<launch>\n  <machine name="m" address="a"/>')
     write(repository, {"demo/launch/robot.launch": text})

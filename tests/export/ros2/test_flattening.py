@@ -378,3 +378,11 @@ def test_nothing_is_written_that_was_not_proved(tmp_path: Path, monkeypatch: pyt
     with pytest.raises(CannotExport) as refused:
         flat(tmp_path, {"a.launch.xml": '<launch><node pkg="demo" exec="a"/></launch>'})
     assert refused.value.reason.startswith("the exported file would not start the same: node 1 would differ")
+
+
+def test_a_text_that_doubles_and_doubles_is_refused(tmp_path: Path) -> None:
+    doubling = '<let name="a" value="$(var a)$(var a)"/>\n' * 40
+    text = f'<launch>\n<let name="a" value="0123456789"/>\n{doubling}<node pkg="demo" exec="a" args="$(var a)"/>\n</launch>\n'
+    with pytest.raises(CannotExport) as refused:
+        flat(tmp_path, {"a.launch.xml": text})
+    assert refused.value.reason == "it includes more than can be written into one file"
