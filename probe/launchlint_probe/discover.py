@@ -301,8 +301,8 @@ def _text_of(path: str) -> str:
 
 
 def _is_node(texts: List[str], marks: Marks) -> bool:
-    # A script that only calls the main of a module of its own package is a node where that module is.
-    return any(_imports(text) & marks.modules or re.search(marks.word, text) for text in texts)
+    # A script that only calls the main of a module of its own package is a node where that module is; where there is none, running it tells.
+    return not any(texts) or any(_imports(text) & marks.modules or re.search(marks.word, text) for text in texts)
 
 
 def _imports(text: str) -> Set[str]:

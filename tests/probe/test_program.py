@@ -386,3 +386,5 @@ def test_a_script_of_setuptools_is_what_its_package_is(tmp_path: Path) -> None:
     (site / "my_robot" / "drive.py").write_text("import rclpy\n")
     assert discover.classify(str(program), discover.ROS2) == "rclpy"
     assert discover.classify(str(program)) == "none"
+    (site / "my_robot-1.0.0-py3.12.egg-info" / "entry_points.txt").write_text("[console_scripts]\ndrive = my_robot.lost.main:main\n")
+    assert discover.classify(str(program), discover.ROS2) == "rclpy"  # its module was not installed: running it tells
