@@ -19,7 +19,7 @@ _NAME = r"[A-Za-z_:][\w:.-]*"
 _OPEN = late(rf"<({_NAME})")
 _CLOSE = late(rf"</({_NAME})\s*>")
 _BROKEN_CLOSE = late(rf"</(?:{_NAME})?")
-_ATTRIBUTE = late(rf"""\s+({_NAME})\s*=\s*(?:"([^"<]*)"|'([^'<]*)')""")
+_ATTRIBUTE = late(rf"""(?<!\s)\s+({_NAME})\s*=\s*(?:"([^"<]*)"|'([^'<]*)')""")
 _SWALLOWED = late(rf"\s{_NAME}\s*=\s*$")
 _END = late(r"\s*(/?)>")
 _AMPERSAND = late(r"&(?!(?:lt|gt|amp|quot|apos|#\d+|#x[0-9a-fA-F]+);)")
@@ -31,6 +31,8 @@ _WHOLE = (("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>"), ("<!DOCTYPE", ">"
 _ROOT = "launch"
 MOST_LINES = 8
 """Lines of YAML or Python that are left out, one after another, until the rest can be read."""
+MOST_EDITS = 400
+"""Changes of a text, and elements that are open at one place: who types makes a few mistakes, and a file with more is left as it is."""
 
 
 class Recovered(NamedTuple):
@@ -125,6 +127,14 @@ class _Open:
         self.whole = whole
 
 
+MOST_LOOKS = 40
+"""How often the rest of a text is looked through for the end of an element."""
+
+
+class _GivenUp(Exception):
+    """There is too much to be changed."""
+
+
 class _Scan:
     """One reading of a text, which notes what has to be changed."""
 
@@ -133,9 +143,12 @@ class _Scan:
         self.edits: list[Edit] = []
         self.opened: list[_Open] = []
         self.rooted = False
+        self.looks = 0
         self.has_entities = "<!ENTITY" in text
 
     def replace(self, start: int, end: int, by: str = "") -> None:
+        if len(self.edits) >= MOST_EDITS:
+            raise _GivenUp
         self.edits.append(Edit("", start, end, by))
 
     def indentation(self, at: int) -> int:
@@ -253,6 +266,9 @@ class _Scan:
 
     def _is_closed_later(self, number: int, start: int) -> bool:
         """Whether the text behind ``start`` closes more elements of the name than it opens."""
+        self.looks += 1
+        if self.looks > MOST_LOOKS:
+            raise _GivenUp
         name = re.escape(self.opened[number].name)
         depth = 0
         for match in re.finditer(rf"<(/?){name}(?=[\s/>])(?:[^<>]*?(/?)>)?", self.text[start:]):
@@ -269,6 +285,8 @@ class _Scan:
             self.replace(start, end)  # a second root
             return
         self.rooted = True
+        if len(self.opened) >= MOST_EDITS:
+            raise _GivenUp
         if not closed:
             self.opened.append(_Open(name, end, indentation, whole=True))
 
@@ -277,6 +295,8 @@ class _Scan:
             self.replace(start, at)
             return at
         self.rooted = True
+        if len(self.opened) >= MOST_EDITS:
+            raise _GivenUp
         self.opened.append(_Open(name, at, indentation, whole=False))
         return at
 
@@ -319,7 +339,10 @@ def recovered_xml(text: str) -> Recovered:
     """``text`` as XML that can be read, as far as that can be had."""
     if _is_well_formed(text):
         return Recovered(text)
-    edits = _Scan(text).run()
+    try:
+        edits = _Scan(text).run()
+    except _GivenUp:
+        return Recovered(text)
     merged: dict[tuple[int, int], Edit] = {}
     for edit in edits:  # what is put in at one place goes into one edit, in order
         same = merged.get((edit.start, edit.end)) if edit.start == edit.end else None
