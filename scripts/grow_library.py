@@ -73,7 +73,8 @@ def read_sources(group: Sequence[Wanted], place: Place) -> Found:
             for name, manifest in packages_in(root / each.name).items():
                 if name in own:
                     manifest.unlink()  # the repository's own copy of the package is the one that it uses
-        known = extract([str(root)], names).document["packages"]
+        context = {"ROS_VERSION": "2"} if wanted.middleware == ROS2 else None
+        known = extract([str(root)], names, context=context).document["packages"]
         places = {each.id: root / each.name for each in group}
 
         def text_of(file: str) -> str:

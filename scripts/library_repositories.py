@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
+from shutil import copy
 from typing import NamedTuple
 
 import yaml
@@ -20,7 +21,8 @@ LARGEST = 1 << 20
 
 class Wanted(NamedTuple):
     """A line of the list: a repository and commit, the packages to take besides those of the public index, what to leave out, and the
-    repositories (``owner/name``) whose headers, base classes, modules and CMake commands it uses.
+    repositories (``owner/name``) whose headers, base classes, modules and CMake commands it uses; and the file that its own build
+    script makes ``package.xml`` of, where there is none.
     """
 
     name: str
@@ -29,6 +31,7 @@ class Wanted(NamedTuple):
     skip: frozenset[str]
     beside: tuple[str, ...]
     middleware: DialectName = ROS1
+    manifest: str = ""
 
     @property
     def id(self) -> str:
@@ -63,6 +66,7 @@ def read_list(path: Path, middleware: DialectName = ROS1) -> dict[str, Wanted]:
             frozenset(entry.get("skip", ())),
             tuple(entry.get("beside", ())),
             middleware,
+            entry.get("manifest", ""),
         )
         for name, entry in (document or {}).items()
     }
@@ -84,6 +88,8 @@ def unpack(wanted: Wanted, place: Place, directory: Path) -> None:
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_bytes(data)
         target.chmod(0o755 if runs else 0o644)
+    if wanted.manifest:
+        copy(directory / wanted.manifest, directory / wanted.manifest.rpartition("/")[0] / "package.xml")
 
 
 def files_of_tree(tree: Tree) -> Iterator[tuple[str, bool, bytes]]:

@@ -56,7 +56,10 @@ class Parts:
         looking.note_tree(package.directory)
         looking.note((os.path.abspath(package.manifest_path),))
         self.is_ament = package.manifest is not None and package.manifest.is_ament
-        self.cmake: CMakeFacts = read_cmake(package.directory, lambda: files_below(package.directory), exported, ament=self.is_ament)
+        depended = package.manifest.build_dependencies if package.manifest is not None else ()
+        self.cmake: CMakeFacts = read_cmake(
+            package.directory, lambda: files_below(package.directory), exported, ament=self.is_ament, depended=depended
+        )
         self.by_output = {target.output: target for target in self.cmake.targets.values() if target.is_library}
         self.own_includes = tuple(each for each in self.cmake.include_directories if os.path.isdir(each))
         self._libraries: tuple[str, ...] | None = None

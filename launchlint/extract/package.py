@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from launchlint import __version__
@@ -28,7 +28,11 @@ class Result(NamedTuple):
 
 
 def extract(
-    sources: Sequence[str], wanted: Sequence[str] = (), jobs: int = 1, progress: Callable[[int, int], None] | None = None
+    sources: Sequence[str],
+    wanted: Sequence[str] = (),
+    jobs: int = 1,
+    progress: Callable[[int, int], None] | None = None,
+    context: Mapping[str, str] | None = None,
 ) -> Result:
     """Read every program of the packages in ``sources`` (directories). Nothing is built, run or imported.
 
@@ -37,11 +41,12 @@ def extract(
         wanted: names of the packages to read; all if empty. Others are only looked into for modules and headers.
         jobs: processes.
         progress: told how many programs of how many are done.
+        context: what the variables in the conditions of manifests are: ``{"ROS_VERSION": "2"}`` for a package that is built for both.
 
     Raises:
         UsageError: a directory or package does not exist.
     """
-    planned = plan(sources, wanted)
+    planned = plan(sources, wanted, context)
     readings: list[Reading] = []
     for reading in _read_all(planned, jobs):
         readings.append(reading)

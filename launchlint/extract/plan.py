@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.errors import UsageError
@@ -30,13 +30,15 @@ class Plan(NamedTuple):
     modules: dict[str, str]
 
 
-def plan(sources: Sequence[str], wanted: Sequence[str] = ()) -> Plan:
+def plan(sources: Sequence[str], wanted: Sequence[str] = (), context: Mapping[str, str] | None = None) -> Plan:
     """The programs of the packages in directories, or of those that are ``wanted`` by name.
+
+    ``context`` has the values of the variables in the conditions of manifests; without it all that they list counts.
 
     Raises:
         UsageError: there is no such directory or package.
     """
-    packages = _packages(sources)
+    packages = _packages(sources, context)
     names = {package.name for package, _ in packages}
     for each in wanted:
         if each not in names:
@@ -68,7 +70,7 @@ def reader_of(package: Package, origin: Origin, workspace: Workspace) -> Package
     return (AmentPackage if is_ament else CatkinPackage)(package, origin, workspace)
 
 
-def _packages(sources: Sequence[str]) -> list[tuple[Package, str]]:
+def _packages(sources: Sequence[str], context: Mapping[str, str] | None) -> list[tuple[Package, str]]:
     found: dict[str, tuple[Package, str]] = {}
     for source in sources:
         if not os.path.isdir(source):
@@ -82,7 +84,8 @@ def _packages(sources: Sequence[str]) -> list[tuple[Package, str]]:
         if not listed:
             raise UsageError(f"there is no package in {source!r}: no package.xml was found in it or below it")
         for package in listed:
-            found.setdefault(os.path.realpath(package.directory), (package, source))
+            seen_so = package if context is None else package.under(context)
+            found.setdefault(os.path.realpath(package.directory), (seen_so, source))
     seen: set[str] = set()
     first: list[tuple[Package, str]] = []
     for package, given in found.values():

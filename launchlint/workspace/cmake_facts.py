@@ -54,14 +54,17 @@ def read_cmake(
     exported: Callable[[str], Exported | None] = lambda name: None,
     *,
     ament: bool = False,
+    depended: Sequence[str] = (),
 ) -> CMakeFacts:
     """Read ``CMakeLists.txt`` of the package at ``directory`` and the files it includes from the package. Never raises.
 
     ``files`` gives the package's files as paths relative to it with ``/``, for ``file(GLOB)``; ``exported`` the commands that a package
     exports to this one, which finds it. With ``ament`` the commands of ament_cmake are known, and macros and functions of the package are
-    gone through for what they install.
+    gone through for what they install; commands of the packages in ``depended`` need no ``find_package``, since ament_cmake_auto finds all
+    of those.
     """
     reader = _Reader(os.path.abspath(directory), files, exported, ament)
+    reader.depended = depended
     reader.read(os.path.join(reader.scope.root, CMAKE_FILE), 0)
     reader.find_generated()
     for target, name in reader.renamed.items():
@@ -76,11 +79,6 @@ def read_cmake(
 class _Reader:
     """One run over the CMake files of a package."""
 
-    __slots__ = (
-        "_ament", "_blocks", "_exported", "_file_shown", "_outside", "facts", "generated", "macros", "parameters", "renamed", "scope",
-        "steps",
-    )  # fmt: skip
-
     def __init__(self, root: str, files: Callable[[], Sequence[str]], exported: Callable[[str], Exported | None], ament: bool) -> None:
         self.scope = Scope(root, files, PREFIX_VARIABLES if ament else {})
         self._ament = ament
@@ -93,6 +91,7 @@ class _Reader:
         self._blocks = 0
         self._file_shown = CMAKE_FILE
         self._exported = exported
+        self.depended: Sequence[str] = ()
         self._outside: list[str] = []
 
     # -- reading ------------------------------------------------------------------------------------------------------
@@ -279,7 +278,13 @@ class _Reader:
             self._include(first, depth)
         elif name in self.macros:
             self._call(name, command, depth)
-        elif name not in HARMLESS and not name.startswith(HARMLESS_PREFIXES) and not _TOOLING.search(name):
+        elif name in HARMLESS or name.startswith(HARMLESS_PREFIXES) or _TOOLING.search(name):
+            return
+        elif self.depended:
+            depended, self.depended = self.depended, ()
+            self._find(depended)
+            self._command(command, depth)
+        else:
             self._unknown(f"the command {name} (line {command.line}) is not known")
             self.facts.made.note(self.scope, command, self._file_shown)
             if _WRAPPER.fullmatch(name) and not _NO_WRAPPER.search(name):

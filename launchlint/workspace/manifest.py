@@ -130,6 +130,11 @@ class Manifest(NamedTuple):
         return self.depends("exec", "build_export")
 
     @property
+    def build_dependencies(self) -> tuple[str, ...]:
+        """What ``ament_auto_find_build_dependencies()`` finds, sorted."""
+        return tuple(sorted(self.depends("build", "buildtool", "build_export")))
+
+    @property
     def test_dependencies(self) -> frozenset[str]:
         """``<test_depend>``, which counts as declared too where a launch file is a test."""
         return self.depends("test")

@@ -81,3 +81,12 @@ def test_the_library_of_a_package(tmp_path: Path) -> None:
     assert first["node"] == "first"
     assert [(each["name"], each["type"], each["qos"]["depth"]) for each in first["publishers"]] == [("first", "std_msgs/msg/String", 1)]
     assert package["executables"]["plain"]["variants"]["default"]["params"][0]["name"] == "~rate"
+
+
+def test_a_package_of_both_is_read_as_it_is_built(tmp_path: Path) -> None:
+    manifest = _package(tmp_path) / "package.xml"
+    catkin = '<build_type condition="$ROS_VERSION == 1">catkin</build_type><build_type condition="$ROS_VERSION == 2">ament_cmake<'
+    manifest.write_text(manifest.read_text().replace("<build_type>ament_cmake<", catkin))
+    assert "middleware" not in extract([str(tmp_path)]).document["packages"]["demo"]
+    package = extract([str(tmp_path)], context={"ROS_VERSION": "2"}).document["packages"]["demo"]
+    assert (package["middleware"], sorted(package["components"])) == ("ros2", ["demo::First", "demo::Second", "demo::Third"])

@@ -144,8 +144,12 @@ def make_loaded(machine: Machine, entry: str, path: str, given: Sequence[Argumen
     resolved = machine.names.resolve(Type(name), frame)
     declared = machine.names.declared(resolved)
     if declared is None:
-        machine.doubt_all(f"the class {name[:200]} was not found in these sources", path, 1)
-        return UNKNOWN
+        # A macro inside of a namespace registers a class by the end of its name.
+        ending = [each for full, each in machine.declarations.classes.items() if full.endswith(f"::{name}")]
+        if len(ending) != 1:
+            machine.doubt_all(f"the class {name[:200]} was not found in these sources", path, 1)
+            return UNKNOWN
+        declared, resolved = ending[0], Type(ending[0].name)
     return make(machine, declared, resolved, given, Node("declaration", b"", 0, 0), frame)
 
 

@@ -32,6 +32,7 @@ _MADE = re.compile(r"(?:=\s*(?:0|default|delete)|\{\s*\})\s*;?\s*$")
 _VIRTUAL = re.compile(r"\b(?:virtual|override|final)\b")
 _TEST = re.compile(r"(?:TYPED_)?TEST(?:_[FP])?|TYPED_TEST_P|BOOST_\w*TEST_CASE\w*|TEST_CASE\w*|SCENARIO\w*")
 _OF_ROS = re.compile(r"(?:ros|nodelet|tf|tf2_ros|actionlib|image_transport|rclcpp|rclcpp_\w+|\w+_msgs|\w+_srvs)/")
+_QUALIFIED = re.compile(r"(?:::)?[A-Za-z_]\w{0,100}(?:::[A-Za-z_]\w{0,100}){1,8}")
 
 
 class Parameter(NamedTuple):
@@ -199,7 +200,10 @@ class Declarations:
         elif kind == "preproc_def":
             name, value = node.field("name"), node.field("value")
             if name and value:
-                self.macros.setdefault(name.text, value.text.strip())
+                text = value.text.strip()
+                self.macros.setdefault(name.text, text)
+                if _QUALIFIED.fullmatch(text):
+                    self.aliases.setdefault(name.text, (parse_type(text), ""))  # it may stand for a class
         elif kind == "preproc_function_def":
             name, value, parameters = node.field("name"), node.field("value"), node.field("parameters")
             if name and value and parameters:

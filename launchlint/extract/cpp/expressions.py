@@ -9,6 +9,7 @@ from launchlint.extract.cpp.naming import braced, together
 from launchlint.extract.cpp.operators import LONGEST_TEXT, combined, literal, number, unescaped
 from launchlint.extract.cpp.places import cell_of, made_up
 from launchlint.extract.cpp.spelled_type import Type, parse_type
+from launchlint.extract.cpp.standard import NPOS
 from launchlint.extract.cpp.syntax import Node, parse_expression
 from launchlint.extract.cpp.values import (
     MOST_ITEMS,
@@ -143,6 +144,8 @@ def constant(machine: Machine, name: str, frame: Frame) -> Value:
             spelled = f"{machine.names.resolve(Type(space), frame).name}::{last}"
         if spelled in known:
             return known[spelled]()
+    if name.endswith("::npos"):
+        return Number(NPOS)
     if name in ("M_PI", "NAN", "INFINITY"):
         return Number(3.141592653589793) if name == "M_PI" else UNKNOWN
     for scope in machine.names.scopes(frame.scope):

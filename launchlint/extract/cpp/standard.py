@@ -47,6 +47,8 @@ _BRACES = re.compile(r"\{\{(\d{0,3})(:[^{}]*)?\}\}")
 _OF_PARAMETERS = frozenset("as_string as_int as_double as_bool get_value get get_parameter_value".split())
 """Members of rclcpp::Parameter that give its value."""
 _MOST_ITEMS = 200
+NPOS = 2**64 - 1
+"""What a search gives that finds nothing: ``std::string::npos``."""
 _FORMATS = re.compile(r"(?:^|::)(?:u?[Ff]ormat|[Ss]tr(?:ing)?_?[Ff]ormat|StringPrintf|stringf)$")
 """Functions of libraries that format as printf does, and give the text."""
 
@@ -187,6 +189,8 @@ def method(value: Value, asked: Call, cell: Cell | None) -> Value:
             return asked.value(0)
         if name in ("substr", "at", "front", "back"):
             return _part(value, asked)
+        if name in ("find", "rfind", "starts_with", "ends_with", "contains"):
+            return _searched(value, asked)
         if name in ("erase", "replace", "insert", "resize", "pop_back", "clear") and cell is not None:
             machine.write(cell, Text("") if name == "clear" else UNKNOWN)
         return UNKNOWN
@@ -229,6 +233,21 @@ def method(value: Value, asked: Call, cell: Cell | None) -> Value:
 def _length(value: Value) -> int | None:
     known = value.value if isinstance(value, Number) else None
     return known if isinstance(known, int) and not isinstance(known, bool) and 0 <= known <= _MOST_ITEMS else None
+
+
+def _searched(value: Text, asked: Call) -> Value:
+    """Where a text has another one, from its beginning or its end; whether it begins or ends with it."""
+    sought = asked.value(0)
+    if len(asked.arguments) != 1 or not isinstance(sought, Text) or not is_whole(sought) or not is_whole(value):
+        return UNKNOWN
+    if asked.name in ("starts_with", "ends_with"):
+        return Number(
+            value.template.startswith(sought.template) if asked.name == "starts_with" else value.template.endswith(sought.template)
+        )
+    if asked.name == "contains":
+        return Number(sought.template in value.template)
+    at = value.template.find(sought.template) if asked.name == "find" else value.template.rfind(sought.template)
+    return Number(at if at >= 0 else NPOS)
 
 
 def _part(value: Text, asked: Call) -> Value:

@@ -64,7 +64,8 @@ def _by_cmake(package: Package, packages: Packages) -> Installed:
         other = packages.get(name, package.directory)
         return None if other is None or is_installed(other.directory) else exported_commands(other.directory)
 
-    return installed_by_cmake(package, read_cmake(package.directory, lambda: list(files), exported, ament=True))
+    depended = package.manifest.build_dependencies if package.manifest is not None else ()
+    return installed_by_cmake(package, read_cmake(package.directory, lambda: list(files), exported, ament=True, depended=depended))
 
 
 def installed_by_cmake(package: Package, facts: CMakeFacts) -> Installed:

@@ -441,6 +441,23 @@ def test_a_component_whose_class_is_not_here(tmp_path: Path) -> None:
     assert {each.reason for each in doubts} == {"the class demo::Other was not found in these sources"}
 
 
+def test_a_component_that_is_registered_inside_of_its_namespace(tmp_path: Path) -> None:
+    facts, doubts, nodes = follow(tmp_path, LIFECYCLE, "Life")
+    assert len(facts) == 3
+    assert doubts == ()
+    assert [each.name for each in nodes] == ["life"]
+    facts, doubts, nodes = follow(tmp_path, f"{LIFECYCLE}\nnamespace other {{ class Life {{}}; }}", "Life")
+    assert {each.reason for each in doubts} == {"the class Life was not found in these sources"}
+
+
+def test_a_base_class_that_a_macro_names(tmp_path: Path) -> None:
+    source = node('create_publisher<std_msgs::msg::String>("a", 1);').replace("rclcpp::Node {", "FATHER {").replace('Node("', 'FATHER("')
+    facts, doubts, nodes = follow(tmp_path, f"#define FATHER rclcpp::Node\n{source}")
+    assert [spelled(each) for each in facts] == ["publishers a std_msgs/msg/String reliable/volatile/keep_last/1"]
+    assert doubts == ()
+    assert [each.name for each in nodes] == ["talker"]
+
+
 DESCRIPTOR = """
 rcl_interfaces::msg::ParameterDescriptor d;
 d.description = "how often"; d.read_only = true;

@@ -204,11 +204,13 @@ TOOLS = {
 }
 
 
+@pytest.mark.parametrize("found_by", ["find_package(tools)", "ament_auto_find_build_dependencies()"])
 @pytest.mark.parametrize("here", [True, False])
-def test_commands_that_another_package_exports(here: bool, grow: Callable[[Mapping[str, str | None]], Path]) -> None:
+def test_commands_that_another_package_exports(here: bool, found_by: str, grow: Callable[[Mapping[str, str | None]], Path]) -> None:
+    depends = "" if "tools" in found_by else "<depend>tools</depend>"
     rover = {
-        "rover/package.xml": MANIFEST.format("ament_cmake"),
-        "rover/CMakeLists.txt": "project(rover)\nfind_package(tools)\ntools_package(config)\n",
+        "rover/package.xml": MANIFEST.format("ament_cmake").replace("<export>", f"{depends}<export>"),
+        "rover/CMakeLists.txt": f"project(rover)\n{found_by}\ntools_package(config)\n",
         "rover/config/c.yaml": "",
         "rover/launch/a.launch.xml": "",
     }
