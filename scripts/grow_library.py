@@ -223,7 +223,7 @@ def main() -> int:
     try:
         if not options.no_sources:
             listed = read_list(options.list or HERE / ("library_sources_ros2.yaml" if options.ros2 else "library_sources.yaml"), middleware)
-            only = frozenset(options.only or listed)
+            only = frozenset(options.only or (each.name for each in listed.values()))
             shelf.take_out("static", only if options.only else None)
             groups = [
                 [each, *(listed[other] for other in each.beside)]

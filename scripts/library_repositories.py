@@ -54,13 +54,15 @@ class Place(NamedTuple):
 def read_list(path: Path, middleware: DialectName = ROS1) -> dict[str, Wanted]:
     """The repositories of the list, all of one middleware, by name, in its order: of a program that several have, the first one counts.
 
+    One that is listed in several versions has ``@`` and a word behind its name in all lines but one.
+
     Raises:
         UsageError: a repository is to be read beside one that the list does not have.
     """
     document = yaml.load(path.read_text(encoding="utf-8"), Loader=yaml.BaseLoader)  # a commit may look like a number
     listed = {
         name: Wanted(
-            name,
+            name.partition("@")[0],
             entry["commit"],
             tuple(entry.get("packages", ())),
             frozenset(entry.get("skip", ())),

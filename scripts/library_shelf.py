@@ -31,6 +31,7 @@ class Shelf:
         paths = sorted(path for path in directory.glob("*.json") if path.name != INDEX)
         self._documents: dict[str, dict[str, Any]] = {path.stem: parse(read(str(path)), str(path)) for path in paths}
         self._dropped: set[str] = set()
+        self._added: set[tuple[str, str, str]] = set()
 
     def take_out(self, kind: str, repositories: frozenset[str] | None = None) -> None:
         """Remove what evidence of a kind says: all of it, or that of some repositories (``owner/name``)."""
@@ -61,8 +62,11 @@ class Shelf:
                 new = {
                     name: merge_programs([known[name], program]) if "dynamic" in kinds_of(known.get(name, {})) else program
                     for name, program in tables.get(table, {}).items()
-                    if name not in known or kinds_of(known[name]) == {"dynamic"} or (again and is_read_from(known[name], places))
+                    if name not in known
+                    or kinds_of(known[name]) == {"dynamic"}
+                    or (again and (package, table, name) not in self._added and is_read_from(known[name], places))
                 }
+                self._added.update((package, table, name) for name in new)
                 known.update(new)
                 added += len(new)
                 used = {source for program in new.values() for source in source_ids(program)}

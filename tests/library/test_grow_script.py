@@ -189,6 +189,28 @@ def test_repositories_are_read_beside_those_that_they_use(place: Place) -> None:
         place.grow("--checkouts", "clones")
 
 
+@pytest.mark.parametrize("words", [(), ("--only", "team/two")])
+def test_an_earlier_version_adds_what_the_later_one_lacks(place: Place, words: tuple[str, ...]) -> None:
+    """The package has no manifest where its build script makes one."""
+    hears = "#!/usr/bin/env python3\nimport rospy\nfrom std_msgs.msg import String\n\nrospy.Subscriber('{}', String)\n"
+    files = {"two/package_ros1.xml": MANIFEST.format("two"), "two/scripts/old": hears.format("a"), "two/scripts/both": hears.format("a")}
+    first = place.clone("team/two", files)
+    git(place.directory / "clones/team/two", "rm", "--quiet", "two/scripts/old")
+    second = place.clone("team/two", {"two/scripts/both": hears.format("b")})
+    line = "{}: {{commit: {}, packages: [two], manifest: two/package_ros1.xml}}\n"
+    (place.directory / "list.yaml").write_text(line.format("team/two", second) + line.format("team/two@first", first))
+    place.grow("--checkouts", "clones")
+    _, told = place.grow("--checkouts", "clones", *words)
+    assert told.splitlines()[:2] == ["team/two: 1 programs", "team/two: 1 programs"]
+    known = place.known("two")
+    heard = {
+        name: [(each["name"], each["evidence"][0]["at"][:21]) for each in program["variants"]["default"]["subscribers"]]
+        for name, program in known["packages"]["two"]["executables"].items()
+    }
+    assert heard == {"both": [("b", f"team/two@{second[:12]}")], "old": [("a", f"team/two@{first[:12]}")]}
+    assert {source["id"] for source in known["sources"]} == {f"team/two@{each[:12]}" for each in (first, second)}
+
+
 def test_a_call_that_was_not_followed_leaves_the_program_open(place: Place) -> None:
     node = NODE.partition("if rospy")[0] + "# rospy.Service('no', String)\n\n\ndef never():\n    rospy.Subscriber('~late', String, print)\n"
     commit = place.clone("team/late", {"robot/package.xml": MANIFEST.format("robot"), "robot/scripts/late": node})

@@ -43,6 +43,8 @@ LOOSE = "\x05"
 ANY = "{any}"
 _ANCHORED = re.compile(r"[~/]?[A-Za-z_][^{}]*\{any\}")
 
+_NO_FRAME = Frame("", "", None, {})
+
 
 class Names:
     """Looks names of types up in what a program declares."""
@@ -53,7 +55,7 @@ class Names:
         self._bases: dict[str, list[Class]] = {}
         self._derived: dict[str, list[Class]] = {}
         self._scopes: dict[str, tuple[str, ...]] = {}
-        self._resolved: dict[tuple[Type, str, int], Type] = {}
+        self._resolved: dict[tuple[Type, str, int], tuple[Type, frozenset[str]]] = {}
         self._known = (0, 0)
 
     def _refresh(self) -> None:
@@ -121,19 +123,28 @@ class Names:
                 return self._class_name(alias[0].name, alias[1], depth + 1) or alias[0].name
         return None
 
-    def resolve(self, type_: Type, frame: Frame, scope: str | None = None, depth: int = 0) -> Type:
-        """``type_`` with its full name, smart pointers and aliases looked through; template arguments resolved, too."""
+    def resolve(self, type_: Type, frame: Frame, scope: str | None = None, depth: int = 0, looked: set[str] | None = None) -> Type:
+        """``type_`` with its full name, smart pointers and aliases looked through; template arguments resolved, too.
+
+        Most types mean the same in every function: that is looked up once. ``looked`` takes the names on the way that a function may
+        give another meaning.
+        """
         start = frame.scope if scope is None else scope
-        if frame.aliases or frame.bindings or frame.outer is not None:
-            return self._resolve(type_, frame, start, depth)
         self._refresh()
         key = (type_, start, depth)
-        found = self._resolved.get(key)
-        if found is None:
-            found = self._resolved[key] = self._resolve(type_, frame, start, depth)
+        known = self._resolved.get(key)
+        if known is None:
+            names: set[str] = set()
+            found = self._resolve(type_, _NO_FRAME, start, depth, names)
+            known = self._resolved[key] = (found, frozenset(names))
+        found, on_the_way = known
+        if looked is not None:
+            looked |= on_the_way
+        if (frame.aliases or frame.bindings or frame.outer is not None) and any(frame.alias(each) is not None for each in on_the_way):
+            return self._resolve(type_, frame, start, depth, set())
         return found
 
-    def _resolve(self, type_: Type, frame: Frame, scope: str, depth: int) -> Type:
+    def _resolve(self, type_: Type, frame: Frame, scope: str, depth: int, looked: set[str]) -> Type:
         start = scope
         for _ in range(_MOST_STEPS):
             if not type_.name:
@@ -141,49 +152,53 @@ class Names:
             if type_.name in POINTERS and type_.arguments:
                 type_ = type_.arguments[0]
                 continue
+            looked.add(type_.name.partition("::")[0])
             following = self._step(type_, frame, start)
             if following is None:
                 break
             type_, start = following
         if depth > _DEEPEST:
             return type_._replace(arguments=())
-        arguments = tuple(self.resolve(each, frame, scope, depth + 1) for each in type_.arguments[:6])
-        return type_._replace(arguments=arguments)
+        if not type_.arguments:
+            return type_
+        return type_._replace(arguments=tuple(self.resolve(each, frame, scope, depth + 1, looked) for each in type_.arguments[:6]))
 
     def _step(self, type_: Type, frame: Frame, scope: str) -> tuple[Type, str] | None:
         """One alias looked through; None where there is nothing left to do."""
-        first, separator, rest = type_.name.partition("::")
+        name = type_.name
+        first, separator, rest = name.partition("::")
         bound = frame.alias(first)
-        if bound is not None and bound.name != type_.name:
+        if bound is not None and bound.name != name:
             if separator:
                 return (Type(f"{bound.name}::{rest}") if not bound.arguments else bound._replace(member=rest)), scope
             return bound, scope
-        declarations = self.declarations
+        classes, aliases, namespaces = self.declarations.classes, self.declarations.aliases, self.declarations.namespaces
+        is_pointer = not type_.arguments and type_.last in _POINTERS_OF_CLASSES
         for around in self.scopes(scope):
-            full = joined(around, type_.name)
-            if full in declarations.classes:
+            full = f"{around}::{name}" if around else name
+            if full in classes:
                 found = type_._replace(name=full)
                 if type_.member:
                     inner = joined(full, type_.member)
-                    if inner in declarations.aliases or inner in declarations.classes:
+                    if inner in aliases or inner in classes:
                         return Type(inner), full
-                return None if full == type_.name else (found, "")
-            if full in declarations.aliases:
-                named, where = declarations.aliases[full]
-                if named.name not in (type_.name, full):
+                return None if full == name else (found, "")
+            if full in aliases:
+                named, where = aliases[full]
+                if named.name not in (name, full):
                     if type_.member:
                         named = named._replace(member=type_.member) if named.arguments else Type(joined(named.name, type_.member))
                     return named, where
-            if type_.last in _POINTERS_OF_CLASSES and not type_.arguments:
-                inner = joined(around, type_.name.rpartition("::")[0])
-                if inner in declarations.classes and full not in declarations.classes:
+            if is_pointer:
+                inner = joined(around, name.rpartition("::")[0])
+                if inner in classes:
                     return Type(inner), ""
             if separator:
-                head = joined(around, first)
-                if head in declarations.namespaces:
-                    return type_._replace(name=joined(declarations.namespaces[head], rest)), ""
-                if head in declarations.aliases:
-                    named, where = declarations.aliases[head]
+                head = f"{around}::{first}" if around else first
+                if head in namespaces:
+                    return type_._replace(name=joined(namespaces[head], rest)), ""
+                if head in aliases:
+                    named, where = aliases[head]
                     if named.name not in (first, head):
                         return (
                             Type(joined(named.name, rest), type_.arguments) if not named.arguments else named._replace(member=rest)
