@@ -301,7 +301,7 @@ def _text_of(path: str) -> str:
 
 
 def _is_node(texts: List[str], marks: Marks) -> bool:
-    # A script that only calls the main of a module of its own package is a node where that module is; where there is none, running it tells.
+    # One that only calls the main of a module of its own package is a node where that module is; where there is none, running it says so.
     return not any(texts) or any(_imports(text) & marks.modules or re.search(marks.word, text) for text in texts)
 
 
