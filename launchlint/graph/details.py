@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from launchlint.graph.connections import ConnectionGraph
 from launchlint.graph.doubts import End, MayBe, Partly, doubts
-from launchlint.graph.topology import place_text, value_text
+from launchlint.graph.topology import origin_text, place_text, value_text
+from launchlint.model import Argument, Launch
+from launchlint.source import Place
+
+
+class IncludeArgument(NamedTuple):
+    """An arg of an include: ``value`` is what is passed, ``default`` what the included file has; None where there is none."""
+
+    name: str
+    value: str | None
+    default: str | None
+
 
 Key = tuple[str, str]
 """The name of a node or param, and its place as a topology spells it."""
@@ -21,15 +32,19 @@ class Details(NamedTuple):
         overridden: param, with the place of the setting that holds → value and place of each earlier setting, in order.
         doubts: as :func:`launchlint.graph.doubts.doubts`.
         partly: node → its names that are known only in part: the category of the library and what is known, with ``*`` for the rest.
+        arguments: include, by the id of its container → the args that it passes, and those that the file has beside.
+        lifecycle: nodes of ROS 2 that somebody has to configure and activate.
     """
 
     machines: Mapping[Key, tuple[str, str]]
     overridden: Mapping[Key, tuple[tuple[str, str], ...]]
     doubts: Mapping[End, tuple[MayBe, ...]]
     partly: Partly
+    arguments: Mapping[str, tuple[IncludeArgument, ...]]
+    lifecycle: frozenset[Key]
 
 
-NO_DETAILS = Details({}, {}, {}, {})
+NO_DETAILS = Details({}, {}, {}, {}, {}, frozenset())
 
 
 def details(graphs: Sequence[ConnectionGraph]) -> Details:
@@ -37,13 +52,19 @@ def details(graphs: Sequence[ConnectionGraph]) -> Details:
     machines: dict[Key, tuple[str, str]] = {}
     overridden: dict[Key, dict[tuple[str, str], None]] = {}
     partly: dict[Key, tuple[tuple[str, str], ...]] = {}
+    arguments: dict[str, tuple[IncludeArgument, ...]] = {}
+    lifecycle: set[Key] = set()
     for graph in graphs:
         launch = graph.launch
+        for key, passed in _arguments(launch):
+            arguments.setdefault(key, passed)
         for instance in graph.instances:
             node = instance.node
-            if not (node.machine or instance.doubts):
+            if not (node.machine or instance.doubts or instance.lifecycle):
                 continue
             at = place_text(node.places.get("name", node.origin.place))
+            if instance.lifecycle:
+                lifecycle.add((instance.name, at))
             if instance.doubts:
                 partly[instance.name, at] = tuple(dict.fromkeys((doubt.category, doubt.pattern) for doubt in instance.doubts))
             if node.machine:
@@ -54,4 +75,24 @@ def details(graphs: Sequence[ConnectionGraph]) -> Details:
             if final is not None and setting is not final:
                 earlier = (value_text(setting.value), place_text(setting.origin.place))
                 overridden.setdefault((final.name, place_text(final.origin.place)), {})[earlier] = None
-    return Details(machines, {key: tuple(settings) for key, settings in overridden.items()}, doubts(graphs), partly)
+    settings_of = {key: tuple(settings) for key, settings in overridden.items()}
+    return Details(machines, settings_of, doubts(graphs), partly, arguments, frozenset(lifecycle))
+
+
+def _arguments(launch: Launch) -> Iterator[tuple[str, tuple[IncludeArgument, ...]]]:
+    """What each include passes, and the other args of the file that it includes; linear in the args of all files."""
+    own: dict[tuple[Place, ...], dict[str, Argument]] = {}
+    for argument in launch.declared:
+        if not argument.passed:
+            own.setdefault(argument.origin.chain, {}).setdefault(argument.name, argument)
+    for include in launch.includes:
+        known = own.get((*include.origin.chain, include.origin.place), {})
+        found = []
+        for name in dict.fromkeys((*include.arguments, *known)):
+            default = known[name].default if name in known else None
+            value = include.arguments.get(name)
+            found.append(
+                IncludeArgument(name, None if value is None else value_text(value), None if default is None else value_text(default))
+            )
+        if found:
+            yield origin_text(include.origin), tuple(found)

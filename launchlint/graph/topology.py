@@ -230,7 +230,7 @@ class _Containers:
         self.known: dict[str, Container] = {}
         self._ids: dict[int, str] = {}  # by identity: comparing scopes would walk up all of them
         self._files = {
-            _id(include.origin): include.file if include.source is None else include.source.path for include in graph.launch.includes
+            origin_text(include.origin): include.file if include.source is None else include.source.path for include in graph.launch.includes
         }
 
     def of(self, node: Node) -> str:
@@ -246,7 +246,7 @@ class _Containers:
         return inner
 
     def _add(self, scope: Scope, parent: str) -> str:
-        key = _id(scope.origin)
+        key = origin_text(scope.origin)
         namespace = scope.namespace.rstrip("/") or "/"
         if key not in self.known:
             around = self.known[parent].namespace if parent else "/"
@@ -255,7 +255,8 @@ class _Containers:
         return key
 
 
-def _id(origin: Origin) -> str:
+def origin_text(origin: Origin) -> str:
+    """Where something is written, with the includes that lead there: the id of a container."""
     return " > ".join(place_text(place) for place in (*origin.chain, origin.place))
 
 

@@ -148,11 +148,19 @@ class _EntryData:
                     "namespace": self._plain.name(item.namespace),
                     "place": self._places.of(item.place, base=base),
                     "parent": self._container(item.parent, base=False),
+                    **self._arguments(item.id, base=base),
                     "findings": [] if base else self._of_containers.get(item.id, []),
                     **_mark(mark),
                 }
             )
         return found
+
+    def _arguments(self, container: str, *, base: bool) -> dict[str, Any]:
+        """The args of an include; nothing where it has none, as most containers."""
+        known = () if base else self._details.arguments.get(container, ())
+        text = self._plain.text
+        said = [[text(each.name), *(None if value is None else text(value) for value in (each.value, each.default))] for each in known]
+        return {"args": said} if said else {}
 
     def unknown(self) -> set[str]:
         """The programs of which nothing is known."""
@@ -177,6 +185,7 @@ class _EntryData:
                     "machine": [] if base else [name(each) for each in self._details.machines.get((item.name, item.place), ())],
                     "namespace": name(item.namespace),
                     "isTest": item.is_test,
+                    **({"lifecycle": True} if not base and (item.name, item.place) in self._details.lifecycle else {}),
                     "place": self._places.of(item.place, base=base),
                     "container": self._container(item.container, base=base),
                     "open": [[category, text(why)] for category, why in item.open],
@@ -242,7 +251,8 @@ class _EntryData:
             "certain": item.certain,
             "when": WHEN.get(item.when, ""),
             "action": name(item.action),
-            "evidence": [self._plain.text(each) for each in ([f"QoS: {item.qos}"] if item.qos else []) + list(item.evidence)],
+            "evidence": [self._plain.text(each) for each in item.evidence],
+            **({"qos": self._plain.text(item.qos)} if item.qos else {}),
         }
 
     def params(self) -> list[dict[str, Any]]:

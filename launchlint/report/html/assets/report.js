@@ -1,6 +1,6 @@
 (() => {
   // launchlint/report/html/js/drawing/drawing.css
-  var drawing_default = '/* The drawing brings its own rules, so that an exported picture looks as it does in the page. */\n:is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #fbfcfe;\n  --ll-node: #ffffff;\n  --ll-edge: #8b99a8;\n  --ll-text: #17212b;\n  --ll-muted: #566474;\n  --ll-box: #5f7ea1;\n  --ll-box-line: #bfcad6;\n  --ll-folded: #eef3f8;\n  --ll-topic: #4b78a8;\n  --ll-service: #1e857a;\n  --ll-action: #7b55b5;\n  --ll-param: #97702a;\n  --ll-error: #c5283d;\n  --ll-warning: #a65f00;\n  --ll-info: #2f6fae;\n  --ll-added: #1a7f37;\n  --ll-removed: #cf222e;\n  --ll-changed: #9a6700;\n  --ll-chosen: #0b63ce;\n  --ll-on-badge: #ffffff;\n  --ll-hatch: #dbe2e9;\n}\n@media (prefers-color-scheme: dark) {\n  :root:not([data-theme="light"]) :is(.ll-drawing, .ll-drawing-host) {\n    --ll-ground: #13181e;\n    --ll-node: #1d252e;\n    --ll-edge: #5f6f7f;\n    --ll-text: #e4ebf2;\n    --ll-muted: #9fadbb;\n    --ll-box: #8fb2d8;\n    --ll-box-line: #3a4755;\n    --ll-folded: #232e39;\n    --ll-topic: #79a8da;\n    --ll-service: #56c2b4;\n    --ll-action: #b795ea;\n    --ll-param: #d4aa5c;\n    --ll-error: #ff6b7a;\n    --ll-warning: #e9a23b;\n    --ll-info: #6cb0f0;\n    --ll-added: #4ac26b;\n    --ll-removed: #ff7b72;\n    --ll-changed: #d4a72c;\n    --ll-chosen: #6cb2ff;\n    --ll-on-badge: #13181e;\n    --ll-hatch: #303b47;\n  }\n}\n:root[data-theme="dark"] :is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #13181e;\n  --ll-node: #1d252e;\n  --ll-edge: #5f6f7f;\n  --ll-text: #e4ebf2;\n  --ll-muted: #9fadbb;\n  --ll-box: #8fb2d8;\n  --ll-box-line: #3a4755;\n  --ll-folded: #232e39;\n  --ll-topic: #79a8da;\n  --ll-service: #56c2b4;\n  --ll-action: #b795ea;\n  --ll-param: #d4aa5c;\n  --ll-error: #ff6b7a;\n  --ll-warning: #e9a23b;\n  --ll-info: #6cb0f0;\n  --ll-added: #4ac26b;\n  --ll-removed: #ff7b72;\n  --ll-changed: #d4a72c;\n  --ll-chosen: #6cb2ff;\n  --ll-on-badge: #13181e;\n  --ll-hatch: #303b47;\n}\n@media print {\n  .ll-drawing-host .ll-legend { display: none; }\n}\n\n.ll-drawing-host { position: relative; overflow: hidden; }\nsvg.ll-drawing { display: block; width: 100%; height: 100%; background: var(--ll-ground); touch-action: none; cursor: grab; user-select: none; outline: none; }\nsvg.ll-drawing:focus-visible { box-shadow: inset 0 0 0 2px var(--ll-chosen); }\nsvg.ll-drawing.dragging { cursor: grabbing; }\n/* While it is dragged, the drawing is a layer of its own: moved, not painted again. */\nsvg.ll-drawing.dragging > g { will-change: transform; }\n.ll-drawing text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; font-size: 12px; fill: var(--ll-text); }\n.ll-drawing .hatching path { stroke: var(--ll-hatch); stroke-width: 1.4; fill: none; }\n\n.ll-drawing .box { cursor: pointer; outline: none; }\n.ll-drawing .box .shape { fill: var(--ll-node); stroke: var(--ll-edge); stroke-width: 1; }\n.ll-drawing .box .behind { fill: var(--ll-folded); stroke: var(--ll-box-line); stroke-width: 1; }\n.ll-drawing .box .title { font-size: 13px; font-weight: 600; }\n.ll-drawing .box .detail, .ll-drawing .box .host, .ll-drawing .box .count, .ll-drawing .box .tag { fill: var(--ll-muted); }\n.ll-drawing .box .condition { fill: var(--ll-muted); font-style: italic; }\n.ll-drawing .box.folded .shape { fill: var(--ll-folded); stroke: var(--ll-edge); }\n.ll-drawing .box.open .shape { fill: var(--ll-box); fill-opacity: 0.055; stroke: var(--ll-box-line); stroke-width: 1.2; }\n.ll-drawing .box.open.machine > .shape { stroke-width: 2.4; }\n.ll-drawing .box.open .title { fill: var(--ll-muted); }\n.ll-drawing .box.open { cursor: grab; }\n.ll-drawing .box.open .head { cursor: pointer; }\n.ll-drawing .box.conditional .shape { stroke-dasharray: 6 4; }\n.ll-drawing .box.unknown .title { fill: var(--ll-muted); }\n.ll-drawing .box.stub .shape { stroke-dasharray: 1 3; stroke-linecap: round; fill: var(--ll-ground); }\n.ll-drawing .box.stub .title { font-weight: 400; fill: var(--ll-muted); }\n.ll-drawing .box.pill .shape { stroke: var(--ll-topic); fill: var(--ll-ground); }\n.ll-drawing .box.pill .title { font-size: 12px; font-weight: 400; }\n.ll-drawing .box.pill.service .shape { stroke: var(--ll-service); }\n.ll-drawing .box.pill.action .shape { stroke: var(--ll-action); }\n.ll-drawing .box.pill.param .shape { stroke: var(--ll-param); }\n.ll-drawing .box.pill.dangling .shape { stroke-dasharray: 3 3; }\n.ll-drawing .box.added > .shape { stroke: var(--ll-added); stroke-width: 2.5; }\n.ll-drawing .box.removed > .shape { stroke: var(--ll-removed); stroke-width: 2.5; stroke-dasharray: 3 4; }\n.ll-drawing .box.changed > .shape { stroke: var(--ll-changed); stroke-width: 2; stroke-dasharray: 12 3; }\n.ll-drawing .box.removed .title { text-decoration: line-through; }\n.ll-drawing .box:hover > .shape { stroke: var(--ll-chosen); }\n.ll-drawing .box:focus-visible > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .box.chosen > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n\n.ll-drawing .fold { cursor: pointer; }\n.ll-drawing .fold rect { fill: transparent; }\n.ll-drawing .fold path { stroke: var(--ll-muted); stroke-width: 1.5; fill: none; }\n.ll-drawing .fold:hover path { stroke: var(--ll-chosen); }\n.ll-drawing .badge circle { fill: var(--ll-node); stroke: var(--ll-info); stroke-width: 1.3; }\n.ll-drawing .badge.warning circle { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.error circle { fill: var(--ll-error); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.warning text, .ll-drawing .badge.error text { fill: var(--ll-on-badge); }\n.ll-drawing .badge.elsewhere circle { fill: var(--ll-node); stroke: var(--ll-muted); stroke-width: 1.2; stroke-dasharray: 2.5 2; }\n.ll-drawing .badge.elsewhere.warning circle { stroke: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error circle { stroke: var(--ll-error); }\n.ll-drawing .badge.elsewhere.warning text { fill: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error text { fill: var(--ll-error); }\n.ll-drawing .badge text { fill: var(--ll-info); font-size: 12px; font-weight: 700; text-anchor: middle; }\n\n.ll-drawing .line { --ll-own: var(--ll-topic); cursor: pointer; }\n.ll-drawing .line.service { --ll-own: var(--ll-service); }\n.ll-drawing .line.action { --ll-own: var(--ll-action); }\n.ll-drawing .line.param { --ll-own: var(--ll-param); }\n.ll-drawing .line.added { --ll-own: var(--ll-added); }\n.ll-drawing .line.removed { --ll-own: var(--ll-removed); }\n.ll-drawing .line.changed { --ll-own: var(--ll-changed); }\n.ll-drawing .line path { fill: none; stroke: var(--ll-own); stroke-width: 1.3; stroke-linejoin: round; }\n.ll-drawing .line .hit { stroke: transparent; stroke-width: 11; pointer-events: stroke; }\n.ll-drawing .line .head { fill: var(--ll-own); stroke: none; }\n.ll-drawing .line .joint { fill: var(--ll-own); }\n.ll-drawing .line.bundle .course { stroke-width: 2.6; }\n.ll-drawing .line.service .head { fill: var(--ll-ground); stroke: var(--ll-own); stroke-width: 1.3; }\n.ll-drawing .line.action .course { stroke-width: 2; }\n.ll-drawing .line.param .course { stroke-width: 1; }\n.ll-drawing .line.conditional .course { stroke-dasharray: 7 4; }\n.ll-drawing .line.uncertain .course { stroke-dasharray: 1.5 4; stroke-linecap: round; }\n.ll-drawing .line.added .course, .ll-drawing .line.removed .course, .ll-drawing .line.changed .course { stroke-width: 2.4; }\n.ll-drawing .line.removed .course { stroke-dasharray: 3 4; }\n.ll-drawing .line.changed .course { stroke-dasharray: 12 3; }\n.ll-drawing .line:hover .course, .ll-drawing .line.chosen .course { stroke: var(--ll-chosen); stroke-width: 3; }\n.ll-drawing .name { cursor: pointer; }\n.ll-drawing .name text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 3px; stroke-linejoin: round; fill: var(--ll-muted); }\n.ll-drawing .name.info text { fill: var(--ll-info); }\n.ll-drawing .name.warning text { fill: var(--ll-warning); font-weight: 600; }\n.ll-drawing .name.error text { fill: var(--ll-error); font-weight: 600; }\n.ll-drawing .box.unknown text { paint-order: stroke; stroke: var(--ll-node); stroke-width: 3.5px; stroke-linejoin: round; }\n.ll-drawing .box.unknown .badge text { stroke: none; }\n.ll-drawing .port { fill: var(--ll-topic); stroke: var(--ll-ground); stroke-width: 1; }\n.ll-drawing .port.service { fill: var(--ll-service); }\n.ll-drawing .port.action { fill: var(--ll-action); }\n.ll-drawing .port.param { fill: var(--ll-param); }\n.ll-drawing .loose { cursor: pointer; }\n.ll-drawing .loose > circle { fill: var(--ll-node); stroke: var(--ll-topic); stroke-width: 1.4; }\n.ll-drawing .loose.service > circle { stroke: var(--ll-service); }\n.ll-drawing .loose.action > circle { stroke: var(--ll-action); }\n.ll-drawing .loose.added > circle { stroke: var(--ll-added); stroke-width: 2.4; }\n.ll-drawing .loose.removed > circle { stroke: var(--ll-removed); stroke-width: 2.4; stroke-dasharray: 2 2; }\n.ll-drawing .loose.changed > circle { stroke: var(--ll-changed); stroke-width: 2.4; }\n.ll-drawing .loose.added .name text { fill: var(--ll-added); }\n.ll-drawing .loose.removed .name text { fill: var(--ll-removed); text-decoration: line-through; }\n.ll-drawing .loose.uncertain > circle { stroke-dasharray: 1.5 2; }\n.ll-drawing .loose .name text { font-style: italic; }\n\n.ll-drawing.selecting .box:not(.lit):not(.open), .ll-drawing.searching .box:not(.match):not(.open) { opacity: 0.34; }\n.ll-drawing.selecting .line:not(.lit) { opacity: 0.18; }\n.ll-drawing.selecting .names > :not(.lit) { opacity: 0.22; }\n.ll-drawing.selecting .port:not(.lit) { opacity: 0.25; }\n.ll-drawing.searching .box.match > .shape { stroke: var(--ll-chosen); stroke-width: 2; }\n.ll-drawing.searching .line, .ll-drawing.searching .names > :not(.match) { opacity: 0.35; }\n.ll-drawing .line.lit .course { stroke-width: 2.4; }\n.ll-drawing .name.lit text { fill: var(--ll-text); }\n\n/* From far away, what could not be read anyway is not drawn. */\n.ll-drawing[data-distance="far"] .name, .ll-drawing[data-distance="far"] .loose,\n.ll-drawing[data-distance="far"] .box:not(.open) .detail, .ll-drawing[data-distance="far"] .box .condition,\n.ll-drawing[data-distance="far"] .box .host, .ll-drawing[data-distance="far"] .box .count, .ll-drawing[data-distance="far"] .port { display: none; }\n.ll-drawing[data-distance="far"] .line path.course { stroke-width: 2; }\n\n.ll-legend { position: absolute; left: 10px; bottom: 10px; max-width: min(92%, 640px); font: 12px/1.35 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; color: var(--ll-text); background: var(--ll-node); border: 1px solid var(--ll-box-line); border-radius: 8px; }\n.ll-legend summary { padding: 4px 10px; cursor: pointer; color: var(--ll-muted); }\n.ll-legend ul { margin: 0; padding: 2px 12px 8px; list-style: none; display: grid; grid-template-columns: repeat(auto-fill, minmax(180px, 1fr)); gap: 2px 14px; max-height: 40vh; overflow: auto; }\n.ll-legend li { display: flex; align-items: center; gap: 8px; }\n.ll-legend svg.ll-drawing { flex: none; width: 44px; height: 20px; background: none; cursor: default; }\n';
+  var drawing_default = '/* The drawing brings its own rules, so that an exported picture looks as it does in the page. */\n:is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #fbfcfe;\n  --ll-node: #ffffff;\n  --ll-edge: #8b99a8;\n  --ll-text: #17212b;\n  --ll-muted: #566474;\n  --ll-box: #5f7ea1;\n  --ll-box-line: #bfcad6;\n  --ll-folded: #eef3f8;\n  --ll-topic: #4b78a8;\n  --ll-service: #1e857a;\n  --ll-action: #7b55b5;\n  --ll-param: #97702a;\n  --ll-error: #c5283d;\n  --ll-warning: #a65f00;\n  --ll-info: #2f6fae;\n  --ll-added: #1a7f37;\n  --ll-removed: #cf222e;\n  --ll-changed: #9a6700;\n  --ll-chosen: #0b63ce;\n  --ll-on-badge: #ffffff;\n  --ll-hatch: #dbe2e9;\n}\n@media (prefers-color-scheme: dark) {\n  :root:not([data-theme="light"]) :is(.ll-drawing, .ll-drawing-host) {\n    --ll-ground: #13181e;\n    --ll-node: #1d252e;\n    --ll-edge: #5f6f7f;\n    --ll-text: #e4ebf2;\n    --ll-muted: #9fadbb;\n    --ll-box: #8fb2d8;\n    --ll-box-line: #3a4755;\n    --ll-folded: #232e39;\n    --ll-topic: #79a8da;\n    --ll-service: #56c2b4;\n    --ll-action: #b795ea;\n    --ll-param: #d4aa5c;\n    --ll-error: #ff6b7a;\n    --ll-warning: #e9a23b;\n    --ll-info: #6cb0f0;\n    --ll-added: #4ac26b;\n    --ll-removed: #ff7b72;\n    --ll-changed: #d4a72c;\n    --ll-chosen: #6cb2ff;\n    --ll-on-badge: #13181e;\n    --ll-hatch: #303b47;\n  }\n}\n:root[data-theme="dark"] :is(.ll-drawing, .ll-drawing-host) {\n  --ll-ground: #13181e;\n  --ll-node: #1d252e;\n  --ll-edge: #5f6f7f;\n  --ll-text: #e4ebf2;\n  --ll-muted: #9fadbb;\n  --ll-box: #8fb2d8;\n  --ll-box-line: #3a4755;\n  --ll-folded: #232e39;\n  --ll-topic: #79a8da;\n  --ll-service: #56c2b4;\n  --ll-action: #b795ea;\n  --ll-param: #d4aa5c;\n  --ll-error: #ff6b7a;\n  --ll-warning: #e9a23b;\n  --ll-info: #6cb0f0;\n  --ll-added: #4ac26b;\n  --ll-removed: #ff7b72;\n  --ll-changed: #d4a72c;\n  --ll-chosen: #6cb2ff;\n  --ll-on-badge: #13181e;\n  --ll-hatch: #303b47;\n}\n@media print {\n  .ll-drawing-host .ll-legend { display: none; }\n}\n\n.ll-drawing-host { position: relative; overflow: hidden; }\nsvg.ll-drawing { display: block; width: 100%; height: 100%; background: var(--ll-ground); touch-action: none; cursor: grab; user-select: none; outline: none; }\nsvg.ll-drawing:focus-visible { box-shadow: inset 0 0 0 2px var(--ll-chosen); }\nsvg.ll-drawing.dragging { cursor: grabbing; }\n/* While it is dragged, the drawing is a layer of its own: moved, not painted again. */\nsvg.ll-drawing.dragging > g { will-change: transform; }\n.ll-drawing text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; font-size: 12px; fill: var(--ll-text); }\n.ll-drawing .hatching path { stroke: var(--ll-hatch); stroke-width: 1.4; fill: none; }\n\n.ll-drawing .box { cursor: pointer; outline: none; }\n.ll-drawing .box .shape { fill: var(--ll-node); stroke: var(--ll-edge); stroke-width: 1; }\n.ll-drawing .box .behind { fill: var(--ll-folded); stroke: var(--ll-box-line); stroke-width: 1; }\n.ll-drawing .box .title { font-size: 13px; font-weight: 600; }\n.ll-drawing .box .detail, .ll-drawing .box .host, .ll-drawing .box .count, .ll-drawing .box .tag { fill: var(--ll-muted); }\n.ll-drawing .box .condition { fill: var(--ll-muted); font-style: italic; }\n.ll-drawing .box.folded .shape { fill: var(--ll-folded); stroke: var(--ll-edge); }\n.ll-drawing .box.open .shape { fill: var(--ll-box); fill-opacity: 0.055; stroke: var(--ll-box-line); stroke-width: 1.2; }\n.ll-drawing .box.open.machine > .shape { stroke-width: 2.4; }\n.ll-drawing .box.open .title { fill: var(--ll-muted); }\n.ll-drawing .box.open { cursor: grab; }\n.ll-drawing .box.open .head { cursor: pointer; }\n.ll-drawing .box .inner { fill: none; stroke: var(--ll-edge); stroke-width: 0.8; }\n.ll-drawing .box.host > .shape { stroke-width: 2.2; }\n.ll-drawing .box.tray > .shape { stroke-dasharray: 2 4; fill-opacity: 0; }\n.ll-drawing .line .qos { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .box.conditional .shape { stroke-dasharray: 6 4; }\n.ll-drawing .box.unknown .title { fill: var(--ll-muted); }\n.ll-drawing .box.stub .shape { stroke-dasharray: 1 3; stroke-linecap: round; fill: var(--ll-ground); }\n.ll-drawing .box.stub .title { font-weight: 400; fill: var(--ll-muted); }\n.ll-drawing .box.pill .shape { stroke: var(--ll-topic); fill: var(--ll-ground); }\n.ll-drawing .box.pill .title { font-size: 12px; font-weight: 400; }\n.ll-drawing .box.pill.service .shape { stroke: var(--ll-service); }\n.ll-drawing .box.pill.action .shape { stroke: var(--ll-action); }\n.ll-drawing .box.pill.param .shape { stroke: var(--ll-param); }\n.ll-drawing .box.pill.dangling .shape { stroke-dasharray: 3 3; }\n.ll-drawing .box.added > .shape { stroke: var(--ll-added); stroke-width: 2.5; }\n.ll-drawing .box.removed > .shape { stroke: var(--ll-removed); stroke-width: 2.5; stroke-dasharray: 3 4; }\n.ll-drawing .box.changed > .shape { stroke: var(--ll-changed); stroke-width: 2; stroke-dasharray: 12 3; }\n.ll-drawing .box.removed .title { text-decoration: line-through; }\n.ll-drawing .box:hover > .shape { stroke: var(--ll-chosen); }\n.ll-drawing .box:focus-visible > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .box.chosen > .shape { stroke: var(--ll-chosen); stroke-width: 2.5; }\n\n.ll-drawing .fold { cursor: pointer; }\n.ll-drawing .fold rect { fill: transparent; }\n.ll-drawing .fold path { stroke: var(--ll-muted); stroke-width: 1.5; fill: none; }\n.ll-drawing .fold:hover path { stroke: var(--ll-chosen); }\n.ll-drawing .badge circle { fill: var(--ll-node); stroke: var(--ll-info); stroke-width: 1.3; }\n.ll-drawing .badge.warning circle { fill: var(--ll-warning); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.error circle { fill: var(--ll-error); stroke: var(--ll-ground); stroke-width: 1.5; }\n.ll-drawing .badge.warning text, .ll-drawing .badge.error text { fill: var(--ll-on-badge); }\n.ll-drawing .badge.elsewhere circle { fill: var(--ll-node); stroke: var(--ll-muted); stroke-width: 1.2; stroke-dasharray: 2.5 2; }\n.ll-drawing .badge.elsewhere.warning circle { stroke: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error circle { stroke: var(--ll-error); }\n.ll-drawing .badge.elsewhere.warning text { fill: var(--ll-warning); }\n.ll-drawing .badge.elsewhere.error text { fill: var(--ll-error); }\n.ll-drawing .badge text { fill: var(--ll-info); font-size: 12px; font-weight: 700; text-anchor: middle; }\n\n.ll-drawing .line { --ll-own: var(--ll-topic); cursor: pointer; }\n.ll-drawing .line.service { --ll-own: var(--ll-service); }\n.ll-drawing .line.action { --ll-own: var(--ll-action); }\n.ll-drawing .line.param { --ll-own: var(--ll-param); }\n.ll-drawing .line.added { --ll-own: var(--ll-added); }\n.ll-drawing .line.removed { --ll-own: var(--ll-removed); }\n.ll-drawing .line.changed { --ll-own: var(--ll-changed); }\n.ll-drawing .line path { fill: none; stroke: var(--ll-own); stroke-width: 1.3; stroke-linejoin: round; }\n.ll-drawing .line .hit { stroke: transparent; stroke-width: 11; pointer-events: stroke; }\n.ll-drawing .line .head { fill: var(--ll-own); stroke: none; }\n.ll-drawing .line .joint { fill: var(--ll-own); }\n.ll-drawing .line.bundle .course { stroke-width: 2.6; }\n.ll-drawing .line.service .head { fill: var(--ll-ground); stroke: var(--ll-own); stroke-width: 1.3; }\n.ll-drawing .line.action .course { stroke-width: 2; }\n.ll-drawing .line.param .course { stroke-width: 1; }\n.ll-drawing .line.conditional .course { stroke-dasharray: 7 4; }\n.ll-drawing .line.uncertain .course { stroke-dasharray: 1.5 4; stroke-linecap: round; }\n.ll-drawing .line.added .course, .ll-drawing .line.removed .course, .ll-drawing .line.changed .course { stroke-width: 2.4; }\n.ll-drawing .line.removed .course { stroke-dasharray: 3 4; }\n.ll-drawing .line.changed .course { stroke-dasharray: 12 3; }\n.ll-drawing .line:hover .course, .ll-drawing .line.chosen .course { stroke: var(--ll-chosen); stroke-width: 3; }\n.ll-drawing .name { cursor: pointer; }\n.ll-drawing .name text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 3px; stroke-linejoin: round; fill: var(--ll-muted); }\n.ll-drawing .name.info text { fill: var(--ll-info); }\n.ll-drawing .name.warning text { fill: var(--ll-warning); font-weight: 600; }\n.ll-drawing .name.error text { fill: var(--ll-error); font-weight: 600; }\n.ll-drawing .box.unknown text { paint-order: stroke; stroke: var(--ll-node); stroke-width: 3.5px; stroke-linejoin: round; }\n.ll-drawing .box.unknown .badge text { stroke: none; }\n.ll-drawing .port { fill: var(--ll-topic); stroke: var(--ll-ground); stroke-width: 1; }\n.ll-drawing .port.own { stroke: var(--ll-chosen); stroke-width: 2.5; }\n.ll-drawing .told { pointer-events: none; }\n.ll-drawing .told text { paint-order: stroke; stroke: var(--ll-ground); stroke-width: 4px; stroke-linejoin: round; fill: var(--ll-chosen); }\n.ll-drawing .told.hollow text { font-style: italic; fill: var(--ll-text); }\n.ll-drawing .port.service { fill: var(--ll-service); }\n.ll-drawing .port.action { fill: var(--ll-action); }\n.ll-drawing .port.param { fill: var(--ll-param); }\n.ll-drawing .loose { cursor: pointer; }\n.ll-drawing .loose > circle { fill: var(--ll-node); stroke: var(--ll-topic); stroke-width: 1.4; }\n.ll-drawing .loose.service > circle { stroke: var(--ll-service); }\n.ll-drawing .loose.action > circle { stroke: var(--ll-action); }\n.ll-drawing .loose.added > circle { stroke: var(--ll-added); stroke-width: 2.4; }\n.ll-drawing .loose.removed > circle { stroke: var(--ll-removed); stroke-width: 2.4; stroke-dasharray: 2 2; }\n.ll-drawing .loose.changed > circle { stroke: var(--ll-changed); stroke-width: 2.4; }\n.ll-drawing .loose.added .name text { fill: var(--ll-added); }\n.ll-drawing .loose.removed .name text { fill: var(--ll-removed); text-decoration: line-through; }\n.ll-drawing .loose.uncertain > circle { stroke-dasharray: 1.5 2; }\n.ll-drawing .loose .name text { font-style: italic; }\n\n.ll-drawing.selecting .box:not(.lit):not(.open), .ll-drawing.searching .box:not(.match):not(.open) { opacity: 0.34; }\n.ll-drawing.selecting .line:not(.lit) { opacity: 0.18; }\n.ll-drawing.selecting .names > :not(.lit) { opacity: 0.22; }\n.ll-drawing.selecting .port:not(.lit) { opacity: 0.25; }\n.ll-drawing.searching .box.match > .shape { stroke: var(--ll-chosen); stroke-width: 2; }\n.ll-drawing.searching .line, .ll-drawing.searching .names > :not(.match) { opacity: 0.35; }\n.ll-drawing .line.lit .course { stroke-width: 2.4; }\n.ll-drawing .name.lit text { fill: var(--ll-text); }\n\n/* From far away, what could not be read anyway is not drawn. */\n.ll-drawing[data-distance="far"] .name, .ll-drawing[data-distance="far"] .loose,\n.ll-drawing[data-distance="far"] .box:not(.open) .detail, .ll-drawing[data-distance="far"] .box .condition,\n.ll-drawing[data-distance="far"] .box .host, .ll-drawing[data-distance="far"] .box .count, .ll-drawing[data-distance="far"] .port { display: none; }\n.ll-drawing[data-distance="far"] .line path.course { stroke-width: 2; }\n\n.ll-legend { position: absolute; left: 10px; bottom: 10px; max-width: min(92%, 640px); font: 12px/1.35 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; color: var(--ll-text); background: var(--ll-node); border: 1px solid var(--ll-box-line); border-radius: 8px; }\n.ll-legend summary { padding: 4px 10px; cursor: pointer; color: var(--ll-muted); }\n.ll-legend ul { margin: 0; padding: 2px 12px 8px; list-style: none; display: grid; grid-template-columns: repeat(auto-fill, minmax(180px, 1fr)); gap: 2px 14px; max-height: 40vh; overflow: auto; }\n.ll-legend li { display: flex; align-items: center; gap: 8px; }\n.ll-legend svg.ll-drawing { flex: none; width: 44px; height: 20px; background: none; cursor: default; }\n';
 
   // launchlint/report/html/js/drawing/export.js
   var MARGIN = 16;
@@ -87,6 +87,8 @@
     [hasLine("uncertain"), "not certain", () => line("topic uncertain", "M36 6L44 10L36 14Z")],
     [hasBox("folded"), "container, folded", () => box("folded")],
     [hasBox("conditional"), "conditional node", () => box("node conditional")],
+    [hasBox("lifecycle"), "lifecycle node", () => [...box("node"), group("box node", element("rect", { class: "inner", x: 5, y: 5, width: 34, height: 10, rx: 3 }))]],
+    [hasBox("host"), "process that others run in", () => box("node host")],
     [hasBox("unknown"), "unknown: what it connects to is not known", () => [...box("node unknown"), element("rect", { x: 3, y: 3, width: 38, height: 14, fill: "url(#ll-hatching)" })]],
     [hasBox("pill"), "many to many, or shared", () => [group("box pill topic", element("rect", { class: "shape", x: 2, y: 3, width: 40, height: 14, rx: 7 }))]],
     [hasBox("stub"), "around what is in focus", () => box("node stub")],
@@ -182,9 +184,9 @@
     const inner = namespace.length > 1 && name.startsWith(`${namespace}/`) ? name.slice(namespace.length + 1) : name;
     if (inner.length <= most) return inner;
     const pieces = inner.split("/");
-    let tail = pieces.pop() ?? "";
-    while (pieces.length > 1 && tail.length + 1 + (pieces[pieces.length - 1] ?? "").length < most - 2) tail = `${pieces.pop()}/${tail}`;
-    return pieces.length && tail.length + 2 > most - SPARE ? cut(`…/${tail}`, most) : cut(inner, most);
+    let tail2 = pieces.pop() ?? "";
+    while (pieces.length > 1 && tail2.length + 1 + (pieces[pieces.length - 1] ?? "").length < most - 2) tail2 = `${pieces.pop()}/${tail2}`;
+    return pieces.length && tail2.length + 2 > most - SPARE ? cut(`…/${tail2}`, most) : cut(inner, most);
   }
   function cut(text2, most) {
     const characters = Array.from(text2);
@@ -263,23 +265,21 @@
     });
     return root;
   }
-  function isNameless(own, entry) {
-    var _a;
-    return own.kind === "group" && ((_a = entry.containers[own.container]) == null ? void 0 : _a.label) === "";
-  }
   function byElement(entry) {
     const root = group2("root", "g:file:", "/", "/");
     const all = [];
     const outermost = { group: root, depth: 0 };
     const find = (index) => all[index] ?? outermost;
     entry.containers.forEach((container, index) => {
-      var _a;
       const around3 = container.parent < index ? find(container.parent) : outermost;
-      const line4 = (_a = container.place) == null ? void 0 : _a[1];
-      const nameless = line4 === void 0 ? "group" : `group in line ${line4}`;
-      const label2 = container.kind === "include" ? lastPart(container.label) : container.label || nameless;
+      if (container.kind === "group" && !container.label) {
+        around3.group.own = [...around3.group.own, ...container.findings];
+        all.push(around3);
+        return;
+      }
+      const label2 = container.kind === "include" ? lastPart(container.label) : container.label;
       const own = group2(container.kind, `g:file:${index}`, label2, container.namespace, index);
-      own.title = container.label || nameless;
+      own.title = container.label;
       own.own = container.findings;
       all.push(around3.depth < DEEPEST ? { group: own, depth: around3.depth + 1 } : around3);
       if (around3.depth < DEEPEST) around3.group.groups.push(own);
@@ -315,8 +315,9 @@
     const inner = own.groups[0];
     if (own.kind !== "root" && inner && own.groups.length === 1 && !own.nodes.length) {
       const joint = own.kind === "namespace" ? "/" : " › ";
-      const label2 = isNameless(own, entry) ? inner.label : isNameless(inner, entry) ? own.label : `${own.label}${joint}${inner.label}`;
-      Object.assign(own, inner, { label: label2, title: inner.title, own: [...own.own, ...inner.own] });
+      const label2 = `${own.label}${joint}${inner.label}`;
+      const { id, kind, container, title: title2 } = own.kind === "include" && inner.kind === "group" ? own : inner;
+      Object.assign(own, inner, { id, kind, container, title: title2, label: label2, own: [...own.own, ...inner.own] });
     }
     own.nodes.sort((a, b) => {
       var _a, _b;
@@ -393,8 +394,8 @@
     if (first === last) return cut(first, 2 * SHORT);
     let same = 0;
     while (same < first.length && first[same] === last[same]) same++;
-    const shared = first.slice(0, same).search(/[^_\-./ ]*$/);
-    return `${cut(first, SHORT)} – ${cut(last.slice(shared), SHORT)}`;
+    const shared2 = first.slice(0, same).search(/[^_\-./ ]*$/);
+    return `${cut(first, SHORT)} – ${cut(last.slice(shared2), SHORT)}`;
   }
 
   // launchlint/report/html/js/drawing/boxes.js
@@ -439,12 +440,15 @@
     const params = view.params.get(index);
     if (params) lines.push({ kind: "count", text: counted(params, "param") });
     if (node.knowledge === "unknown") classes.push("unknown");
+    if (node.lifecycle) classes.push("lifecycle");
+    if (node.kind === "container" || node.kind === "manager") classes.push("host");
     if (node.isTest) classes.push("test");
     if (node.mark) classes.push(node.mark);
     if (view.stubs.has(`n:${index}`)) classes.push("stub");
     const said2 = [node.name, node.program];
     if (node.knowledge === "unknown") said2.push(`unknown: ${node.reason || "nothing is known of what it connects to"}`);
     if (node.conditions.length) said2.push(`only where ${node.conditions.join(" and ")}`);
+    if (node.lifecycle) said2.push("lifecycle node: somebody has to configure and activate it");
     if (guest) said2.push(`in the process of ${node.host}`);
     if (machine2) said2.push(`on the machine ${machineName(machine2, address)}`);
     const loose = loosePorts(view, `n:${index}`, view.loose.get(index) ?? [], group3);
@@ -468,7 +472,7 @@
     const title2 = `${group3.title}
 ${counted(about.nodes, "node")}${about.unknown ? `, ${about.unknown} unknown` : ""}`;
     const badge3 = badgeOf(view, about.findings);
-    return sized({ id: group3.id, kind: "folded", classes, lines, title: title2, badge: badge3, loose: [], level: null, wires: [] }, measure);
+    return sized({ id: group3.id, kind: "folded", classes, lines, title: title2, badge: badge3, loose: looseOf(view, group3), level: null, wires: [] }, measure);
   }
   function openBox(view, level) {
     const { group: group3 } = level;
@@ -478,7 +482,18 @@ ${counted(about.nodes, "node")}${about.unknown ? `, ${about.unknown} unknown` : 
     const lines = [{ kind: "title", text: cut(group3.label, LONGEST.open) }];
     const title2 = `${group3.title}
 ${counted(about.nodes, "node")}`;
-    return { id: group3.id, kind: "open", classes, lines, title: title2, badge: badgeOf(view, group3.own), width: 0, height: 0, loose: [], level, wires: [] };
+    return { id: group3.id, kind: "open", classes, lines, title: title2, badge: badgeOf(view, group3.own), width: 0, height: 0, loose: looseOf(view, group3), level, wires: [] };
+  }
+  function looseOf(view, group3) {
+    if (group3.kind !== "include") return [];
+    const sides2 = [/* @__PURE__ */ new Set(), /* @__PURE__ */ new Set()];
+    for (const each of walk(group3)) {
+      for (const node of each.nodes) if (view.shown[node]) for (const { wire, gives: gives2 } of view.loose.get(node) ?? []) sides2[gives2 ? 1 : 0].add(wire);
+    }
+    return sides2.flatMap((side, out) => {
+      const wires = [...side];
+      return wires.length ? [{ id: `${group3.id}|loose|${out ? "out" : "in"}`, out: out === 1, wires, label: wires.length > 1 ? String(wires.length) : "", classes: ["several"], badge: null }] : [];
+    });
   }
   function pillBox(view, wires, group3, measure) {
     const [first] = wires;
@@ -581,12 +596,12 @@ ${counted(about.nodes, "node")}`;
     "elk.layered.considerModelOrder.crossingCounterNodeInfluence": "0.001"
   };
   async function layOutPart(engine, part2, inner, measure, cache, aspect) {
-    const names = new Names();
-    const graph = asGraph(part2, inner, measure, names);
-    const key = JSON.stringify([graph, names.all, aspect]);
+    const names2 = new Names();
+    const graph = asGraph(part2, inner, measure, names2);
+    const key = JSON.stringify([graph, names2.all, aspect]);
     let placed = cache.get(key);
     if (!placed) {
-      placed = run(engine, part2, graph, names, aspect);
+      placed = run(engine, part2, graph, names2, aspect);
       cache.set(key, placed);
       for (const oldest of cache.keys()) {
         if (cache.size <= KEPT) break;
@@ -595,22 +610,22 @@ ${counted(about.nodes, "node")}`;
     }
     return placed;
   }
-  async function run(engine, part2, graph, names, aspect) {
+  async function run(engine, part2, graph, names2, aspect) {
     const root = (options = {}) => ({
       id: "root",
       layoutOptions: { "elk.algorithm": "layered", "elk.padding": "[left=0,top=0,right=0,bottom=0]" },
       children: [{ ...graph, layoutOptions: { ...graph.layoutOptions, ...options } }]
     });
-    let best = asPlaced(await engine.layout(root()), names);
+    let best = asPlaced(await engine.layout(root()), names2);
     if (!part2.ports.length) {
       for (const ratio of ROWS) {
         if (best.width < LONG || best.width < WIDER * aspect * best.height) break;
         const rows2 = { "elk.layered.wrapping.strategy": "MULTI_EDGE", "elk.layered.wrapping.cutting.strategy": "ARD", "elk.aspectRatio": String(ratio * aspect) };
-        const tried = asPlaced(await engine.layout(root(rows2)), names);
+        const tried = asPlaced(await engine.layout(root(rows2)), names2);
         if (isStraight(tried) && costOf(tried, aspect) < GAIN * costOf(best, aspect)) best = tried;
       }
     }
-    return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names);
+    return isStraight(best) ? best : asPlaced(await engine.layout(root({ "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX" })), names2);
   }
   function costOf({ width, height }, aspect) {
     return Math.max(width / aspect, height);
@@ -641,16 +656,16 @@ ${counted(about.nodes, "node")}`;
       return this.all[Number(short.slice(1))] ?? short;
     }
   };
-  function asGraph(level, inner, measure, names) {
+  function asGraph(level, inner, measure, names2) {
     const leaving = /* @__PURE__ */ new Map();
     const entering = /* @__PURE__ */ new Map();
     for (const edge of level.edges) {
       add(leaving, edge.fromBox, edge);
       add(entering, edge.toBox, edge);
     }
-    const children = level.boxes.map((box2) => asNode(box2, leaving.get(box2.id) ?? [], entering.get(box2.id) ?? [], inner.get(box2.id), measure, names));
-    const ports = level.ports.map((port) => asPort(names.of(port.id), port.out, port.out ? [] : labelAt(leaving.get("") ?? [], port.id), measure));
-    const edges = level.edges.map((edge) => ({ id: names.of(edge.id), sources: [names.of(edge.fromPort)], targets: [names.of(edge.toPort)] }));
+    const children = level.boxes.map((box2) => asNode(box2, leaving.get(box2.id) ?? [], entering.get(box2.id) ?? [], inner.get(box2.id), measure, names2));
+    const ports = level.ports.map((port) => asPort(names2.of(port.id), port.out, port.out ? [] : labelAt(leaving.get("") ?? [], port.id), measure));
+    const edges = level.edges.map((edge) => ({ id: names2.of(edge.id), sources: [names2.of(edge.fromPort)], targets: [names2.of(edge.toPort)] }));
     const side = ports.length ? MARGIN2 : 0;
     return {
       id: "level",
@@ -666,23 +681,23 @@ ${counted(about.nodes, "node")}`;
       }
     };
   }
-  function asNode(box2, leaving, entering, inner, measure, names) {
+  function asNode(box2, leaving, entering, inner, measure, names2) {
     const ports = /* @__PURE__ */ new Map();
-    const ends = new Map([...leaving.map((edge) => (
+    const ends2 = new Map([...leaving.map((edge) => (
       /** @type {const} */
       [edge.fromPort, edge.from]
     )), ...entering.map((edge) => (
       /** @type {const} */
       [edge.toPort, edge.to]
     ))]);
-    for (const edge of leaving) if (!ports.has(edge.fromPort)) ports.set(edge.fromPort, asPort(names.of(edge.fromPort), true, edge.label, measure));
-    for (const edge of entering) if (!ports.has(edge.toPort)) ports.set(edge.toPort, asPort(names.of(edge.toPort), false, [], measure));
-    for (const loose of box2.loose) ports.set(loose.id, asPort(names.of(loose.id), loose.out, [loose.label], measure, loose.badge ? BADGE : 0));
+    for (const edge of leaving) if (!ports.has(edge.fromPort)) ports.set(edge.fromPort, asPort(names2.of(edge.fromPort), true, edge.label, measure));
+    for (const edge of entering) if (!ports.has(edge.toPort)) ports.set(edge.toPort, asPort(names2.of(edge.toPort), false, [], measure));
+    if (!inner) for (const loose of box2.loose) ports.set(loose.id, asPort(names2.of(loose.id), loose.out, [loose.label], measure, loose.badge ? BADGE : 0));
     const size = inner ?? box2;
-    const node = { id: names.of(box2.id), width: size.width, height: size.height };
+    const node = { id: names2.of(box2.id), width: size.width, height: size.height };
     if (inner || box2.kind === "pill") {
       for (const [id, port] of ports) {
-        const at = (inner == null ? void 0 : inner.ports.get(ends.get(id) ?? id)) ?? { x: port.layoutOptions["elk.port.side"] === "WEST" ? 0 : box2.width, y: box2.height / 2 };
+        const at = (inner == null ? void 0 : inner.ports.get(ends2.get(id) ?? id)) ?? { x: port.layoutOptions["elk.port.side"] === "WEST" ? 0 : box2.width, y: box2.height / 2 };
         Object.assign(port, { x: at.x, y: at.y });
       }
     }
@@ -712,7 +727,7 @@ ${counted(about.nodes, "node")}`;
     if (known6) known6.push(edge);
     else map.set(key, [edge]);
   }
-  function asPlaced(root, names) {
+  function asPlaced(root, names2) {
     var _a;
     const graph = (
       /** @type {ElkNode} */
@@ -723,17 +738,17 @@ ${counted(about.nodes, "node")}`;
       var _a2;
       const at = { x: x + (port.x ?? 0), y: y + (port.y ?? 0) };
       const label2 = (_a2 = port.labels) == null ? void 0 : _a2[0];
-      placed.ports.set(names.long(port.id), at);
-      if (label2) placed.labels.set(names.long(port.id), { x: at.x + (label2.x ?? 0), y: at.y + (label2.y ?? 0), width: label2.width, height: label2.height });
+      placed.ports.set(names2.long(port.id), at);
+      if (label2) placed.labels.set(names2.long(port.id), { x: at.x + (label2.x ?? 0), y: at.y + (label2.y ?? 0), width: label2.width, height: label2.height });
     };
     for (const port of graph.ports ?? []) keep(port, 0, 0);
     for (const { id, x = 0, y = 0, width = 0, height = 0, ports = [] } of graph.children ?? []) {
-      placed.boxes.set(names.long(id), { x, y, width, height });
+      placed.boxes.set(names2.long(id), { x, y, width, height });
       for (const port of ports) keep(port, x, y);
     }
     for (const edge of graph.edges ?? []) {
       const points = (edge.sections ?? []).flatMap((section) => [section.startPoint, ...section.bendPoints ?? [], section.endPoint]);
-      placed.edges.set(names.long(edge.id), { points, junctions: edge.junctionPoints ?? [] });
+      placed.edges.set(names2.long(edge.id), { points, junctions: edge.junctionPoints ?? [] });
     }
     return placed;
   }
@@ -743,7 +758,7 @@ ${counted(about.nodes, "node")}`;
   function paint(sheet) {
     var _a, _b;
     const content = element("g", { class: "content" });
-    const [open, lines, boxes, names] = ["containers", "lines", "boxes", "names"].map((each) => content.appendChild(element("g", { class: each })));
+    const [open, lines, boxes, names2] = ["containers", "lines", "boxes", "names"].map((each) => content.appendChild(element("g", { class: each })));
     const painted = { content, boxes: /* @__PURE__ */ new Map(), lines: /* @__PURE__ */ new Map(), ports: [], loose: [] };
     for (const each of sheet.boxes) {
       const drawn = each.box.kind === "open" ? openElement(each) : boxElement(each);
@@ -764,13 +779,14 @@ ${counted(about.nodes, "node")}`;
       const drawn = element("g", { class: `name ${classes.join(" ")}`, "data-id": edge.id });
       written2.forEach((line4, at) => drawn.append(text(line4, { x: x + 5, y: y + height - 4 - (written2.length - 1 - at) * LABEL_HEIGHT })));
       (_b = painted.lines.get(edge.id)) == null ? void 0 : _b.push(drawn);
-      names == null ? void 0 : names.append(drawn);
+      names2 == null ? void 0 : names2.append(drawn);
     }
     for (const each of sheet.loose) {
       const drawn = looseElement(each);
       painted.loose.push({ element: drawn, box: each.box.id, wires: each.port.wires.map((wire) => wire.id) });
-      names == null ? void 0 : names.append(drawn);
+      names2 == null ? void 0 : names2.append(drawn);
     }
+    content.append(element("g", { class: "told-names" }));
     return painted;
   }
   function boxElement({ x, y, width, height, box: box2 }) {
@@ -779,6 +795,7 @@ ${counted(about.nodes, "node")}`;
     const corner = box2.kind === "pill" ? height / 2 : box2.kind === "folded" ? 8 : 5;
     if (box2.kind === "folded") drawn.append(element("rect", { class: "behind", x: 4, y: 4, width, height, rx: corner }));
     drawn.append(element("rect", { class: "shape", width, height, rx: corner }));
+    if (box2.classes.includes("lifecycle")) drawn.append(element("rect", { class: "inner", x: 3, y: 3, width: width - 6, height: height - 6, rx: 3 }));
     if (box2.classes.includes("unknown")) drawn.append(element("rect", { class: "hatched", x: 1, y: 1, width: width - 2, height: height - 2, rx: corner - 1, fill: "url(#ll-hatching)" }));
     if (box2.kind === "pill") drawn.append(text(((_a = box2.lines[0]) == null ? void 0 : _a.text) ?? "", { class: "title", x: width / 2, y: height / 2 + 4, "text-anchor": "middle" }));
     else {
@@ -1030,7 +1047,7 @@ ${counted(about.nodes, "node")}`;
     return widths;
   }
   function single(box2, inner, width, measure) {
-    const sides2 = [false, true].map((out) => box2.loose.filter((port) => port.out === out));
+    const sides2 = [false, true].map((out) => inner ? [] : box2.loose.filter((port) => port.out === out));
     const [left, right] = sides2.map((ports) => Math.max(0, ...ports.map((port) => port.label || port.badge ? Math.ceil(measure(port.label, "label")) + PADDING.x + (port.badge ? BADGE : 0) : 0)));
     const size = { width: (inner == null ? void 0 : inner.width) ?? (box2.kind === "pill" ? box2.width : width), height: Math.max((inner == null ? void 0 : inner.height) ?? box2.height, ...sides2.map((ports) => ports.length * PITCH + 6)) };
     const placed = { width: size.width + (left ?? 0) + (right ?? 0), height: size.height, boxes: /* @__PURE__ */ new Map(), ports: /* @__PURE__ */ new Map(), labels: /* @__PURE__ */ new Map(), edges: /* @__PURE__ */ new Map() };
@@ -1359,8 +1376,8 @@ ${counted(about.nodes, "node")}`;
       if (!wires) parts3.set(own.id, wires = /* @__PURE__ */ new Map());
       let part2 = wires.get(wire);
       if (!part2) wires.set(wire, part2 = { wire, givers: /* @__PURE__ */ new Map(), takers: /* @__PURE__ */ new Map() });
-      const ends = part2[side].get(box2);
-      if (ends) ends.push(end);
+      const ends2 = part2[side].get(box2);
+      if (ends2) ends2.push(end);
       else part2[side].set(box2, [end]);
     }
   }
@@ -1419,8 +1436,8 @@ ${counted(about.nodes, "node")}`;
         const takers = tips(part2.takers, boxes, wire, false);
         if (group3 !== view.root) {
           for (const out of [true, false]) {
-            const outside = this.outside(wire, out ? "takers" : "givers", out ? part2.takers : part2.givers);
-            const passing = wire.pilled && home !== group3 ? () => true : (tip) => outside.some((when2) => view.presence.meet(when2, tip.when));
+            const outside2 = this.outside(wire, out ? "takers" : "givers", out ? part2.takers : part2.givers);
+            const passing = wire.pilled && home !== group3 ? () => true : (tip) => outside2.some((when2) => view.presence.meet(when2, tip.when));
             ports.add(wire, out, (out ? givers : takers).filter(passing));
           }
         }
@@ -1448,13 +1465,13 @@ ${counted(about.nodes, "node")}`;
     outside(wire, side, inside) {
       const counts = /* @__PURE__ */ new Map();
       for (const end of wire[side]) counts.set(end.when, (counts.get(end.when) ?? 0) + 1);
-      for (const ends of inside.values()) for (const end of ends) counts.set(end.when, (counts.get(end.when) ?? 0) - 1);
+      for (const ends2 of inside.values()) for (const end of ends2) counts.set(end.when, (counts.get(end.when) ?? 0) - 1);
       return Array.from(counts).flatMap(([when2, count3]) => count3 > 0 ? [when2] : []);
     }
   };
-  function tips(ends, boxes, wire, out) {
+  function tips(ends2, boxes, wire, out) {
     const found2 = [];
-    for (const [id, own] of ends) {
+    for (const [id, own] of ends2) {
       const box2 = boxes.get(id);
       if (box2 == null ? void 0 : box2.level) {
         for (const port of box2.level.ports) if (port.out === out && port.wires.includes(wire)) found2.push({ ...port, box: id });
@@ -1559,17 +1576,17 @@ ${counted(about.nodes, "node")}`;
      * @param {Map<string, Set<string>> | null} outside wires by the port; null: it has no border
      * @returns {Level}
      */
-    used(level, outside) {
+    used(level, outside2) {
       const edges = level.edges.flatMap((edge) => {
         const port = edge.fromBox === "" ? edge.from : edge.toBox === "" ? edge.to : "";
-        return port && outside ? only(edge, ({ id }) => {
+        return port && outside2 ? only(edge, ({ id }) => {
           var _a;
-          return Boolean((_a = outside.get(port)) == null ? void 0 : _a.has(id));
+          return Boolean((_a = outside2.get(port)) == null ? void 0 : _a.has(id));
         }, level) : [edge];
       });
       const used = /* @__PURE__ */ new Map();
       for (const { from, to, wires } of edges) for (const wire of wires) for (const end of [from, to]) put(used, end, wire.id);
-      const ports = level.ports.filter((port) => outside == null ? void 0 : outside.has(port.id));
+      const ports = level.ports.filter((port) => outside2 == null ? void 0 : outside2.has(port.id));
       const boxes = level.boxes.map((box2) => box2.level ? { ...box2, level: this.used(box2.level, used) } : box2);
       return { ...level, boxes, edges, ports };
     }
@@ -1586,6 +1603,7 @@ ${counted(about.nodes, "node")}`;
   }
 
   // launchlint/report/html/js/drawing/sheet.js
+  var HEAD2 = 13;
   function sheetOf(root, placed) {
     const outermost = placed.get(root.group.id);
     const sheet = { width: (outermost == null ? void 0 : outermost.width) ?? 0, height: (outermost == null ? void 0 : outermost.height) ?? 0, boxes: [], edges: [], labels: [], ports: [], loose: [] };
@@ -1614,7 +1632,7 @@ ${counted(about.nodes, "node")}`;
         if (!area) continue;
         sheet.boxes.push({ ...move(area), box: box2, depth });
         for (const port of box2.loose) {
-          const at = own.ports.get(port.id);
+          const at = box2.level ? { x: area.x + (port.out ? area.width : 0), y: area.y + HEAD2 } : own.ports.get(port.id);
           const label2 = own.labels.get(port.id);
           if (at) sheet.loose.push({ ...move(at), port, box: box2, label: label2 ? move(label2) : null });
         }
@@ -1903,12 +1921,12 @@ ${counted(about.nodes, "node")}`;
       if (!wire || !node || !exists[each.node]) continue;
       const when2 = presence.both(presence.both(presence.of(each.only, each.mark), presence.of(node.only, node.mark)), now);
       if (!presence.meet(when2, now)) continue;
-      const ends = each.offers === (wire.kind === "topic") ? wire.givers : wire.takers;
-      const known6 = ends.find((end) => end.node === each.node);
+      const ends2 = each.offers === (wire.kind === "topic") ? wire.givers : wire.takers;
+      const known6 = ends2.find((end) => end.node === each.node);
       if (known6) {
         known6.when = presence.either(known6.when, when2);
         known6.certain ||= each.certain;
-      } else ends.push({ node: each.node, when: when2, certain: each.certain, changed: each.mark === "changed" });
+      } else ends2.push({ node: each.node, when: when2, certain: each.certain, changed: each.mark === "changed" });
     }
     const found2 = [];
     for (const wire of wires) {
@@ -1945,12 +1963,12 @@ ${counted(about.nodes, "node")}`;
     const found2 = /* @__PURE__ */ new Map();
     for (const wire of wires) {
       if (wire.kind === "param") continue;
-      for (const gives of [true, false]) {
-        const others = moments(gives ? wire.takers : wire.givers);
-        for (const end of gives ? wire.givers : wire.takers) {
+      for (const gives2 of [true, false]) {
+        const others = moments(gives2 ? wire.takers : wire.givers);
+        for (const end of gives2 ? wire.givers : wire.takers) {
           if (others.some((when2) => presence.meet(when2, end.when))) continue;
           const own = found2.get(end.node);
-          const loose = { wire, gives, certain: end.certain, mark: presence.mark(end.when) || (end.changed ? "changed" : "") };
+          const loose = { wire, gives: gives2, certain: end.certain, mark: presence.mark(end.when) || (end.changed ? "changed" : "") };
           if (own) own.push(loose);
           else found2.set(end.node, [loose]);
         }
@@ -1958,8 +1976,8 @@ ${counted(about.nodes, "node")}`;
     }
     return found2;
   }
-  function moments(ends) {
-    return Array.from(new Set(ends.map((end) => end.when)));
+  function moments(ends2) {
+    return Array.from(new Set(ends2.map((end) => end.when)));
   }
   function keepFindings(entry, wires, shown) {
     const kept2 = /* @__PURE__ */ new Set();
@@ -2284,6 +2302,21 @@ ${counted(about.nodes, "node")}`;
         if (shape2 === "pill" && wires.some((wire) => wire.id === id)) chosen.add(box2);
         if (loose.some((port) => port.wires.some((wire) => wire.id === id))) boxes.add(box2);
       }
+    } else if (kind === "way") {
+      const parts3 = id.split("|");
+      for (const each of parts3) {
+        const box2 = each.startsWith("n:") ? standsFor(Number(each.slice(2))) : null;
+        if (box2) chosen.add(box2);
+      }
+      const passes = [...chosen];
+      for (const wire of parts3.filter((each) => each.startsWith("c:"))) {
+        for (const box2 of passes) {
+          const lines = /* @__PURE__ */ new Set();
+          const ends2 = drawn.follow(box2, wire, true, lines);
+          if (passes.some((other) => other !== box2 && ends2.has(other))) lines.forEach((line4) => edges.add(line4));
+        }
+        if (parts3.length === 2) for (const edge of drawn.carrying.get(wire) ?? []) edges.add(edge.id);
+      }
     } else if (kind === "node") {
       const node = Number(id.slice(2));
       const box2 = standsFor(node);
@@ -2451,6 +2484,32 @@ ${counted(about.nodes, "node")}`;
     return open;
   }
 
+  // launchlint/report/html/js/drawing/told.js
+  var MOST3 = 6;
+  var LONGEST3 = 34;
+  var HEIGHT = 14;
+  function toldNames(scene, selection, chosen) {
+    var _a;
+    const { sheet, view } = scene;
+    const found2 = [];
+    const namespace = ((_a = view.groups.get(selection.id)) == null ? void 0 : _a.namespace) ?? "";
+    for (const each of sheet.loose) {
+      if (chosen.has(each.box.id) && !/[^0-9]/.test(each.port.label)) found2.push(names(each, each.port.out, each.port.wires, namespace, "hollow"));
+    }
+    if (selection.kind === "container") {
+      for (const each of sheet.ports) if (each.port.id.startsWith(`${selection.id}|`)) found2.push(names(each, each.port.out, each.port.wires, namespace, "joined"));
+    }
+    return found2;
+  }
+  function names(at, out, wires, namespace, kind) {
+    const said2 = wires.slice(0, MOST3).map((wire) => shortName(wire.name, namespace, LONGEST3));
+    if (wires.length > MOST3) said2.push(`and ${wires.length - MOST3} more`);
+    const top = at.y + 4 - (said2.length - 1) * HEIGHT / 2;
+    const drawn = element("g", { class: `told ${kind}` });
+    said2.forEach((line4, index) => drawn.append(text(line4, { x: out ? at.x + 9 : at.x - 9, y: top + index * HEIGHT, "text-anchor": out ? "start" : "end" })));
+    return drawn;
+  }
+
   // launchlint/report/html/js/drawing/surface.js
   var GLIDE = 220;
   var PAUSE = 250;
@@ -2568,6 +2627,7 @@ ${counted(about.nodes, "node")}`;
     }
     /** @param {Selection | null} selection */
     select(selection) {
+      var _a;
       this.selection = selection;
       const { scene, painted } = this;
       if (!scene || !painted) return;
@@ -2588,7 +2648,11 @@ ${counted(about.nodes, "node")}`;
         const edge = isLit ? scene.drawn.edges.get(id) : void 0;
         if (edge) ports.add(edge.from).add(edge.to);
       }
-      for (const each of painted.ports) each.element.classList.toggle("lit", ports.has(each.id));
+      for (const each of painted.ports) {
+        each.element.classList.toggle("lit", ports.has(each.id));
+        each.element.classList.toggle("own", (selection == null ? void 0 : selection.kind) === "container" && each.id.startsWith(`${selection.id}|`));
+      }
+      (_a = painted.content.querySelector(".told-names")) == null ? void 0 : _a.replaceChildren(...selection && lit && any ? toldNames(scene, selection, lit.chosen) : []);
       const wire = (selection == null ? void 0 : selection.kind) === "channel" ? selection.id : "";
       for (const each of painted.loose) each.element.classList.toggle("lit", wire ? each.wires.includes(wire) : Boolean(lit == null ? void 0 : lit.chosen.has(each.box)));
     }
@@ -2895,13 +2959,13 @@ ${counted(about.nodes, "node")}`;
     return all.filter((each) => each.offers !== connection.offers && isIn(each, configuration));
   }
   function endsOf(model, channel, configuration) {
-    const ends = (model.onChannel[channel] ?? []).filter((each) => isIn(each, configuration) && each.mark !== "removed");
-    return { offered: ends.some((each) => each.offers), used: ends.some((each) => !each.offers), certain: ends.some((each) => each.certain) };
+    const ends2 = (model.onChannel[channel] ?? []).filter((each) => isIn(each, configuration) && each.mark !== "removed");
+    return { offered: ends2.some((each) => each.offers), used: ends2.some((each) => !each.offers), certain: ends2.some((each) => each.certain) };
   }
   function mayBeAt(model, channel, offers, configuration) {
     var _a;
-    const isThere = (node) => (model.nodesNamed.get(node) ?? []).some((index) => isIn(model.entry.nodes[index] ?? { only: [] }, configuration));
-    return (((_a = model.entry.channels[channel]) == null ? void 0 : _a.may) ?? []).filter((each) => each[0] === offers && (!each[1] || isThere(each[1])));
+    const isThere2 = (node) => (model.nodesNamed.get(node) ?? []).some((index) => isIn(model.entry.nodes[index] ?? { only: [] }, configuration));
+    return (((_a = model.entry.channels[channel]) == null ? void 0 : _a.may) ?? []).filter((each) => each[0] === offers && (!each[1] || isThere2(each[1])));
   }
   var channelKey = (kind, name) => `${kind} ${name}`;
   function related(entry, index) {
@@ -2932,9 +2996,9 @@ ${counted(about.nodes, "node")}`;
     }
     return model;
   }
-  function listed(names) {
+  function listed(names2) {
     const found2 = /* @__PURE__ */ new Map();
-    for (const [index, name] of names.entries()) {
+    for (const [index, name] of names2.entries()) {
       const those2 = found2.get(name);
       if (those2) those2.push(index);
       else found2.set(name, [index]);
@@ -2962,25 +3026,25 @@ ${counted(about.nodes, "node")}`;
   var RANGE_NAMED = /#n\(([^()]*)\)$/;
   var known4 = /* @__PURE__ */ new WeakMap();
   function containerNames(model) {
-    let names = known4.get(model);
-    if (!names) {
-      names = model.entry.containers.map(({ kind, label: label2, namespace }) => `${kind} ${label2 || namespace}`);
-      known4.set(model, names);
+    let names2 = known4.get(model);
+    if (!names2) {
+      names2 = model.entry.containers.map(({ kind, label: label2, namespace }) => `${kind} ${label2 || namespace}`);
+      known4.set(model, names2);
     }
-    return names;
+    return names2;
   }
-  function numbered(names, index) {
-    const name = names[index] ?? "";
+  function numbered(names2, index) {
+    const name = names2[index] ?? "";
     let before = 0;
-    for (let at = 0; at < index; at++) if (names[at] === name) before += 1;
-    return encodeURIComponent(before ? `${name}~~${before + 1}` : name).replaceAll(/[()]/g, (sign) => `%${sign.charCodeAt(0).toString(16)}`);
+    for (let at = 0; at < index; at++) if (names2[at] === name) before += 1;
+    return (before ? `${name}~~${before + 1}` : name).replaceAll(/[%()|>+:#,]/g, (sign) => `%${sign.charCodeAt(0).toString(16)}`);
   }
-  function indexOf(names, text2) {
+  function indexOf(names2, text2) {
     const name = decoded(text2);
-    const own = names.indexOf(name);
+    const own = names2.indexOf(name);
     const match = /^(.*)~~(\d{1,6})$/s.exec(name);
     if (own >= 0 || !match) return own;
-    const all = names.flatMap((each, at) => each === match[1] ? [at] : []);
+    const all = names2.flatMap((each, at) => each === match[1] ? [at] : []);
     return all[Number(match[2]) - 1] ?? all[0] ?? -1;
   }
   function decoded(text2) {
@@ -3124,11 +3188,11 @@ ${counted(about.nodes, "node")}`;
     const grouping = said2.get("group") ?? "";
     if (GROUPINGS.includes(grouping)) state.grouping = /** @type {PageState["grouping"]} */
     grouping;
-    const outside = (path) => byIndex(entry, `g:${state.grouping}:${path}`);
+    const outside2 = (path) => byIndex(entry, `g:${state.grouping}:${path}`);
     const focus = said2.get("focus");
-    if (focus) state.focus = outside(focus);
+    if (focus) state.focus = outside2(focus);
     const open = said2.get("open");
-    if (open !== void 0) state.expanded = new Set(parts2(open).map(outside));
+    if (open !== void 0) state.expanded = new Set(parts2(open).map(outside2));
     state.hidden = new Set(parts2(said2.get("hide") ?? "").flatMap((each) => unstable(entry, each)));
     const layers = (_a = said2.get("layers")) == null ? void 0 : _a.split(",");
     if (layers) for (const layer2 of LAYERS) state.layers[layer2] = layers.includes(layer2);
@@ -3146,7 +3210,7 @@ ${counted(about.nodes, "node")}`;
     if (kind === "channel") return [((_b = entry.entry.channels[index]) == null ? void 0 : _b.kind) ?? "topic", ((_c = entry.entry.channels[index]) == null ? void 0 : _c.name) ?? ""];
     if (kind === "param") return ["param", numbered2(entry.paramsNamed, ((_d = entry.entry.params[index]) == null ? void 0 : _d.name) ?? "", index)];
     if (kind === "container") return ["container", pathOf(entry, id)];
-    return [kind, kind === "edge" ? byName(entry, id) : id];
+    return [kind, kind === "edge" || kind === "pair" ? byName(entry, id) : id];
   }
   function found(model, entry, grouping, [kind, name]) {
     if (kind === "node") return indexed("node", "n:", one(entry.nodesNamed, name));
@@ -3154,7 +3218,7 @@ ${counted(about.nodes, "node")}`;
     if (CHANNELS.includes(kind)) return indexed("channel", "c:", entry.channelNamed.get(channelKey(kind, name)));
     if (kind === "container") return { kind, id: byIndex(entry, `g:${grouping}:${name}`) };
     if (kind === "finding") return model.finding(name) < 0 ? null : { kind, id: name };
-    if (kind === "edge") return { kind, id: byIndex(entry, name) };
+    if (kind === "edge" || kind === "pair") return { kind, id: byIndex(entry, name) };
     return null;
   }
   function indexed(kind, prefix, index) {
@@ -3176,7 +3240,7 @@ ${counted(about.nodes, "node")}`;
   }
   var positive = (index) => index < 0 ? void 0 : index;
   function wantedOf(said2) {
-    for (const kind of ["finding", "node", ...CHANNELS, "param", "container", "edge"]) {
+    for (const kind of ["finding", "node", ...CHANNELS, "param", "container", "edge", "pair"]) {
       const name = said2.get(kind);
       if (name) return [kind, name];
     }
@@ -3277,9 +3341,9 @@ ${counted(about.nodes, "node")}`;
     return who ? `nobody here ${words(role)[1]}, but ${who} may` : `nobody ${words(role)[1]}`;
   }
   function doubted(doubts) {
-    const names = [...new Set(doubts.map((each) => `${each[1] || "another one"} (${why(each)})`))];
-    if (names.length > MOST_DOUBTED) names.splice(MOST_DOUBTED, names.length, "others");
-    return [names.slice(0, -1).join(", "), ...names.slice(-1)].filter(Boolean).join(" and ");
+    const names2 = [...new Set(doubts.map((each) => `${each[1] || "another one"} (${why(each)})`))];
+    if (names2.length > MOST_DOUBTED) names2.splice(MOST_DOUBTED, names2.length, "others");
+    return [names2.slice(0, -1).join(", "), ...names2.slice(-1)].filter(Boolean).join(" and ");
   }
   function why([, node, unknown, reason]) {
     return node ? unknown ? "not known" : "not all of it is known" : reason.replace(/:.*/s, "");
@@ -3288,9 +3352,9 @@ ${counted(about.nodes, "node")}`;
   function number(count3, one2, many2 = `${one2}s`) {
     return `${count3.toLocaleString("en")} ${count3 === 1 ? one2 : many2}`;
   }
-  function notice({ verdict, why: why2, withArgs, launcher }) {
-    if (verdict === "loads") return withArgs && `loads; ${withArgs}`;
-    return `${verdict === "refused" ? `refused by ${launcher}` : verdict}: ${why2}${withArgs && `; ${withArgs}`}`;
+  function notice({ verdict: verdict2, why: why2, withArgs, launcher }) {
+    if (verdict2 === "loads") return withArgs && `loads; ${withArgs}`;
+    return `${verdict2 === "refused" ? `refused by ${launcher}` : verdict2}: ${why2}${withArgs && `; ${withArgs}`}`;
   }
   function entryTitle(data, index) {
     const entry = data.entries[index];
@@ -3301,10 +3365,10 @@ ${counted(about.nodes, "node")}`;
   }
   function when(entry, only2) {
     if (only2.length === 0) return "";
-    const names = (those2) => those2.map((each) => configurationName(entry.configurations[each] ?? "")).join(" or ");
+    const names2 = (those2) => those2.map((each) => configurationName(entry.configurations[each] ?? "")).join(" or ");
     const others = entry.configurations.map((_, index) => index).filter((index) => !only2.includes(index));
-    if (others.length > 0 && others.length < only2.length) return `not with ${names(others)}`;
-    return `only with ${names([...only2])}`;
+    if (others.length > 0 && others.length < only2.length) return `not with ${names2(others)}`;
+    return `only with ${names2([...only2])}`;
   }
   function lastPart2(name) {
     return name.slice(name.lastIndexOf("/") + 1) || name;
@@ -3402,22 +3466,22 @@ ${counted(about.nodes, "node")}`;
     ["changed", "#9a6700"]
   ]);
   var BUNDLE2 = 3;
-  function dot({ title: title2, verdict, boxes, arrows }) {
-    const names = new Map(boxes.map((box2, index) => [box2.id, `n${index + 1}`]));
-    const lines = ["digraph connections {", "  rankdir=LR;", `  label=${quoted2(title2, verdict)};`, "  node [shape=box];"];
+  function dot({ title: title2, verdict: verdict2, boxes, arrows }) {
+    const names2 = new Map(boxes.map((box2, index) => [box2.id, `n${index + 1}`]));
+    const lines = ["digraph connections {", "  rankdir=LR;", `  label=${quoted2(title2, verdict2)};`, "  node [shape=box];"];
     const write = (parent, depth) => {
       const indent = "  ".repeat(Math.min(depth, 12));
       for (const box2 of boxes) {
         if (box2.parent !== parent) continue;
         if (box2.kind === "container") {
-          lines.push(`${indent}subgraph cluster_${names.get(box2.id)} { label=${quoted2(box2.label)};`);
+          lines.push(`${indent}subgraph cluster_${names2.get(box2.id)} { label=${quoted2(box2.label)};`);
           write(box2.id, depth + 1);
           lines.push(`${indent}}`);
-        } else lines.push(`${indent}${names.get(box2.id)} [${attributes(box2)}];`);
+        } else lines.push(`${indent}${names2.get(box2.id)} [${attributes(box2)}];`);
       }
     };
     write("", 1);
-    for (const arrow of arrows) lines.push(`  ${names.get(arrow.from)} -> ${names.get(arrow.to)} [${arrowAttributes(arrow)}];`);
+    for (const arrow of arrows) lines.push(`  ${names2.get(arrow.from)} -> ${names2.get(arrow.to)} [${arrowAttributes(arrow)}];`);
     return `${[...lines, "}"].join("\n")}
 `;
   }
@@ -3428,8 +3492,8 @@ ${counted(about.nodes, "node")}`;
     if (mark) found2.push(`color="${COLOURS.get(mark)}", penwidth=3`);
     return found2.join(", ");
   }
-  function arrowAttributes({ kind, names, conditional, mark }) {
-    const found2 = [`label=${names.length < BUNDLE2 ? quoted2(...names) : quoted2(`${names.length} ${kind}s`)}`];
+  function arrowAttributes({ kind, names: names2, conditional, mark }) {
+    const found2 = [`label=${names2.length < BUNDLE2 ? quoted2(...names2) : quoted2(`${names2.length} ${kind}s`)}`];
     if (kind === "service" || conditional || mark === "removed") found2.push('style="dashed"');
     else if (kind === "action") found2.push('style="bold"');
     if (mark) found2.push(`color="${COLOURS.get(mark)}", penwidth=3`);
@@ -3465,7 +3529,7 @@ ${counted(about.nodes, "node")}`;
   }
 
   // launchlint/report/html/js/page/mermaid.js
-  var LONGEST3 = 80;
+  var LONGEST4 = 80;
   var LONGEST_VERDICT = 200;
   var BUNDLE3 = 3;
   var STYLES = /* @__PURE__ */ new Map([
@@ -3475,27 +3539,27 @@ ${counted(about.nodes, "node")}`;
     ["removed", "stroke:#cf222e,stroke-width:3px,stroke-dasharray: 6 3"],
     ["changed", "stroke:#9a6700,stroke-width:3px"]
   ]);
-  function mermaid({ verdict, boxes, arrows }) {
-    const names = new Map(boxes.map((box2, index) => [box2.id, `n${index + 1}`]));
+  function mermaid({ verdict: verdict2, boxes, arrows }) {
+    const names2 = new Map(boxes.map((box2, index) => [box2.id, `n${index + 1}`]));
     const lines = ["flowchart LR"];
-    if (verdict) lines.push(`  verdict["${label(verdict, LONGEST_VERDICT)}"]`, "  style verdict stroke:#cf222e,stroke-width:2px");
+    if (verdict2) lines.push(`  verdict["${label(verdict2, LONGEST_VERDICT)}"]`, "  style verdict stroke:#cf222e,stroke-width:2px");
     const write = (parent, depth) => {
       const indent = "  ".repeat(Math.min(depth, 12));
       for (const box2 of boxes) {
         if (box2.parent !== parent) continue;
         if (box2.kind === "container") {
-          lines.push(`${indent}subgraph ${names.get(box2.id)} ["${label(box2.label)}"]`);
+          lines.push(`${indent}subgraph ${names2.get(box2.id)} ["${label(box2.label)}"]`);
           write(box2.id, depth + 1);
           lines.push(`${indent}end`);
-        } else lines.push(`${indent}${names.get(box2.id)}${shape(box2)}`);
+        } else lines.push(`${indent}${names2.get(box2.id)}${shape(box2)}`);
       }
     };
     write("", 1);
-    for (const arrow of arrows) lines.push(`  ${names.get(arrow.from)} ${line2(arrow)} ${names.get(arrow.to)}`);
+    for (const arrow of arrows) lines.push(`  ${names2.get(arrow.from)} ${line2(arrow)} ${names2.get(arrow.to)}`);
     for (const [at, { mark }] of arrows.entries()) if (mark) lines.push(`  linkStyle ${at} ${STYLES.get(mark)}`);
     for (const [style, css] of STYLES) {
       const those2 = boxes.filter((box2) => box2.mark === style || style === "unknown" && box2.unknown || style === "conditional" && box2.conditional);
-      if (those2.length > 0) lines.push(`  classDef ${style} ${css}`, `  class ${those2.map((box2) => names.get(box2.id)).join()} ${style}`);
+      if (those2.length > 0) lines.push(`  classDef ${style} ${css}`, `  class ${those2.map((box2) => names2.get(box2.id)).join()} ${style}`);
     }
     return `${lines.join("\n")}
 `;
@@ -3505,13 +3569,13 @@ ${counted(about.nodes, "node")}`;
     if (kind === "folded") return `[[${inside}]]`;
     return kind === "node" ? `[${inside}]` : `([${inside}])`;
   }
-  function line2({ kind, names, conditional }) {
-    const shown = names.length < BUNDLE3 ? names.map((each) => label(each)).join("<br/>") : `${names.length} ${kind}s`;
+  function line2({ kind, names: names2, conditional }) {
+    const shown = names2.length < BUNDLE3 ? names2.map((each) => label(each)).join("<br/>") : `${names2.length} ${kind}s`;
     const text2 = shown && `|"${shown}"|`;
     if (kind === "action") return `==>${text2}`;
     return conditional || kind === "service" ? `-.->${text2}` : `-->${text2}`;
   }
-  function label(text2, longest = LONGEST3) {
+  function label(text2, longest = LONGEST4) {
     const characters = Array.from(text2);
     const shown = characters.length <= longest ? characters : [...characters.slice(0, 26), "…", ...characters.slice(-(longest - 27))];
     return shown.map((each) => /^[\w\-/.,~ …→]$/.test(each) ? each : `#${each.codePointAt(0)};`).join("");
@@ -3722,6 +3786,7 @@ ${counted(about.nodes, "node")}`;
     );
     const name = (_a = entry.channels[connection.channel]) == null ? void 0 : _a.name;
     return [
+      connection.qos && element2("div", { class: "type" }, "QoS: ", connection.qos),
       withType && connection.type && element2("div", { class: "type" }, element2("code", {}, connection.type)),
       (renamed || connection.unremapped !== name || connection.spelling === "private") && element2("div", { class: "note" }, "in the code: ", element2("code", {}, connection.declared), ` (${connection.spelling})`),
       renamed,
@@ -3811,7 +3876,7 @@ ${counted(about.nodes, "node")}`;
     return model.entry.channels.flatMap(({ kind, hub, plumbing }, channel) => {
       if (hub || plumbing) return [];
       const there = endsAt(model, channel).filter((each) => each.mark !== opposite(mark));
-      const [givers, takers] = [true, false].map((gives) => there.filter(({ end }) => kind === "topic" === end.offers === gives));
+      const [givers, takers] = [true, false].map((gives2) => there.filter(({ end }) => kind === "topic" === end.offers === gives2));
       const pairs2 = (givers ?? []).flatMap((from) => (takers ?? []).map((to) => (
         /** @type {const} */
         [from, to]
@@ -3823,8 +3888,8 @@ ${counted(about.nodes, "node")}`;
   }
   function connectionsWith(page, model, mark) {
     return model.entry.channels.flatMap(({ plumbing }, channel) => {
-      const ends = plumbing ? [] : endsAt(model, channel).filter((each) => each.mark !== opposite(mark));
-      const alone = ends.filter((each) => each.mark === mark && !ends.some((other) => other.end.offers !== each.end.offers));
+      const ends2 = plumbing ? [] : endsAt(model, channel).filter((each) => each.mark !== opposite(mark));
+      const alone = ends2.filter((each) => each.mark === mark && !ends2.some((other) => other.end.offers !== each.end.offers));
       return alone.map(({ end }) => line3(mark, nodeReference(page, end.node), ` ${does(end.role)} `, channelReference(page, channel)));
     });
   }
@@ -3901,6 +3966,11 @@ ${counted(about.nodes, "node")}`;
     search(containersOf(entry, grouping));
     return path;
   }
+  function outside(entry, grouping, id) {
+    const found2 = [];
+    for (let group3 = containerOf(entry, grouping, id); group3 == null ? void 0 : group3.parent; group3 = containerOf(entry, grouping, group3.parent)) found2.push(group3.parent);
+    return found2;
+  }
 
   // launchlint/report/html/js/page/picture.js
   var LAYER_OF = /* @__PURE__ */ new Map([
@@ -3916,15 +3986,15 @@ ${counted(about.nodes, "node")}`;
     const arrows = /* @__PURE__ */ new Map();
     for (const [at, channel] of model.entry.channels.entries()) {
       if (!isShown(page, state, channel, at)) continue;
-      const ends = endsAt(model, at).flatMap(({ end, mark }) => isIn(end, state.configuration) ? [{ ...end, mark: mark ?? "" }] : []);
+      const ends2 = endsAt(model, at).flatMap(({ end, mark }) => isIn(end, state.configuration) ? [{ ...end, mark: mark ?? "" }] : []);
       const givers = sides(
         page,
-        ends.filter((each) => givesData(channel, each)),
+        ends2.filter((each) => givesData(channel, each)),
         drawn
       );
       const takers = sides(
         page,
-        ends.filter((each) => !givesData(channel, each)),
+        ends2.filter((each) => !givesData(channel, each)),
         drawn
       );
       if (givers.size === 0 && takers.size === 0) continue;
@@ -3990,9 +4060,9 @@ ${counted(about.nodes, "node")}`;
     walk2(containersOf(entry, state.grouping), "");
     return boxes;
   }
-  function sides({ drawing }, ends, drawn) {
+  function sides({ drawing }, ends2, drawn) {
     const found2 = /* @__PURE__ */ new Map();
-    for (const end of ends) {
+    for (const end of ends2) {
       const box2 = drawing.standsFor(end.node);
       if (box2 !== null && drawn.has(box2) && !found2.has(box2)) found2.set(box2, { conditional: !end.certain || end.only.length > 0, mark: end.mark });
     }
@@ -4034,7 +4104,11 @@ ${end.mark}`;
   }
 
   // launchlint/report/html/js/page/search_index.js
-  var MOST3 = 50;
+  var MOST4 = 50;
+  var FAR = 10;
+  var SHORT_WORD = 3;
+  var LONG_WORD = 5;
+  var LONGEST_WORD = 40;
   function createIndex(model) {
     const known6 = /* @__PURE__ */ new Map();
     function all(entry) {
@@ -4053,23 +4127,61 @@ ${end.mark}`;
         var _a;
         return ((_a = each.target) == null ? void 0 : _a.id) ?? [];
       }));
-      const others = here.length >= MOST3 ? [] : model.data.entries.flatMap((_, at) => at === entry ? [] : fitting2(all(at), words2));
+      const others = here.length >= MOST4 ? [] : model.data.entries.flatMap((_, at) => at === entry ? [] : fitting2(all(at), words2));
       const elsewhere = others.filter((each) => !here.some((known7) => known7.kind === each.kind && known7.label === each.label));
       const hits = [...here, ...elsewhere];
-      return { hits: hits.slice(0, MOST3), total: hits.length, ids };
+      return { hits: hits.slice(0, MOST4), total: hits.length, ids };
     };
   }
   function fitting2(hits, words2) {
-    const scored = hits.flatMap((hit) => words2.every((word) => hit.key.includes(word)) ? [{ hit, score: score(hit, words2) }] : []);
+    const scored = hits.flatMap((hit) => {
+      const exact = words2.every((word) => hit.key.includes(word));
+      const near = exact ? 0 : roughly(hit, words2);
+      return exact || near < Infinity ? [{ hit, score: exact ? score(hit, words2) : near }] : [];
+    });
     scored.sort((one2, other) => one2.score - other.score);
     return scored.map((each) => each.hit);
   }
-  function score({ label: label2, tail }, words2) {
+  function roughly({ label: label2 }, words2) {
+    const name = label2.toLowerCase();
+    let sum = FAR;
+    for (const word of words2) {
+      if (name.includes(word)) continue;
+      const gaps = gapsIn(name, word);
+      if (gaps <= word.length) sum += 1 + gaps / 10;
+      else if (word.length >= LONG_WORD && word.length <= LONGEST_WORD && hasTypo(name, word)) sum += 2;
+      else return Infinity;
+    }
+    return sum;
+  }
+  function gapsIn(name, word) {
+    if (word.length < SHORT_WORD) return Infinity;
+    let at = name.length;
+    let last = -1;
+    for (const letter of [...word].reverse()) {
+      at = at <= 0 ? -1 : name.lastIndexOf(letter, at - 1);
+      if (at < 0) return Infinity;
+      if (last < 0) last = at;
+    }
+    return last - at + 1 - word.length;
+  }
+  function hasTypo(name, word) {
+    for (let at = 0; at < word.length; at++) {
+      const [before, after] = [word.slice(0, at), word.slice(at + 1)];
+      if (name.includes(before + after)) return true;
+      if (at + 1 < word.length && name.includes(before + (word[at + 1] ?? "") + (word[at] ?? "") + word.slice(at + 2))) return true;
+      for (let start2 = name.indexOf(before); start2 >= 0 && start2 < name.length; start2 = name.indexOf(before, start2 + 1)) {
+        if (name.startsWith(after, start2 + at + 1) || name.startsWith(word.slice(at), start2 + at + 1)) return true;
+      }
+    }
+    return false;
+  }
+  function score({ label: label2, tail: tail2 }, words2) {
     const [word = ""] = words2;
     const name = label2.toLowerCase();
-    if (name === word || tail === word) return 0;
-    if (tail.startsWith(word) || name.startsWith(word)) return 1;
-    if (tail.includes(word)) return 2;
+    if (name === word || tail2 === word) return 0;
+    if (tail2.startsWith(word) || name.startsWith(word)) return 1;
+    if (tail2.includes(word)) return 2;
     return name.includes(word) ? 3 : 4;
   }
   function hitsOf(model, index) {
@@ -4484,15 +4596,15 @@ ${end.mark}`;
   // launchlint/report/html/js/page/landing.js
   function createLanding({ store, model }) {
     const host2 = document.getElementById("landing");
-    const [verdict, counts] = [part("verdict"), part("counts")];
-    const [words2, looks, numbers] = [verdict.textContent, verdict.className, [...counts.children]];
+    const [verdict2, counts] = [part("verdict"), part("counts")];
+    const [words2, looks, numbers] = [verdict2.textContent, verdict2.className, [...counts.children]];
     store.listen(
       ({ landing }, before) => {
         var _a;
         document.body.dataset["view"] = landing ? "landing" : "entry";
         if (!landing) return;
-        verdict.textContent = words2;
-        verdict.className = looks;
+        verdict2.textContent = words2;
+        verdict2.className = looks;
         counts.replaceChildren(...numbers);
         part("drawing").setAttribute("aria-busy", "false");
         if (!before.landing) (_a = host2 == null ? void 0 : host2.querySelector("h2")) == null ? void 0 : _a.focus();
@@ -4517,7 +4629,7 @@ ${end.mark}`;
     const channel = model.entry.channels[index];
     if (!channel) return [];
     const [noun, [offering, using]] = KINDS[channel.kind];
-    const ends = (model.onChannel[index] ?? []).filter((each) => isIn(each, page.store.get().configuration));
+    const ends2 = (model.onChannel[index] ?? []).filter((each) => isIn(each, page.store.get().configuration));
     const badges = [
       channel.hub && badge2("hub: everybody uses it"),
       channel.plumbing && badge2("machinery"),
@@ -4526,11 +4638,11 @@ ${end.mark}`;
     ];
     const types = channel.types.map((type) => element2("div", {}, element2("code", {}, type), ...md5(page, type)));
     const sides2 = ROLE_ORDER.flatMap((role) => {
-      const those2 = ends.filter((each) => each.role.replace("_", " ") === role);
+      const those2 = ends2.filter((each) => each.role.replace("_", " ") === role);
       return those2.length > 0 ? endBlock(page, nounOf(role), those2, channel.types.length > 1) : [];
     });
-    const offered = ends.some((each) => each.offers);
-    const used = ends.some((each) => !each.offers);
+    const offered = ends2.some((each) => each.offers);
+    const used = ends2.some((each) => !each.offers);
     return [
       ...heading(noun, channel.name, badges),
       types.length > 0 ? list(types, "types") : element2("p", { class: "note" }, "Its type is not known."),
@@ -4589,27 +4701,62 @@ ${end.mark}`;
     ];
   }
 
+  // launchlint/report/html/js/page/interface.js
+  function interfaceOf(model, inside, configuration) {
+    const found2 = { incoming: [], outgoing: [], looseIn: [], looseOut: [] };
+    const touched = new Set([...inside].flatMap((node) => (model.ofNode[node] ?? []).map((each) => each.channel)));
+    for (const channel of [...touched].sort((one2, other) => one2 - other)) {
+      const { kind, hub, plumbing } = model.entry.channels[channel] ?? { kind: "topic", hub: true, plumbing: true };
+      if (hub || plumbing) continue;
+      const ends2 = (model.onChannel[channel] ?? []).filter((each) => isIn(each, configuration) && each.mark !== "removed");
+      const has = (gives2, within2) => ends2.some((each) => kind === "topic" === each.offers === gives2 && inside.has(each.node) === within2);
+      if (has(true, true) && has(false, false)) found2.outgoing.push(channel);
+      if (has(false, true) && has(true, false)) found2.incoming.push(channel);
+      const loose = (gives2) => has(gives2, true) && !has(!gives2, true) && !has(!gives2, false);
+      if (loose(true)) found2.looseOut.push(channel);
+      if (loose(false)) found2.looseIn.push(channel);
+    }
+    return found2;
+  }
+
   // launchlint/report/html/js/page/panel_container.js
   var KINDS2 = { root: "Everything", namespace: "Namespace", group: "Group", include: "Include", package: "Package", machine: "Machine", range: "Neighbours", tray: "Without a connection" };
   function containerPanel(page, model, id) {
-    var _a;
+    var _a, _b;
     const { grouping, configuration } = page.store.get();
     const group3 = containerOf(model.entry, grouping, id);
     if (!group3) return [];
     const nodes = nodesWithin(group3);
     const findings = findingsWithin(model.entry, group3);
     const place2 = ((_a = model.entry.containers[group3.container]) == null ? void 0 : _a.place) ?? null;
-    const { incoming, outgoing } = boundary(model, new Set(nodes), configuration);
+    const { incoming, outgoing, looseIn, looseOut } = interfaceOf(model, new Set(nodes), configuration);
+    const args = ((_b = model.entry.containers[group3.container]) == null ? void 0 : _b.args) ?? [];
     const inner = group3.groups.map((each) => [reference(page, { kind: "container", id: each.id }, fullName(each)), ` ${number(each.count, "node")}`]);
     return [
       ...heading(KINDS2[group3.kind], fullName(group3), [], [openButton(page, id), focusButton(page, id, "Focus on it"), hideButton(page, id)]),
       findingsBlock(page, findings),
-      channels(page, "Goes out", outgoing),
+      args.length > 0 && argsBlock(args),
       channels(page, "Comes in", incoming),
+      channels(page, "Goes out", outgoing),
+      channels(page, "Waits for what nobody offers", looseIn),
+      channels(page, "Offers what nobody uses", looseOut),
       inner.length > 0 && block("Contains", list(inner.map((each) => element2("div", {}, ...each)))),
       group3.nodes.length > 0 && block(number(group3.nodes.length, "node"), list(group3.nodes.map((each) => nodeReference(page, each)))),
       sourceBlock(page, place2)
     ];
+  }
+  function argsBlock(args) {
+    const rows2 = args.map(
+      ([name, value, fallback]) => element2(
+        "tr",
+        {},
+        element2("th", { scope: "row" }, element2("code", {}, name)),
+        element2("td", {}, value === null ? element2("span", { class: "note" }, "default") : element2("code", {}, value || "(empty)")),
+        element2("td", {}, fallback === null ? element2("span", { class: "note" }, "none") : element2("code", {}, fallback || "(empty)"))
+      )
+    );
+    const head2 = element2("tr", {}, ...["Arg", "Passed", "Default"].map((each) => element2("th", { scope: "col" }, each)));
+    return block(number(args.length, "arg"), element2("table", { class: "args" }, element2("thead", {}, head2), element2("tbody", {}, ...rows2)));
   }
   function openButton({ store, drawing }, id) {
     const open = drawing.expanded().has(id);
@@ -4622,21 +4769,6 @@ ${end.mark}`;
   }
   function channels(page, title2, those2) {
     return those2.length > 0 && block(title2, list(those2.map((each) => channelReference(page, each))));
-  }
-  function boundary(model, inside, configuration) {
-    const incoming = [];
-    const outgoing = [];
-    const touched = new Set([...inside].flatMap((node) => (model.ofNode[node] ?? []).map((each) => each.channel)));
-    for (const channel of touched) {
-      const { kind, hub, plumbing } = model.entry.channels[channel] ?? { kind: "topic", hub: true, plumbing: true };
-      if (hub || plumbing) continue;
-      const ends = (model.onChannel[channel] ?? []).filter((each) => isIn(each, configuration));
-      const gives = (each) => kind === "topic" === each.offers;
-      const has = (giving, within2) => ends.some((each) => gives(each) === giving && inside.has(each.node) === within2);
-      if (has(true, true) && has(false, false)) outgoing.push(channel);
-      if (has(false, true) && has(true, false)) incoming.push(channel);
-    }
-    return { incoming, outgoing };
   }
 
   // launchlint/report/html/js/page/panel_edge.js
@@ -4663,8 +4795,8 @@ ${end.mark}`;
   }
   function channelBlock(page, model, channel) {
     var _a, _b;
-    const ends = model.onChannel[channel] ?? [];
-    const nodes = (offers) => [...new Set(ends.filter((each) => each.offers === offers).map((each) => each.node))];
+    const ends2 = model.onChannel[channel] ?? [];
+    const nodes = (offers) => [...new Set(ends2.filter((each) => each.offers === offers).map((each) => each.node))];
     const side = (title2, those2) => those2.length > 0 && element2("div", {}, element2("span", { class: "note" }, title2), list(those2.map((each) => nodeReference(page, each))));
     const topic = ((_a = model.entry.channels[channel]) == null ? void 0 : _a.kind) === "topic";
     return block(
@@ -4727,6 +4859,243 @@ ${end.mark}`;
     return items.length > 0 && block("Also reached from", list(items));
   }
 
+  // launchlint/report/html/js/page/why.js
+  var MOST5 = 3;
+  var LIKE = 0.45;
+  var gives = (model, each) => {
+    var _a;
+    return ((_a = model.entry.channels[each.channel]) == null ? void 0 : _a.kind) === "topic" === each.offers;
+  };
+  function pathBetween(model, from, to, configuration) {
+    var _a;
+    const reached = /* @__PURE__ */ new Map([[from, null]]);
+    const waiting = [from];
+    for (const node of waiting) {
+      if (node === to && node !== from) break;
+      for (const out of ends(model, node, configuration).filter((each) => gives(model, each))) {
+        const isTopic = ((_a = model.entry.channels[out.channel]) == null ? void 0 : _a.kind) === "topic";
+        for (const into of model.onChannel[out.channel] ?? []) {
+          if (gives(model, into) || !isThere(model, into, configuration) || !meet2(out, into) || reached.has(into.node)) continue;
+          if (!isTopic && (node !== from || into.node !== to)) continue;
+          reached.set(into.node, { from: node, channel: out.channel, to: into.node });
+          waiting.push(into.node);
+        }
+      }
+    }
+    if (!reached.has(to) || from === to) return null;
+    const steps = [];
+    for (let step = reached.get(to); step; step = reached.get(step.from)) steps.unshift(step);
+    return steps;
+  }
+  function nearMisses(model, from, to, written2) {
+    const out = ends(model, from, -1).filter((each) => gives(model, each));
+    const into = ends(model, to, -1).filter((each) => !gives(model, each));
+    const found2 = out.flatMap(
+      (giver) => into.flatMap((taker) => {
+        const [one2, other] = [model.entry.channels[giver.channel], model.entry.channels[taker.channel]];
+        if (!one2 || !other || one2.kind !== other.kind) return [];
+        const score2 = likeness(giver, taker, one2.name, other.name);
+        return score2 >= LIKE ? [{ giver, taker, score: score2 }] : [];
+      })
+    );
+    found2.sort((one2, other) => other.score - one2.score);
+    return found2.slice(0, MOST5).map(({ giver, taker }) => ({ giver, taker, ...verdict(model, giver, taker, written2) }));
+  }
+  function ends(model, node, configuration) {
+    return (model.ofNode[node] ?? []).filter((each) => {
+      const { hub = true, plumbing = true } = model.entry.channels[each.channel] ?? {};
+      return !hub && !plumbing && isThere(model, each, configuration);
+    });
+  }
+  function isThere(model, each, configuration) {
+    return each.mark !== "removed" && isIn(each, configuration) && isIn(model.entry.nodes[each.node] ?? { only: [] }, configuration);
+  }
+  function meet2(one2, other) {
+    return one2.only.length === 0 || other.only.length === 0 || one2.only.some((each) => other.only.includes(each));
+  }
+  function likeness(giver, taker, one2, other) {
+    if (one2 === other) return 1;
+    const sameType = giver.type !== "" && giver.type === taker.type;
+    if (giver.type && taker.type && !sameType) return tail(one2) === tail(other) ? 0.5 : 0;
+    if (tail(one2) === tail(other)) return sameType ? 0.95 : 0.8;
+    if (bare(giver.declared) === bare(taker.declared)) return sameType ? 0.9 : 0.7;
+    return (sameType ? 0.45 : 0) + 0.45 * shared(tail(one2), tail(other));
+  }
+  var tail = (name) => name.slice(name.lastIndexOf("/") + 1);
+  var bare = (declared) => tail(declared.replace(/^~/, ""));
+  function shared(one2, other) {
+    const pairs2 = (word) => new Set(Array.from({ length: Math.max(0, word.length - 1) }, (_, at) => word.slice(at, at + 2).toLowerCase()));
+    const [left, right] = [pairs2(one2), pairs2(other)];
+    const both2 = [...left].filter((each) => right.has(each)).length;
+    return left.size + right.size ? 2 * both2 / (left.size + right.size) : 0;
+  }
+  function verdict(model, giver, taker, written2) {
+    const name = (each) => {
+      var _a;
+      return ((_a = model.entry.channels[each.channel]) == null ? void 0 : _a.name) ?? "";
+    };
+    const node = (each) => {
+      var _a;
+      return ((_a = model.entry.nodes[each.node]) == null ? void 0 : _a.name) ?? "";
+    };
+    if (name(giver) !== name(taker)) return { apart: `The names part at ${parting(name(giver), name(taker))}${cause(model, giver, taker, written2)}.`, edit: remap(model, taker, name(giver), written2) };
+    if (giver.type && taker.type && giver.type !== taker.type) {
+      return { apart: `One name, two types: ${node(giver)} has ${giver.type}, ${node(taker)} wants ${taker.type}.`, edit: "Let both use one type: ROS does not connect them." };
+    }
+    const clash = qosClash(giver.qos ?? "", taker.qos ?? "");
+    if (clash) return { apart: `One name, and their QoS does not fit: ${clash}.`, edit: "Let what is offered be at least what is asked for." };
+    const [one2, other] = [model.entry.nodes[giver.node], model.entry.nodes[taker.node]];
+    const never = !meet2(giver, taker) || one2 && other && !meet2(one2, other);
+    if (never) {
+      const when2 = (each) => (each == null ? void 0 : each.conditions.join(" and ")) || "some configurations";
+      return { apart: `They are never there together: ${node(giver)} only where ${when2(one2)}, ${node(taker)} only where ${when2(other)}.`, edit: "Start both under one condition." };
+    }
+    return { apart: "They are connected, yet not in the configuration that is shown.", edit: "Choose a configuration in which both are there." };
+  }
+  function parting(one2, other) {
+    const [left, right] = [one2.split("/"), other.split("/")];
+    const at = left.findIndex((part2, index) => part2 !== right[index]);
+    const from = at < 0 ? left.length : at;
+    const rest = (parts3) => parts3.slice(from).join("/") || "its end";
+    const before = left.slice(0, from).join("/");
+    return `${before ? `${before}/` : "/"}: “${rest(left)}” there, “${rest(right)}” here`;
+  }
+  function cause(model, giver, taker, written2) {
+    var _a, _b;
+    if (giver.unremapped === taker.unremapped) {
+      const step = [...giver.remaps, ...taker.remaps].find(([from, to]) => from !== to);
+      return step ? `: before remaps both are ${giver.unremapped}, then ${step[0]} becomes ${step[1]}${step[2] ? ` in ${written2(step[2])}` : ""}` : "";
+    }
+    if (bare(giver.declared) === bare(taker.declared)) {
+      const [one2, other] = [((_a = model.entry.nodes[giver.node]) == null ? void 0 : _a.namespace) ?? "", ((_b = model.entry.nodes[taker.node]) == null ? void 0 : _b.namespace) ?? ""];
+      if (giver.spelling === "private" || taker.spelling === "private") return ": a private name begins with the name of its node";
+      if (one2 !== other) return `: the nodes are in different namespaces, ${one2} and ${other}`;
+    }
+    return "";
+  }
+  function remap(model, taker, name, written2) {
+    const own = [...taker.remaps].reverse().find(([from, to, place3]) => from !== to && place3);
+    if (own == null ? void 0 : own[2]) return `In ${written2(own[2])} let the remap lead to ${name} instead of ${own[1]}.`;
+    const node = model.entry.nodes[taker.node];
+    const place2 = node == null ? void 0 : node.place;
+    const where = place2 ? written2(place2) : "its element";
+    const file = where.replace(/:\d+$/, "");
+    const line4 = file.endsWith(".py") ? `remappings=[("${taker.declared}", "${name}")]` : /\.ya?ml$/.test(file) ? `remap: [{from: "${taker.declared}", to: "${name}"}]` : `<remap from="${taker.declared}" to="${name}"/>`;
+    return `At ${where}, in ${(node == null ? void 0 : node.name) ?? "the node"}: ${line4}`;
+  }
+  function qosClash(offered, asked) {
+    const says = (qos, word) => qos.split(/[,\s]+/).includes(word);
+    if (says(offered, "best_effort") && says(asked, "reliable")) return "best_effort is offered, reliable is asked for";
+    if (says(offered, "volatile") && says(asked, "transient_local")) return "volatile is offered, transient_local is asked for";
+    return "";
+  }
+
+  // launchlint/report/html/js/page/panel_pair.js
+  var OFFERED = 600;
+  function pairField({ store }, model, id) {
+    const names2 = /* @__PURE__ */ new Map();
+    for (const [index, node] of model.entry.nodes.entries()) if (`n:${index}` !== id && !names2.has(node.name)) names2.set(node.name, `n:${index}`);
+    if (id.startsWith("n:")) {
+      for (const [index, { name, hub, plumbing }] of model.entry.channels.entries()) if (!hub && !plumbing && !names2.has(name)) names2.set(name, `c:${index}`);
+    }
+    const offers = element2("datalist", { id: "pair-names" }, ...[...names2.keys()].slice(0, OFFERED).map((name) => element2("option", { value: name })));
+    const field = element2("input", { type: "search", list: "pair-names", placeholder: "Why does it not hear …", "aria-label": "Another node or topic: why are they not connected?", class: "pair", autocomplete: "off" });
+    const ask = () => {
+      const other = names2.get(field.value.trim());
+      if (other) store.set({ selection: { kind: "pair", id: `${id}|${other}` } });
+    };
+    field.addEventListener("input", ask);
+    return element2("p", { class: "pair-host" }, field, offers);
+  }
+  function pairWay(model, id, configuration) {
+    const [one2 = "", other = ""] = id.split("|");
+    const [from, to] = [Number(one2.slice(2)), Number(other.slice(2))];
+    const way = other.startsWith("n:") ? pathBetween(model, from, to, configuration) ?? pathBetween(model, to, from, configuration) : null;
+    return way ? [...new Set(way.flatMap((step) => [`n:${step.from}`, `c:${step.channel}`, `n:${step.to}`]))] : [one2, other];
+  }
+  function pairPanel(page, model, id) {
+    const [one2 = "", other = ""] = id.split("|");
+    const node = model.entry.nodes[Number(one2.slice(2))];
+    if (!node) return [];
+    if (other.startsWith("c:")) return topicPanel(page, model, Number(one2.slice(2)), Number(other.slice(2)));
+    const [from, to] = [Number(one2.slice(2)), Number(other.slice(2))];
+    const second = model.entry.nodes[to];
+    if (!second) return [];
+    return [
+      ...heading("Two nodes", `${node.name} and ${second.name}`, []),
+      ...directionBlocks(page, model, from, to),
+      ...directionBlocks(page, model, to, from),
+      unknownNote(model, [from, to])
+    ];
+  }
+  function directionBlocks(page, model, from, to) {
+    var _a, _b;
+    const [one2, other] = [((_a = model.entry.nodes[from]) == null ? void 0 : _a.name) ?? "", ((_b = model.entry.nodes[to]) == null ? void 0 : _b.name) ?? ""];
+    const path = pathBetween(model, from, to, page.store.get().configuration);
+    if (path) return [block(path.length > 1 ? `${other} hears ${one2} by way of others` : `${other} hears ${one2}`, list(path.map((step) => stepItem(page, step)), "steps"))];
+    const near = nearMisses(model, from, to, (place2) => page.model.place(place2));
+    if (near.length === 0) return [block(`${other} does not hear ${one2}`, element2("p", {}, `Nothing that ${one2} gives is like anything that ${other} takes.`))];
+    return [block(`${other} does not hear ${one2}`, ...near.map((each) => nearItem(page, model, each)))];
+  }
+  function stepItem(page, { from, channel, to }) {
+    return element2("div", {}, nodeReference(page, from), " → ", channelReference(page, channel), " → ", nodeReference(page, to));
+  }
+  function nearItem(page, model, { giver, taker, apart, edit }) {
+    const rows2 = [
+      ["", ...[giver, taker].map((each) => {
+        var _a;
+        return `${((_a = model.entry.nodes[each.node]) == null ? void 0 : _a.name) ?? ""} ${does(each.role)}`;
+      })],
+      ["in the code", giver.declared, taker.declared],
+      ["in its namespace", giver.unremapped, taker.unremapped],
+      ...remapRows(giver, taker),
+      ["on the graph", nameOf(model, giver), nameOf(model, taker)],
+      ["type", giver.type || "not known", taker.type || "not known"],
+      ...giver.qos || taker.qos ? [["QoS", giver.qos ?? "not known", taker.qos ?? "not known"]] : []
+    ];
+    const [head2 = [], ...body] = rows2;
+    const line4 = ([title2 = "", left = "", right = ""]) => element2("tr", { class: left !== right && title2 !== "in the code" ? "parts" : null }, element2("th", { scope: "row" }, title2), element2("td", {}, element2("code", {}, left)), element2("td", {}, element2("code", {}, right)));
+    return element2(
+      "div",
+      { class: "near" },
+      element2("table", { class: "beside" }, element2("thead", {}, element2("tr", {}, ...head2.map((each) => element2("th", { scope: "col" }, each)))), element2("tbody", {}, ...body.map(line4))),
+      element2("p", { class: "apart" }, apart),
+      element2("p", {}, element2("b", {}, "To join them: "), edit),
+      element2("p", { class: "note" }, "See ", channelReference(page, giver.channel), " and ", channelReference(page, taker.channel))
+    );
+  }
+  function remapRows(giver, taker) {
+    const steps = (each) => each.remaps.filter(([from, to]) => from !== to).map(([, to]) => to);
+    const [left, right] = [steps(giver), steps(taker)];
+    return Array.from({ length: Math.max(left.length, right.length) }, (_, at) => [`after remap ${at + 1}`, left[at] ?? "", right[at] ?? ""]);
+  }
+  var nameOf = (model, each) => {
+    var _a;
+    return ((_a = model.entry.channels[each.channel]) == null ? void 0 : _a.name) ?? "";
+  };
+  function unknownNote(model, nodes) {
+    const names2 = nodes.flatMap((each) => {
+      var _a, _b;
+      return ((_a = model.entry.nodes[each]) == null ? void 0 : _a.knowledge) === "unknown" ? [(_b = model.entry.nodes[each]) == null ? void 0 : _b.name] : [];
+    });
+    return names2.length > 0 && element2("p", { class: "note" }, `What ${names2.join(" and ")} ${names2.length > 1 ? "do" : "does"} is not known, so more may connect them.`);
+  }
+  function topicPanel(page, model, node, channel) {
+    var _a, _b;
+    const name = ((_a = model.entry.channels[channel]) == null ? void 0 : _a.name) ?? "";
+    const own = (model.ofNode[node] ?? []).filter((each) => each.channel === channel);
+    const title2 = heading("A node and a name", `${((_b = model.entry.nodes[node]) == null ? void 0 : _b.name) ?? ""} and ${name}`, []);
+    if (own.length > 0) return [...title2, block("Connected", list(own.map((each) => element2("div", {}, nodeReference(page, node), ` ${does(each.role)} `, channelReference(page, channel)))))];
+    const others = [...new Set((model.onChannel[channel] ?? []).map((each) => each.node))].filter((each) => each !== node);
+    const near = others.flatMap((other) => [...nearMisses(model, other, node, (place2) => page.model.place(place2)), ...nearMisses(model, node, other, (place2) => page.model.place(place2))]);
+    const about = near.filter((each) => each.giver.channel === channel || each.taker.channel === channel).slice(0, 3);
+    return [
+      ...title2,
+      about.length > 0 ? block("Not connected", ...about.map((each) => nearItem(page, model, each))) : block("Not connected", element2("p", {}, "Nothing that the node gives or takes is like this name.")),
+      unknownNote(model, [node])
+    ];
+  }
+
   // launchlint/report/html/js/page/panel_node.js
   var KINDS3 = { manager: "Nodelet manager", nodelet: "Nodelet", container: "Component container", component: "Component" };
   function nodePanel(page, model, index) {
@@ -4736,6 +5105,7 @@ ${end.mark}`;
     const kind = node.isTest ? "Test node" : KINDS3[node.kind] ?? "Node";
     const badges = [
       node.knowledge === "unknown" && badge2("interface not known", "unknown"),
+      node.lifecycle && badge2("lifecycle: somebody has to configure and activate it"),
       node.mark && badge2(node.mark, node.mark),
       (node.conditions.length > 0 || node.only.length > 0) && badge2("conditional", "conditional")
     ];
@@ -4748,6 +5118,8 @@ ${end.mark}`;
     return [
       ...heading(kind, node.name, badges, actions),
       element2("p", {}, "runs ", element2("code", {}, node.program), host(page, model, node), machine(node)),
+      pairField(page, model, `n:${index}`),
+      guestsBlock(page, model, node),
       findingsBlock(page, node.findings),
       node.related.length > 0 && block("Findings elsewhere that speak of it", findingList(page, node.related)),
       node.knowledge === "unknown" && unknownBlock(node, model.entry.mend),
@@ -4764,6 +5136,11 @@ ${end.mark}`;
     if (node.kind !== "nodelet" && node.kind !== "component" || !node.host) return [];
     const [manager] = model.nodesNamed.get(node.host) ?? [];
     return [" inside ", manager === void 0 ? element2("code", {}, node.host) : nodeReference(page, manager)];
+  }
+  function guestsBlock(page, model, node) {
+    if (node.kind !== "manager" && node.kind !== "container") return null;
+    const guests = model.entry.nodes.flatMap((each, index) => each !== node && each.host === node.name ? [index] : []);
+    return guests.length > 0 && block(`In its process: ${guests.length}`, list(guests.map((each) => nodeReference(page, each))));
   }
   function machine({ machine: [name, address] }) {
     if (name === void 0) return [];
@@ -4884,8 +5261,8 @@ ${end.mark}`;
       (each, index) => each.knowledge === "unknown" && each.mark !== "removed" && isIn(each, configuration) ? [index] : []
     );
     const topics = model.entry.channels.flatMap(({ kind, hub, plumbing }, index) => {
-      const ends = endsOf(model, index, configuration);
-      return kind === "topic" && !hub && !plumbing && (ends.offered || ends.used) ? [{ index, ...ends }] : [];
+      const ends2 = endsOf(model, index, configuration);
+      return kind === "topic" && !hub && !plumbing && (ends2.offered || ends2.used) ? [{ index, ...ends2 }] : [];
     });
     const connected = topics.filter((each) => each.offered && each.used).length;
     const waiting = topics.filter((each) => !each.offered && each.certain);
@@ -4993,6 +5370,7 @@ ${end.mark}`;
     if (kind === "channel") return channelPanel(page, model, index);
     if (kind === "param") return paramPanel(page, model, index);
     if (kind === "container") return containerPanel(page, model, id);
+    if (kind === "pair") return pairPanel(page, model, id);
     return kind === "finding" ? findingPanel(page, id) : edgePanel(page, model, id);
   }
   function concerns(state, before) {
@@ -5113,9 +5491,10 @@ ${end.mark}`;
     async function reveal(state) {
       const target2 = drawnSelection(page, state);
       if (!target2) return;
-      if (target2.kind === "node" && !drawing.isDrawn(target2)) {
-        const inner = around2(model.entry(state.entry).entry, state.grouping, Number(target2.id.slice(2)));
-        const expanded = /* @__PURE__ */ new Set([...drawing.expanded(), ...inner.map((group3) => group3.id)]);
+      const { entry } = model.entry(state.entry);
+      if ((target2.kind === "node" || target2.kind === "container") && !drawing.isDrawn(target2)) {
+        const outer = target2.kind === "node" ? around2(entry, state.grouping, Number(target2.id.slice(2))).map((group3) => group3.id) : outside(entry, state.grouping, target2.id);
+        const expanded = /* @__PURE__ */ new Set([...drawing.expanded(), ...outer]);
         store.set({ expanded }, "replace");
         await finished();
       }
@@ -5145,19 +5524,20 @@ ${end.mark}`;
       if (selected) void finished().then(() => reveal(store.get()));
     });
   }
-  function drawnSelection(page, { selection, entry }) {
-    if ((selection == null ? void 0 : selection.kind) !== "finding") return selection;
+  function drawnSelection(page, { selection, entry, configuration }) {
     const model = page.model.entry(entry);
+    if ((selection == null ? void 0 : selection.kind) === "pair") return { kind: "way", id: pairWay(model, selection.id, configuration).join("|") };
+    if ((selection == null ? void 0 : selection.kind) !== "finding") return selection;
     const finding = page.model.finding(selection.id);
     const [node] = model.nodesWithFinding.get(finding) ?? [];
     if (node !== void 0) return { kind: "node", id: `n:${node}` };
     const [channel] = model.channelsWithFinding.get(finding) ?? [];
     return channel === void 0 ? null : { kind: "channel", id: `c:${channel}` };
   }
-  function leftOut({ folded, boxes, outside }, untouched) {
+  function leftOut({ folded, boxes, outside: outside2 }, untouched) {
     const words2 = [];
     if (folded > 0) words2.push(`${number(folded, "node")} in ${number(boxes, "folded box", "folded boxes")}`);
-    if (untouched && outside > 0) words2.push(`${number(outside, "box", "boxes")} beyond the edge: drag, or Fit`);
+    if (untouched && outside2 > 0) words2.push(`${number(outside2, "box", "boxes")} beyond the edge: drag, or Fit`);
     return words2.join(" · ");
   }
   function whyEmpty({ entry }, state) {
@@ -5277,11 +5657,11 @@ ${end.mark}`;
       count: ({ entry }, configuration) => entry.params.filter((each) => isIn(each, configuration)).length
     }
   ];
-  function channelTable(kind, caption, empty, ends) {
+  function channelTable(kind, caption, empty, ends2) {
     return {
       id: `${kind}s`,
       caption,
-      columns: [caption.slice(0, -1), "Type", ...ends],
+      columns: [caption.slice(0, -1), "Type", ...ends2],
       named: 0,
       placed: -1,
       empty,
@@ -5327,8 +5707,8 @@ ${end.mark}`;
     const channel = model.entry.channels[at];
     if (!channel) throw new RangeError(`there is no channel ${at}`);
     const sides2 = [true, false].map((offers) => {
-      const ends = (model.onChannel[at] ?? []).filter((each) => each.offers === offers && each.mark !== "removed" && isIn(each, configuration));
-      return some(ends.map((each) => {
+      const ends2 = (model.onChannel[at] ?? []).filter((each) => each.offers === offers && each.mark !== "removed" && isIn(each, configuration));
+      return some(ends2.map((each) => {
         var _a;
         return ((_a = model.entry.nodes[each.node]) == null ? void 0 : _a.name) ?? "";
       })) || nobody(model, at, offers, configuration);
@@ -5355,8 +5735,8 @@ ${end.mark}`;
   function row(model, kind, at, cells2, mark, place2) {
     return { target: { kind, id: `${kind.charAt(0)}:${at}` }, entry: model.index, index: String(at), cells: cells2, classes: mark ?? "", place: place2, others: [] };
   }
-  function some(names) {
-    const all = [...new Set(names)].sort();
+  function some(names2) {
+    const all = [...new Set(names2)].sort();
     const more = all.length - MOST_NAMES;
     return `${all.slice(0, MOST_NAMES).join(", ")}${more > 0 ? ` and ${more} more` : ""}`;
   }
@@ -5655,8 +6035,8 @@ ${end.mark}`;
     fill(part("tree"), grouping.host, tree);
     const items = /* @__PURE__ */ new Map();
     const entryNow = () => page.model.entry(page.store.get().entry).entry;
-    const isThere = (node) => isIn(entryNow().nodes[node] ?? { only: [] }, page.store.get().configuration);
-    const nodesIn = (group3) => group3.nodes.filter(isThere).length + group3.groups.reduce((sum, each) => sum + nodesIn(each), 0);
+    const isThere2 = (node) => isIn(entryNow().nodes[node] ?? { only: [] }, page.store.get().configuration);
+    const nodesIn = (group3) => group3.nodes.filter(isThere2).length + group3.groups.reduce((sum, each) => sum + nodesIn(each), 0);
     function grow(group3, host2, level) {
       const entry = entryNow();
       for (const each of group3.groups) {
@@ -5664,7 +6044,7 @@ ${end.mark}`;
         if (count3 > 0) add4(groupItem(page.model, entry, { ...each, count: count3 }, level), host2);
       }
       for (const node of group3.nodes) {
-        if (!isThere(node)) continue;
+        if (!isThere2(node)) continue;
         const made2 = nodeItem(page.model, entry, node, level, group3.namespace);
         if (made2) add4(made2, host2);
       }
@@ -5812,7 +6192,7 @@ ${end.mark}`;
     ["error", "warning", "info"]
   );
   function createVerdict(page) {
-    const verdict = part("verdict");
+    const verdict2 = part("verdict");
     const counts = part("counts");
     page.store.listen((state, before) => {
       if (state !== before && state.entry === before.entry && state.configuration === before.configuration) return;
@@ -5825,8 +6205,8 @@ ${end.mark}`;
       const has = (severity) => severities.filter((each) => each === severity).length;
       const words2 = notice(entry) || loads(has("error"), has("warning"));
       const { base } = page.model.data;
-      verdict.className = isRefused(entry) || has("error") > 0 ? "error" : entry.verdict !== "loads" || has("warning") > 0 ? "warning" : "ok";
-      verdict.textContent = base === null ? words2 : `${words2}; compared with ${base}`;
+      verdict2.className = isRefused(entry) || has("error") > 0 ? "error" : entry.verdict !== "loads" || has("warning") > 0 ? "warning" : "ok";
+      verdict2.textContent = base === null ? words2 : `${words2}; compared with ${base}`;
       const nodes = entry.nodes.filter((each) => isIn(each, state.configuration) && each.mark !== "removed");
       const topics = entry.channels.filter((each, at) => each.kind === "topic" && !each.plumbing && each.mark !== "removed" && isUsedIn(model, at, state.configuration));
       const unknown = nodes.filter((each) => each.knowledge === "unknown");
@@ -5895,7 +6275,7 @@ ${end.mark}`;
     ]
   );
   var LEAST = 160;
-  var MOST4 = 720;
+  var MOST6 = 720;
   var STEP3 = 20;
   function createSidePanels() {
     const sheet = new CSSStyleSheet();
@@ -5912,11 +6292,11 @@ ${end.mark}`;
         "aria-orientation": "vertical",
         "aria-label": `Width of the ${name.toLowerCase()}`,
         "aria-valuemin": LEAST,
-        "aria-valuemax": MOST4
+        "aria-valuemax": MOST6
       });
       part("stage").append(bar);
       function become(next) {
-        form = { ...next, width: Math.max(LEAST, Math.min(MOST4, Math.round(next.width))) };
+        form = { ...next, width: Math.max(LEAST, Math.min(MOST6, Math.round(next.width))) };
         widths.set(id, form.width);
         sheet.replaceSync(`body { ${Array.from(widths, ([side, width]) => `--${side}-width: ${width}px;`).join(" ")} }`);
         document.body.toggleAttribute(`data-${id}-folded`, form.folded);
@@ -5989,6 +6369,7 @@ ${end.mark}`;
     ]
   ];
   function createViewBar(page) {
+    var _a;
     const { store, drawing } = page;
     const buttons = new Map(TOGGLES.flatMap(([, toggles]) => toggles.map((each) => (
       /** @type {const} */
@@ -6005,6 +6386,7 @@ ${end.mark}`;
     const scope = element2("div", { class: "scope" });
     const filter = createFilter(page);
     const [tree, details] = createSidePanels();
+    if (tree) (_a = groups[0]) == null ? void 0 : _a.prepend(tree);
     const zoom = element2(
       "div",
       { class: "zoom", role: "group", "aria-label": "Zoom" },
@@ -6012,7 +6394,7 @@ ${end.mark}`;
       button("−", () => drawing.zoom(0.8), { "aria-label": "Zoom out", title: "Zoom out (−)" }),
       button("Fit", () => drawing.fit(), { title: "Fit the drawing into its frame (0)" })
     );
-    part("stage").prepend(element2("div", { id: "view-bar" }, tree, ...groups, filter.host, scope, element2("div", { class: "view-end" }, createShareButton(page), details)));
+    part("stage").prepend(element2("div", { id: "view-bar" }, ...groups, filter.host, scope, element2("div", { class: "view-end" }, createShareButton(page), details)));
     part("stage").append(zoom);
     store.listen((state) => {
       filter.show(state.filter);

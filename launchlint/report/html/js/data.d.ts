@@ -107,6 +107,8 @@ export interface Container {
   parent: number;
   /** Indexes into ReportData.findings that stand in it, and in none of its nodes and no container within. */
   findings: number[];
+  /** Args of an include: what it passes, and what the file has by default; null: nothing. */
+  args?: [name: string, value: string | null, fallback: string | null][];
   mark?: Mark;
 }
 
@@ -128,6 +130,8 @@ export interface Node {
   machine: [] | [name: string, address: string];
   namespace: string;
   isTest: boolean;
+  /** ROS 2: somebody has to configure and activate it. */
+  lifecycle?: true;
   place: Place | null;
   /** Index of the innermost container; -1: none. */
   container: number;
@@ -178,6 +182,8 @@ export interface Connection {
   when: string;
   /** Name of the action of which this topic is a part; else empty. */
   action: string;
+  /** ROS 2: its quality of service in words, as far as it is known: "reliable, transient_local, keep_last 1". */
+  qos?: string;
   /** "by: where", untrusted text. */
   evidence: string[];
   only: number[];

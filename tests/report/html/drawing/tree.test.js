@@ -28,7 +28,7 @@ test("namespaces, one that holds only another one joined with it, names in the o
   });
 });
 
-test("elements of launch files, the empty ones left out", () => {
+test("elements of launch files, the empty ones and groups without a name left out", () => {
   const containers = [
     { kind: "include", label: "bringup/launch/camera.launch", namespace: "/", place: null, parent: -1 },
     { kind: "group", label: "cam", namespace: "/cam", place: null, parent: 0 },
@@ -37,7 +37,7 @@ test("elements of launch files, the empty ones left out", () => {
   ];
   const nodes = { "/cam/driver": { container: 1 }, "/cam/flip": { container: 1 }, "/alone": { container: 2 }, "/top": {} };
   assert.deepEqual(of([], { nodes, containers }, "file"), {
-    "root / (4)": [{ "group camera.launch › cam (2)": ["/cam/driver", "/cam/flip"] }, { "group group (1)": ["/alone"] }, "/top"],
+    "root / (4)": [{ "include camera.launch › cam (2)": ["/cam/driver", "/cam/flip"] }, "/alone", "/top"],
   });
 });
 

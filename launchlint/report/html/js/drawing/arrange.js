@@ -114,7 +114,7 @@ function evenWidths(boxes) {
  * @returns {Placed}
  */
 function single(box, inner, width, measure) {
-  const sides = [false, true].map((out) => box.loose.filter((port) => port.out === out));
+  const sides = [false, true].map((out) => (inner ? [] : box.loose.filter((port) => port.out === out)));
   const [left, right] = sides.map((ports) => Math.max(0, ...ports.map((port) => (port.label || port.badge ? Math.ceil(measure(port.label, "label")) + PADDING.x + (port.badge ? BADGE : 0) : 0))));
   const size = { width: inner?.width ?? (box.kind === "pill" ? box.width : width), height: Math.max(inner?.height ?? box.height, ...sides.map((ports) => ports.length * PITCH + 6)) };
   /** @type {Placed} */

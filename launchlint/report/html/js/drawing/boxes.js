@@ -76,12 +76,15 @@ export function nodeBox(view, index, group, measure) {
   const params = view.params.get(index);
   if (params) lines.push({ kind: "count", text: counted(params, "param") });
   if (node.knowledge === "unknown") classes.push("unknown");
+  if (node.lifecycle) classes.push("lifecycle");
+  if (node.kind === "container" || node.kind === "manager") classes.push("host");
   if (node.isTest) classes.push("test");
   if (node.mark) classes.push(node.mark);
   if (view.stubs.has(`n:${index}`)) classes.push("stub");
   const said = [node.name, node.program];
   if (node.knowledge === "unknown") said.push(`unknown: ${node.reason || "nothing is known of what it connects to"}`);
   if (node.conditions.length) said.push(`only where ${node.conditions.join(" and ")}`);
+  if (node.lifecycle) said.push("lifecycle node: somebody has to configure and activate it");
   if (guest) said.push(`in the process of ${node.host}`);
   if (machine) said.push(`on the machine ${machineName(machine, address)}`);
   const loose = loosePorts(view, `n:${index}`, view.loose.get(index) ?? [], group);
@@ -113,7 +116,7 @@ export function foldedBox(view, group, measure) {
   if (view.stubs.has(group.id)) classes.push("stub");
   const title = `${group.title}\n${counted(about.nodes, "node")}${about.unknown ? `, ${about.unknown} unknown` : ""}`;
   const badge = badgeOf(view, about.findings);
-  return sized({ id: group.id, kind: "folded", classes, lines, title, badge, loose: [], level: null, wires: [] }, measure);
+  return sized({ id: group.id, kind: "folded", classes, lines, title, badge, loose: looseOf(view, group), level: null, wires: [] }, measure);
 }
 
 /**
@@ -130,7 +133,26 @@ export function openBox(view, level) {
   /** @type {Line[]} */
   const lines = [{ kind: "title", text: cut(group.label, LONGEST.open) }];
   const title = `${group.title}\n${counted(about.nodes, "node")}`;
-  return { id: group.id, kind: "open", classes, lines, title, badge: badgeOf(view, group.own), width: 0, height: 0, loose: [], level, wires: [] };
+  return { id: group.id, kind: "open", classes, lines, title, badge: badgeOf(view, group.own), width: 0, height: 0, loose: looseOf(view, group), level, wires: [] };
+}
+
+/**
+ * What an include has in common with nobody: a component's loose ports, one at each side.
+ * @param {View} view
+ * @param {Group} group
+ * @returns {LoosePort[]}
+ */
+function looseOf(view, group) {
+  if (group.kind !== "include") return [];
+  /** @type {[Set<Wire>, Set<Wire>]} */
+  const sides = [new Set(), new Set()];
+  for (const each of walk(group)) {
+    for (const node of each.nodes) if (view.shown[node]) for (const { wire, gives } of view.loose.get(node) ?? []) sides[gives ? 1 : 0].add(wire);
+  }
+  return sides.flatMap((side, out) => {
+    const wires = [...side];
+    return wires.length ? [{ id: `${group.id}|loose|${out ? "out" : "in"}`, out: out === 1, wires, label: wires.length > 1 ? String(wires.length) : "", classes: ["several"], badge: null }] : [];
+  });
 }
 
 /**

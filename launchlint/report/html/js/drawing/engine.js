@@ -217,7 +217,7 @@ function asNode(box, leaving, entering, inner, measure, names) {
   const ends = new Map([...leaving.map((edge) => /** @type {const} */ ([edge.fromPort, edge.from])), ...entering.map((edge) => /** @type {const} */ ([edge.toPort, edge.to]))]);
   for (const edge of leaving) if (!ports.has(edge.fromPort)) ports.set(edge.fromPort, asPort(names.of(edge.fromPort), true, edge.label, measure));
   for (const edge of entering) if (!ports.has(edge.toPort)) ports.set(edge.toPort, asPort(names.of(edge.toPort), false, [], measure));
-  for (const loose of box.loose) ports.set(loose.id, asPort(names.of(loose.id), loose.out, [loose.label], measure, loose.badge ? BADGE : 0));
+  if (!inner) for (const loose of box.loose) ports.set(loose.id, asPort(names.of(loose.id), loose.out, [loose.label], measure, loose.badge ? BADGE : 0));
   const size = inner ?? box;
   const node = { id: names.of(box.id), width: size.width, height: size.height };
   if (inner || box.kind === "pill") {

@@ -56,6 +56,7 @@ export function paint(sheet) {
     painted.loose.push({ element: drawn, box: each.box.id, wires: each.port.wires.map((wire) => wire.id) });
     names?.append(drawn);
   }
+  content.append(element("g", { class: "told-names" }));
   return painted;
 }
 
@@ -65,6 +66,8 @@ function boxElement({ x, y, width, height, box }) {
   const corner = box.kind === "pill" ? height / 2 : box.kind === "folded" ? 8 : 5;
   if (box.kind === "folded") drawn.append(element("rect", { class: "behind", x: 4, y: 4, width, height, rx: corner }));
   drawn.append(element("rect", { class: "shape", width, height, rx: corner }));
+  // A node of two states has two borders; what others run in has a thick one.
+  if (box.classes.includes("lifecycle")) drawn.append(element("rect", { class: "inner", x: 3, y: 3, width: width - 6, height: height - 6, rx: 3 }));
   if (box.classes.includes("unknown")) drawn.append(element("rect", { class: "hatched", x: 1, y: 1, width: width - 2, height: height - 2, rx: corner - 1, fill: "url(#ll-hatching)" }));
   if (box.kind === "pill") drawn.append(text(box.lines[0]?.text ?? "", { class: "title", x: width / 2, y: height / 2 + 4, "text-anchor": "middle" }));
   else {

@@ -4,6 +4,9 @@
 /** @typedef {import("./model").Placed} Placed */
 /** @typedef {import("./model").Sheet} Sheet */
 
+/** Between the upper border of an open container and its loose ports. */
+const HEAD = 13;
+
 /**
  * @param {Level} root
  * @param {Map<string, Placed>} placed levels by the id of their container
@@ -41,7 +44,8 @@ export function sheetOf(root, placed) {
       if (!area) continue;
       sheet.boxes.push({ ...move(area), box, depth });
       for (const port of box.loose) {
-        const at = own.ports.get(port.id);
+        // An open container has them beside its name, where no line enters.
+        const at = box.level ? { x: area.x + (port.out ? area.width : 0), y: area.y + HEAD } : own.ports.get(port.id);
         const label = own.labels.get(port.id);
         if (at) sheet.loose.push({ ...move(at), port, box, label: label ? move(label) : null });
       }

@@ -9,6 +9,7 @@ import { rastered } from "./raster.js";
 import { Director, viewKey } from "./scene.js";
 import { element } from "./shapes.js";
 import { Viewport } from "./viewport.js";
+import { toldNames } from "./told.js";
 import { litBy } from "./walk.js";
 
 /** @typedef {import("../data").ReportData} ReportData */
@@ -162,7 +163,11 @@ export class Surface {
       const edge = isLit ? scene.drawn.edges.get(id) : undefined;
       if (edge) ports.add(edge.from).add(edge.to);
     }
-    for (const each of painted.ports) each.element.classList.toggle("lit", ports.has(each.id));
+    for (const each of painted.ports) {
+      each.element.classList.toggle("lit", ports.has(each.id));
+      each.element.classList.toggle("own", selection?.kind === "container" && each.id.startsWith(`${selection.id}|`));
+    }
+    painted.content.querySelector(".told-names")?.replaceChildren(...(selection && lit && any ? toldNames(scene, selection, lit.chosen) : []));
     const wire = selection?.kind === "channel" ? selection.id : "";
     for (const each of painted.loose) each.element.classList.toggle("lit", wire ? each.wires.includes(wire) : Boolean(lit?.chosen.has(each.box)));
   }

@@ -85,15 +85,6 @@ function byNamespace(entry) {
   return root;
 }
 
-/**
- * Whether it is a group that has nothing to be called by: around one other box, that one's name says more.
- * @param {Group} own
- * @param {Entry} entry
- */
-function isNameless(own, entry) {
-  return own.kind === "group" && entry.containers[own.container]?.label === "";
-}
-
 /** @param {Entry} entry */
 function byElement(entry) {
   const root = group("root", "g:file:", "/", "/");
@@ -104,11 +95,15 @@ function byElement(entry) {
   const find = (index) => all[index] ?? outermost;
   entry.containers.forEach((container, index) => {
     const around = container.parent < index ? find(container.parent) : outermost;
-    const line = container.place?.[1];
-    const nameless = line === undefined ? "group" : `group in line ${line}`;
-    const label = container.kind === "include" ? lastPart(container.label) : container.label || nameless;
+    // A group without a namespace has nothing to be called by: what is in it belongs to what is around it.
+    if (container.kind === "group" && !container.label) {
+      around.group.own = [...around.group.own, ...container.findings];
+      all.push(around);
+      return;
+    }
+    const label = container.kind === "include" ? lastPart(container.label) : container.label;
     const own = group(container.kind, `g:file:${index}`, label, container.namespace, index);
-    own.title = container.label || nameless;
+    own.title = container.label;
     own.own = container.findings;
     all.push(around.depth < DEEPEST ? { group: own, depth: around.depth + 1 } : around);
     if (around.depth < DEEPEST) around.group.groups.push(own);
@@ -160,8 +155,10 @@ function finish(own, entry) {
   const inner = own.groups[0];
   if (own.kind !== "root" && inner && own.groups.length === 1 && !own.nodes.length) {
     const joint = own.kind === "namespace" ? "/" : " › ";
-    const label = isNameless(own, entry) ? inner.label : isNameless(inner, entry) ? own.label : `${own.label}${joint}${inner.label}`;
-    Object.assign(own, inner, { label, title: inner.title, own: [...own.own, ...inner.own] });
+    const label = `${own.label}${joint}${inner.label}`;
+    // An include stays what it is, around a group of its file.
+    const { id, kind, container, title } = own.kind === "include" && inner.kind === "group" ? own : inner;
+    Object.assign(own, inner, { id, kind, container, title, label, own: [...own.own, ...inner.own] });
   }
   own.nodes.sort((a, b) => compareNames(entry.nodes[a]?.name ?? "", entry.nodes[b]?.name ?? "") || a - b);
   if (own.kind === "namespace" || own.kind === "root" || own.kind === "package" || own.kind === "machine") own.groups.sort((a, b) => compareNames(a.label, b.label));

@@ -4,9 +4,9 @@ import type { Mark } from "../data";
 
 export type Grouping = "namespace" | "file" | "package" | "machine";
 
-/** What can be selected. Ids: node "n:<index>", channel "c:<index>", container "g:<grouping>:<path>", edge "e:…", param "p:<index>". */
+/** What can be selected. Ids: node "n:<index>", channel "c:<index>", container "g:<grouping>:<path>", edge "e:…", param "p:<index>", way: ids of nodes and channels with | between. */
 export interface Selection {
-  kind: "node" | "channel" | "container" | "edge" | "param";
+  kind: "node" | "channel" | "container" | "edge" | "param" | "way";
   id: string;
 }
 

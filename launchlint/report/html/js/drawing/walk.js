@@ -123,6 +123,22 @@ export function litBy(drawn, view, selection, standsFor) {
       if (shape === "pill" && wires.some((wire) => wire.id === id)) chosen.add(box);
       if (loose.some((port) => port.wires.some((wire) => wire.id === id))) boxes.add(box);
     }
+  } else if (kind === "way") {
+    const parts = id.split("|");
+    for (const each of parts) {
+      const box = each.startsWith("n:") ? standsFor(Number(each.slice(2))) : null;
+      if (box) chosen.add(box);
+    }
+    const passes = [...chosen];
+    for (const wire of parts.filter((each) => each.startsWith("c:"))) {
+      for (const box of passes) {
+        /** @type {Set<string>} */
+        const lines = new Set();
+        const ends = drawn.follow(box, wire, true, lines);
+        if (passes.some((other) => other !== box && ends.has(other))) lines.forEach((line) => edges.add(line));
+      }
+      if (parts.length === 2) for (const edge of drawn.carrying.get(wire) ?? []) edges.add(edge.id);
+    }
   } else if (kind === "node") {
     const node = Number(id.slice(2));
     const box = standsFor(node);

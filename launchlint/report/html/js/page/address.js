@@ -95,7 +95,7 @@ function target(entry, selection) {
   if (kind === "channel") return [entry.entry.channels[index]?.kind ?? "topic", entry.entry.channels[index]?.name ?? ""];
   if (kind === "param") return ["param", numbered(entry.paramsNamed, entry.entry.params[index]?.name ?? "", index)];
   if (kind === "container") return ["container", pathOf(entry, id)];
-  return [kind, kind === "edge" ? byName(entry, id) : id];
+  return [kind, kind === "edge" || kind === "pair" ? byName(entry, id) : id];
 }
 
 /**
@@ -113,7 +113,7 @@ function found(model, entry, grouping, [kind, name]) {
   if (CHANNELS.includes(kind)) return indexed("channel", "c:", entry.channelNamed.get(channelKey(kind, name)));
   if (kind === "container") return { kind, id: byIndex(entry, `g:${grouping}:${name}`) };
   if (kind === "finding") return model.finding(name) < 0 ? null : { kind, id: name };
-  if (kind === "edge") return { kind, id: byIndex(entry, name) };
+  if (kind === "edge" || kind === "pair") return { kind, id: byIndex(entry, name) };
   return null;
 }
 
@@ -152,7 +152,7 @@ const positive = (index) => (index < 0 ? undefined : index);
 
 /** @param {Map<string, string>} said @returns {[kind: string, name: string] | null} */
 function wantedOf(said) {
-  for (const kind of ["finding", "node", ...CHANNELS, "param", "container", "edge"]) {
+  for (const kind of ["finding", "node", ...CHANNELS, "param", "container", "edge", "pair"]) {
     const name = said.get(kind);
     if (name) return [kind, name];
   }

@@ -107,3 +107,16 @@ export function around(entry, grouping, node) {
   search(containersOf(entry, grouping));
   return path;
 }
+
+/**
+ * The ids of the containers around one.
+ *
+ * @param {Entry} entry
+ * @param {Grouping} grouping
+ * @param {string} id
+ */
+export function outside(entry, grouping, id) {
+  const found = [];
+  for (let group = containerOf(entry, grouping, id); group?.parent; group = containerOf(entry, grouping, group.parent)) found.push(group.parent);
+  return found;
+}

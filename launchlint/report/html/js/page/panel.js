@@ -6,6 +6,7 @@ import { containerPanel } from "./panel_container.js";
 import { edgePanel } from "./panel_edge.js";
 import { findingPanel } from "./panel_finding.js";
 import { nodePanel } from "./panel_node.js";
+import { pairPanel } from "./panel_pair.js";
 import { overviewPanel } from "./panel_overview.js";
 import { select } from "./reference.js";
 
@@ -55,6 +56,7 @@ function panelOf(page, { kind, id }) {
   if (kind === "channel") return channelPanel(page, model, index);
   if (kind === "param") return paramPanel(page, model, index);
   if (kind === "container") return containerPanel(page, model, id);
+  if (kind === "pair") return pairPanel(page, model, id);
   return kind === "finding" ? findingPanel(page, id) : edgePanel(page, model, id);
 }
 

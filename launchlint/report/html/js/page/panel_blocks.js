@@ -187,6 +187,7 @@ export function connectionFacts(page, connection, withType = true) {
   );
   const name = entry.channels[connection.channel]?.name;
   return [
+    connection.qos && element("div", { class: "type" }, "QoS: ", connection.qos),
     withType && connection.type && element("div", { class: "type" }, element("code", {}, connection.type)),
     (renamed || connection.unremapped !== name || connection.spelling === "private") &&
       element("div", { class: "note" }, "in the code: ", element("code", {}, connection.declared), ` (${connection.spelling})`),

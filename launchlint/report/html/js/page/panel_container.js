@@ -2,7 +2,7 @@
 
 import { button, element } from "./elements.js";
 import { containerOf, findingsWithin, fullName, nodesWithin } from "./containers.js";
-import { isIn } from "./model.js";
+import { interfaceOf } from "./interface.js";
 import { block, findingsBlock, focusButton, heading, hideButton, list, sourceBlock } from "./panel_blocks.js";
 import { channelReference, nodeReference, reference } from "./reference.js";
 import { number } from "./wording.js";
@@ -28,17 +28,36 @@ export function containerPanel(page, model, id) {
   const nodes = nodesWithin(group);
   const findings = findingsWithin(model.entry, group);
   const place = model.entry.containers[group.container]?.place ?? null;
-  const { incoming, outgoing } = boundary(model, new Set(nodes), configuration);
+  const { incoming, outgoing, looseIn, looseOut } = interfaceOf(model, new Set(nodes), configuration);
+  const args = model.entry.containers[group.container]?.args ?? [];
   const inner = group.groups.map((each) => [reference(page, { kind: "container", id: each.id }, fullName(each)), ` ${number(each.count, "node")}`]);
   return [
     ...heading(KINDS[group.kind], fullName(group), [], [openButton(page, id), focusButton(page, id, "Focus on it"), hideButton(page, id)]),
     findingsBlock(page, findings),
-    channels(page, "Goes out", outgoing),
+    args.length > 0 && argsBlock(args),
     channels(page, "Comes in", incoming),
+    channels(page, "Goes out", outgoing),
+    channels(page, "Waits for what nobody offers", looseIn),
+    channels(page, "Offers what nobody uses", looseOut),
     inner.length > 0 && block("Contains", list(inner.map((each) => element("div", {}, ...each)))),
     group.nodes.length > 0 && block(number(group.nodes.length, "node"), list(group.nodes.map((each) => nodeReference(page, each)))),
     sourceBlock(page, place),
   ];
+}
+
+/** What an include passes, and what the file has beside. @param {[name: string, value: string | null, fallback: string | null][]} args */
+function argsBlock(args) {
+  const rows = args.map(([name, value, fallback]) =>
+    element(
+      "tr",
+      {},
+      element("th", { scope: "row" }, element("code", {}, name)),
+      element("td", {}, value === null ? element("span", { class: "note" }, "default") : element("code", {}, value || "(empty)")),
+      element("td", {}, fallback === null ? element("span", { class: "note" }, "none") : element("code", {}, fallback || "(empty)")),
+    ),
+  );
+  const head = element("tr", {}, ...["Arg", "Passed", "Default"].map((each) => element("th", { scope: "col" }, each)));
+  return block(number(args.length, "arg"), element("table", { class: "args" }, element("thead", {}, head), element("tbody", {}, ...rows)));
 }
 
 /** @param {Page} page @param {string} id */
@@ -55,31 +74,4 @@ function openButton({ store, drawing }, id) {
 /** @param {Page} page @param {string} title @param {number[]} those */
 function channels(page, title, those) {
   return those.length > 0 && block(title, list(those.map((each) => channelReference(page, each))));
-}
-
-/**
- * The channels that pass the border of a container, hubs and the machinery of nodes left out.
- *
- * @param {EntryModel} model
- * @param {ReadonlySet<number>} inside nodes
- * @param {number} configuration
- */
-function boundary(model, inside, configuration) {
-  /** @type {number[]} */
-  const incoming = [];
-  /** @type {number[]} */
-  const outgoing = [];
-  const touched = new Set([...inside].flatMap((node) => (model.ofNode[node] ?? []).map((each) => each.channel)));
-  for (const channel of touched) {
-    const { kind, hub, plumbing } = model.entry.channels[channel] ?? { kind: "topic", hub: true, plumbing: true };
-    if (hub || plumbing) continue;
-    const ends = (model.onChannel[channel] ?? []).filter((each) => isIn(each, configuration));
-    // Data goes from publishers to subscribers, and from clients to servers.
-    const gives = (/** @type {import("../data").Connection} */ each) => (kind === "topic") === each.offers;
-    const has = (/** @type {boolean} */ giving, /** @type {boolean} */ within) =>
-      ends.some((each) => gives(each) === giving && inside.has(each.node) === within);
-    if (has(true, true) && has(false, false)) outgoing.push(channel);
-    if (has(false, true) && has(true, false)) incoming.push(channel);
-  }
-  return { incoming, outgoing };
 }

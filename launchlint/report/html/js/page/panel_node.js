@@ -17,6 +17,7 @@ import {
   presenceBlock,
   sourceBlock,
 } from "./panel_blocks.js";
+import { pairField } from "./panel_pair.js";
 import { channelReference, nodeReference, reference } from "./reference.js";
 import { written } from "./source.js";
 import { does, number, ROLE_ORDER } from "./wording.js";
@@ -43,6 +44,7 @@ export function nodePanel(page, model, index) {
   const kind = node.isTest ? "Test node" : (KINDS[node.kind] ?? "Node");
   const badges = [
     node.knowledge === "unknown" && badge("interface not known", "unknown"),
+    node.lifecycle && badge("lifecycle: somebody has to configure and activate it"),
     node.mark && badge(node.mark, node.mark),
     (node.conditions.length > 0 || node.only.length > 0) && badge("conditional", "conditional"),
   ];
@@ -55,6 +57,8 @@ export function nodePanel(page, model, index) {
   return [
     ...heading(kind, node.name, badges, actions),
     element("p", {}, "runs ", element("code", {}, node.program), host(page, model, node), machine(node)),
+    pairField(page, model, `n:${index}`),
+    guestsBlock(page, model, node),
     findingsBlock(page, node.findings),
     node.related.length > 0 && block("Findings elsewhere that speak of it", findingList(page, node.related)),
     node.knowledge === "unknown" && unknownBlock(node, model.entry.mend),
@@ -73,6 +77,13 @@ function host(page, model, node) {
   if ((node.kind !== "nodelet" && node.kind !== "component") || !node.host) return [];
   const [manager] = model.nodesNamed.get(node.host) ?? [];
   return [" inside ", manager === undefined ? element("code", {}, node.host) : nodeReference(page, manager)];
+}
+
+/** What runs in the process of a container or manager. @param {Page} page @param {EntryModel} model @param {GraphNode} node */
+function guestsBlock(page, model, node) {
+  if (node.kind !== "manager" && node.kind !== "container") return null;
+  const guests = model.entry.nodes.flatMap((each, index) => (each !== node && each.host === node.name ? [index] : []));
+  return guests.length > 0 && block(`In its process: ${guests.length}`, list(guests.map((each) => nodeReference(page, each))));
 }
 
 /** @param {GraphNode} node @returns {Child[]} */

@@ -20,6 +20,11 @@ import { lastPart } from "./wording.js";
 /** @typedef {{ hits: Hit[], total: number, ids: Set<string> }} Result */
 
 const MOST = 50;
+/** What is only like a name comes after all in which it is. */
+const FAR = 10;
+const SHORT_WORD = 3;
+const LONG_WORD = 5;
+const LONGEST_WORD = 40;
 
 /** @param {Model} model */
 export function createIndex(model) {
@@ -57,9 +62,60 @@ export function createIndex(model) {
 
 /** @param {Hit[]} hits @param {string[]} words */
 function fitting(hits, words) {
-  const scored = hits.flatMap((hit) => (words.every((word) => hit.key.includes(word)) ? [{ hit, score: score(hit, words) }] : []));
+  const scored = hits.flatMap((hit) => {
+    const exact = words.every((word) => hit.key.includes(word));
+    const near = exact ? 0 : roughly(hit, words);
+    return exact || near < Infinity ? [{ hit, score: exact ? score(hit, words) : near }] : [];
+  });
   scored.sort((one, other) => one.score - other.score);
   return scored.map((each) => each.hit);
+}
+
+/**
+ * How far a name is from what was typed, where it is not in it: letters left out ("frcam" for front_camera), or one typed wrong in a word of
+ * five or more ("cemera"). Infinity: too far.
+ *
+ * @param {Hit} hit
+ * @param {string[]} words
+ */
+function roughly({ label }, words) {
+  const name = label.toLowerCase();
+  let sum = FAR;
+  for (const word of words) {
+    if (name.includes(word)) continue;
+    const gaps = gapsIn(name, word);
+    if (gaps <= word.length) sum += 1 + gaps / 10;
+    else if (word.length >= LONG_WORD && word.length <= LONGEST_WORD && hasTypo(name, word)) sum += 2;
+    else return Infinity;
+  }
+  return sum;
+}
+
+/** Letters between the first and the last of a word that are in a name in its order, the tightest from the end; Infinity: they are not. @param {string} name @param {string} word */
+function gapsIn(name, word) {
+  if (word.length < SHORT_WORD) return Infinity;
+  let at = name.length;
+  let last = -1;
+  for (const letter of [...word].reverse()) {
+    at = at <= 0 ? -1 : name.lastIndexOf(letter, at - 1);
+    if (at < 0) return Infinity;
+    if (last < 0) last = at;
+  }
+  return last - at + 1 - word.length;
+}
+
+/** Whether a word with one letter wrong, more, missing, or two changed in place is in a name. @param {string} name @param {string} word */
+function hasTypo(name, word) {
+  for (let at = 0; at < word.length; at++) {
+    const [before, after] = [word.slice(0, at), word.slice(at + 1)];
+    if (name.includes(before + after)) return true;
+    if (at + 1 < word.length && name.includes(before + (word[at + 1] ?? "") + (word[at] ?? "") + word.slice(at + 2))) return true;
+    // An empty text is found everywhere, also behind the end.
+    for (let start = name.indexOf(before); start >= 0 && start < name.length; start = name.indexOf(before, start + 1)) {
+      if (name.startsWith(after, start + at + 1) || name.startsWith(word.slice(at), start + at + 1)) return true;
+    }
+  }
+  return false;
 }
 
 /** Small is good. @param {Hit} hit @param {string[]} words */

@@ -30,7 +30,7 @@ function numbered(names, index) {
   const name = names[index] ?? "";
   let before = 0;
   for (let at = 0; at < index; at++) if (names[at] === name) before += 1;
-  return encodeURIComponent(before ? `${name}~~${before + 1}` : name).replaceAll(/[()]/g, (sign) => `%${sign.charCodeAt(0).toString(16)}`);
+  return (before ? `${name}~~${before + 1}` : name).replaceAll(/[%()|>+:#,]/g, (sign) => `%${sign.charCodeAt(0).toString(16)}`);
 }
 
 /** @param {readonly string[]} names @param {string} text */

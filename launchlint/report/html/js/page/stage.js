@@ -1,7 +1,8 @@
 /** Keeps the drawing in step with the state: draws, lights what is selected, brings it into view, says when there is nothing to see. */
 
-import { around } from "./containers.js";
+import { around, outside } from "./containers.js";
 import { element, part } from "./elements.js";
+import { pairWay } from "./panel_pair.js";
 import { number } from "./wording.js";
 
 /** @typedef {import("./reference.js").Page} Page */
@@ -82,9 +83,10 @@ export function createStage(page, { cameFromDrawing, holdFocus }) {
   async function reveal(state) {
     const target = drawnSelection(page, state);
     if (!target) return;
-    if (target.kind === "node" && !drawing.isDrawn(target)) {
-      const inner = around(model.entry(state.entry).entry, state.grouping, Number(target.id.slice(2)));
-      const expanded = new Set([...drawing.expanded(), ...inner.map((group) => group.id)]);
+    const { entry } = model.entry(state.entry);
+    if ((target.kind === "node" || target.kind === "container") && !drawing.isDrawn(target)) {
+      const outer = target.kind === "node" ? around(entry, state.grouping, Number(target.id.slice(2))).map((group) => group.id) : outside(entry, state.grouping, target.id);
+      const expanded = new Set([...drawing.expanded(), ...outer]);
       store.set({ expanded }, "replace");
       await finished();
     }
@@ -126,9 +128,10 @@ export function createStage(page, { cameFromDrawing, holdFocus }) {
  * @param {PageState} state
  * @returns {Selection | null}
  */
-function drawnSelection(page, { selection, entry }) {
-  if (selection?.kind !== "finding") return selection;
+function drawnSelection(page, { selection, entry, configuration }) {
   const model = page.model.entry(entry);
+  if (selection?.kind === "pair") return { kind: "way", id: pairWay(model, selection.id, configuration).join("|") };
+  if (selection?.kind !== "finding") return selection;
   const finding = page.model.finding(selection.id);
   const [node] = model.nodesWithFinding.get(finding) ?? [];
   if (node !== undefined) return { kind: "node", id: `n:${node}` };

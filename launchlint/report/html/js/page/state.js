@@ -1,7 +1,7 @@
 /** The one place where the page keeps what it shows. */
 
 /** @typedef {import("../drawing/types").Grouping} Grouping */
-/** @typedef {import("../drawing/types").Selection | { kind: "finding", id: string }} Target */
+/** @typedef {import("../drawing/types").Selection | { kind: "finding", id: string } | { kind: "pair", id: string }} Target */
 /** @typedef {import("../drawing/types").Spot} Spot */
 /**
  * `landing`: all launch files are shown, and none in particular; `place`: what somebody moved to the middle of the screen, null where all is shown.

@@ -63,6 +63,7 @@ export function createViewBar(page) {
   const scope = element("div", { class: "scope" });
   const filter = createFilter(page);
   const [tree, details] = createSidePanels();
+  if (tree) groups[0]?.prepend(tree);
   const zoom = element(
     "div",
     { class: "zoom", role: "group", "aria-label": "Zoom" },
@@ -70,7 +71,7 @@ export function createViewBar(page) {
     button("−", () => drawing.zoom(0.8), { "aria-label": "Zoom out", title: "Zoom out (−)" }),
     button("Fit", () => drawing.fit(), { title: "Fit the drawing into its frame (0)" }),
   );
-  part("stage").prepend(element("div", { id: "view-bar" }, tree, ...groups, filter.host, scope, element("div", { class: "view-end" }, createShareButton(page), details)));
+  part("stage").prepend(element("div", { id: "view-bar" }, ...groups, filter.host, scope, element("div", { class: "view-end" }, createShareButton(page), details)));
   part("stage").append(zoom);
   store.listen((state) => {
     filter.show(state.filter);

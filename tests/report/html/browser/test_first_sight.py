@@ -1,0 +1,99 @@
+"""What can be read before anything is touched, on the example and on public robots."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page
+
+from tests.conftest import find_corpus
+from tests.report.html.browser.reading import drawn
+
+pytestmark = pytest.mark.chromium
+
+ROBOTS = {
+    "PR2+pr2_robot": "pr2_bringup/pr2.launch",
+    "ethz-asl+rotors_simulator": "rotors_gazebo/launch/firefly_swarm_hovering_example.launch",
+    "spencer-project+spencer_people_tracking": "launch/spencer_people_tracking_launch/launch/tracking_on_bagfile.launch",
+    "ZJU-FAST-Lab+ego-planner-swarm": "src/planner/plan_manage/launch/swarm_large.launch",
+}
+"""Of 45 to 106 nodes."""
+SMALLEST = """() => {
+  const svg = document.querySelector("#drawing > svg");
+  const frame = svg.getBoundingClientRect();
+  const sizes = [];
+  for (const text of svg.querySelectorAll("text")) {
+    const box = text.getBoundingClientRect();
+    const isSeen = text.checkVisibility() && box.width && box.right > frame.left && box.left < frame.right;
+    const scale = text.getScreenCTM();
+    if (isSeen) sizes.push(parseFloat(getComputedStyle(text).fontSize) * Math.hypot(scale.a, scale.b));
+  }
+  return Math.min(...sizes);
+}"""
+USED = """() => {
+  const frame = document.querySelector("#drawing > svg").getBoundingClientRect();
+  const boxes = [...document.querySelectorAll("#drawing > svg .box")].map((each) => each.getBoundingClientRect());
+  const [left, right] = [Math.min(...boxes.map((box) => box.left)), Math.max(...boxes.map((box) => box.right))];
+  const [top, bottom] = [Math.min(...boxes.map((box) => box.top)), Math.max(...boxes.map((box) => box.bottom))];
+  return Math.max((right - left) / frame.width, (bottom - top) / frame.height);
+}"""
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (1920, 1080)])
+def test_every_name_of_the_example_can_be_read_and_it_fills_the_stage(open_report, size):
+    page = open_report(viewport={"width": size[0], "height": size[1]})
+    assert page.evaluate(SMALLEST) >= 9
+    assert page.evaluate(USED) >= 0.75
+
+
+@pytest.mark.corpus
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_every_name_of_a_public_robot_can_be_read(browser: Browser, tmp_path: Path, robot: str) -> None:
+    directory = Path(str(find_corpus())) / "ros1" / robot
+    target = tmp_path / "report.html"
+    environment = {key: value for key, value in os.environ.items() if not key.startswith(("GITHUB_", "ROS_"))}
+    command = [sys.executable, "-m", "launchlint", "report", ROBOTS[robot], "-o", str(target), "--quiet", "--jobs", "1"]
+    subprocess.run(command, cwd=directory, env=environment, check=True)
+    page = browser.new_page(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
+    page.goto(f"{target.as_uri()}#entry={ROBOTS[robot]}")
+    drawn(page)
+    smallest, note = page.evaluate(SMALLEST), page.locator(".stage-note").text_content()
+    folded = page.locator("#drawing > svg .box.folded").count()
+    page.close()
+    assert smallest >= 9
+    assert (f"in {folded} folded" in str(note)) == (folded > 0)
+
+
+def _places(page: Page) -> dict[str, object]:
+    read = "all => Object.fromEntries(all.map(each => [each.dataset.id, each.getAttribute('transform')]))"
+    found: dict[str, object] = page.locator("#drawing > svg .box").evaluate_all(read)
+    return found
+
+
+def test_what_is_switched_off_moves_nothing(open_report):
+    page = open_report()
+    before = _places(page)
+    for toggle in ("Services", "Unconnected", "Topics"):
+        page.get_by_role("group", name="Show").get_by_role("button", name=toggle, exact=True).click()
+        drawn(page)
+        after = _places(page)
+        assert after
+        assert after.items() <= before.items()
+
+
+def test_sides_fold_and_keep_their_width(open_report):
+    page = open_report()
+    wide = page.locator("#stage").bounding_box()["width"]
+    page.get_by_role("separator", name="Width of the tree").press("ArrowRight")
+    assert page.locator("#tree").bounding_box()["width"] == 280
+    page.get_by_role("button", name="Fold the details").click()
+    assert page.locator("#panel").is_hidden()
+    assert page.locator("#stage").bounding_box()["width"] > wide
+    page.reload()
+    drawn(page)
+    assert page.locator("#tree").bounding_box()["width"] == 280
+    assert page.locator("#panel").is_hidden()
