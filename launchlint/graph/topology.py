@@ -230,7 +230,8 @@ class _Containers:
         self.known: dict[str, Container] = {}
         self._ids: dict[int, str] = {}  # by identity: comparing scopes would walk up all of them
         self._files = {
-            origin_text(include.origin): include.file if include.source is None else include.source.path for include in graph.launch.includes
+            origin_text(include.origin): include.file if include.source is None else include.source.path
+            for include in graph.launch.includes
         }
 
     def of(self, node: Node) -> str:
