@@ -137,11 +137,11 @@ def _check(
     if entry.entries is not None:
         return entry_lines(results, options, checker.packages, per_file, shown)
 
-    from launchlint.project.known import without_known
-
     def told(outcome: Outcome) -> Outcome:
         """``outcome`` without what nobody wants to hear of."""
         if known is not None:
+            from launchlint.project.known import without_known
+
             outcome = without_known(outcome, known)
         if changed is not None:
             outcome = outcome._replace(findings=tuple(finding for finding in outcome.findings if concerns(finding, changed)))
