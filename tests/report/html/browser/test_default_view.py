@@ -46,7 +46,7 @@ def test_panel_answers_what_is_wrong_and_what_is_not_connected(open_report):
     assert lines(page.locator("#panel")) == [
         "Launch file",
         "robot.launch",
-        "What is wrong",
+        "What is wrong (1)",
         "info LL507 drive/driver does not read the param rate_limit, which is set for /base/driver",
         "robot.launch:7",
         "Does it connect?",
