@@ -2,11 +2,12 @@
 
 Suppressions, baselines and fixes work on the single findings; this is the last step before people see them. A rule whose module has a
 function ``together`` says itself what several of its findings of one cause (worst first) come to; else the first of them speaks for all.
+One with a function ``of_copies`` joins, in a second step, those of its joined findings that say the same of one copy after another.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from launchlint.check.fragments import FRAGMENT, told_together
 from launchlint.finding import Finding
@@ -26,14 +27,25 @@ def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
         alike.setdefault(finding.cause, []).append(finding)
     if not alike:
         return tuple(result)
-    return tuple(ordered([*result, *map(_told, alike.values())]))
+    joint = [_told(group) for group in alike.values() if len(group) > 1]
+    alone = [group[0] for group in alike.values() if len(group) == 1]
+    return tuple(ordered([*result, *alone, *_of_copies(joint)]))
+
+
+def _of_copies(findings: Iterable[Finding]) -> Iterator[Finding]:
+    """``findings``, each of which speaks for several; one for those that say the same of copies, where their rule knows such."""
+    by_rule: dict[str, list[Finding]] = {}
+    for finding in findings:
+        by_rule.setdefault(finding.rule, []).append(finding)
+    for name, several in by_rule.items():
+        rule = find(name) if len(several) > 1 else None
+        copies: Callable[[Sequence[Finding]], Iterable[Finding]] | None = None if rule is None else getattr(rule.load(), "of_copies", None)
+        yield from several if copies is None else copies(several)
 
 
 def _told(findings: Sequence[Finding]) -> Finding:
     """One finding for ``findings``, as the rule of the one that speaks for them says."""
     first = spokesman(findings)
-    if len(findings) == 1:
-        return first
     if first.cause.startswith(FRAGMENT):
         return told_together(most_severe_first(findings))
     rule = find(first.rule)

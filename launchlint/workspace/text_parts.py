@@ -31,6 +31,12 @@ _DOCUMENTS = late(r"\b(?:docs|index|design|wiki|discourse|answers)\.ros\.org/\S*
 _READ = late(r"""\$\(var\s+['"]?([^\s()'"$]+)|\bLaunchConfiguration\(\s*(?:variable_name\s*=\s*)?["']([^"'$]+)""")
 
 
+_TOPICS = late(
+    r"""\b(?:(advertise\w*|Publisher)|(subscribe|Subscriber))\s*(?:<[^<>()]{0,100}(?:<[^<>()]{0,100}>[^<>()]{0,100})?>)?[\s\w]{0,40}\(\s*"""
+    r"""(?:\w+\s*,\s*)?["']([\w/~]{1,100})["']"""
+)
+
+
 def _packages(text: str) -> Sequence[str]:
     """The packages that a launch file names."""
     return sorted({one or other or third for one, other, third in _USES.findall(text)}) if "<launch" in text else ()
@@ -49,6 +55,12 @@ def _args(text: str) -> Sequence[str]:
     declared = {one or other or third for one, other, third in _DECLARED.findall(text)}
     files = {f"/{name}" for name in _LAUNCH_FILES.findall(text)} if declared else set()
     return sorted({*declared.intersection(one or other for one, other in _READ.findall(text)), *files})
+
+
+def _topics(text: str) -> Sequence[str]:
+    """The last parts of the names of topics in the code of a node of ROS 1, with ``+`` where it publishes and ``-`` where it hears."""
+    found = _TOPICS.findall(text)
+    return sorted({f"{'+' if gives else '-'}{name.rstrip('/').rpartition('/')[2].lstrip('~')}" for gives, _, name in found})
 
 
 def _distributions(text: str) -> Sequence[str]:
@@ -70,6 +82,7 @@ PARTS: Mapping[str, Callable[[str], Sequence[str]]] = {
     "packages": _packages,
     "writing": _writing,
     "args": _args,
+    "topics": _topics,
     "distributions": _distributions,
 }
 """What of a text something may hang on, where it does not hang on all of it: a change of the rest changes nothing."""

@@ -64,12 +64,14 @@ def tell(problem: EvalError | EvalNotCovered | EvalNeverEqual, view: LaunchView)
             notes=("what depends on it is not checked any further",),
         )
         return
+    advice = _advice(reason, problem.expression, problem.place.text, problem.known)
     yield RULE.at(
         problem.origin,
         f"$(eval …) fails: {reason}",
         severity=Severity.ERROR if problem.refused else Severity.WARNING,
         notes=("roslaunch stops with the same error of Python's",),
-        help=_advice(reason, problem.expression, problem.place.text, problem.known),
+        help=advice,
+        cause=f"{problem.place.source.path} {reason} {advice}",
     )
 
 

@@ -64,6 +64,7 @@ RULE = Rule("LL201", "undeclared-arg", Severity.ERROR, roslaunch="refuses", fixa
 
 _OPPOSITE = {"if": "unless", "unless": "if"}
 _MOST_ASKED = 3
+_MOST_NAMED = 6
 _PLAIN = late(r"[\w./+ -]*")
 
 
@@ -110,7 +111,7 @@ def tell(problem: UndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         notes=(note,),
         help=help_,
         topic=name,
-        shared_cause=never_declared(problem.place.source.path, name),
+        shared_cause=never_declared(problem.place.source.path, "" if near is None and severity is Severity.ERROR else name),
         fix=None if near is None or severity is Severity.INFO or help_ != f"did you mean {near}?" else _fix(problem, view, name, near),
     )
 
@@ -123,8 +124,13 @@ def _longer(name: str, known: Sequence[str]) -> str | None:
 
 def together(findings: Sequence[Finding]) -> Finding:
     """Those of one cause: in ROS 2 all that the file gets from those who include it."""
-    if len({each.topic for each in findings}) > 1:
+    names = list(dict.fromkeys(each.topic for each in findings if each.rule == RULE.id))
+    if len(names) > 1 and findings[0].launcher != "roslaunch":
         return all_undeclared(findings)
+    if len(names) > 1:
+        told = joined([each for each in findings if each.rule == RULE.id])
+        more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+        return told._replace(message=f"{len(names)} args are not declared: {', '.join(names[:_MOST_NAMED])}{more}")
     readings = [each for each in findings if each.rule == RULE.id]  # beside it LL206 tells of the declaration: not one place more
     return joined(findings)._replace(message=joined(readings).message)
 

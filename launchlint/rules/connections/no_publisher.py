@@ -4,7 +4,8 @@ A launch file is often only a part of a robot, so that a topic without a publish
 node publishes the same type under a name so near that one of the two is wrong: a letter apart, or in another namespace while that
 publisher in turn reaches nobody; or where the two are the only ones in the launch that speak a type made for one purpose. It is an info
 where the names are less alike; where a node that waits in vain for everything finds one single topic of its type; and where the type is
-one of `std_msgs`, the names are those of the code, and one of the programs runs several times.
+one of `std_msgs`, the names are those of the code, and one of the programs runs several times. So it is where the names have nothing in
+common, and the sources of the workspace publish (or hear) the one that is left alone: that program may be started from elsewhere.
 
 It is told, too, where something else shows what was meant, however little the names are alike; a note then says what. The node waits
 for a private name (`~odom`) that no remap leads anywhere, so that others publish there only if they are told to, and just one other node

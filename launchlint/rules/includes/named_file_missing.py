@@ -7,7 +7,8 @@ file of nearly that name is there. It is an info where a file is made: by a comm
 it, by another node or another launch file of the package, or by what `.gitignore` keeps out of the repository; where its directory is
 there and holds nothing but a README or the like: what belongs there is put there on each machine; where it lies in a git submodule that is
 not checked out; where the package has no file of that kind at all; where the arg that is to be the name of the file is empty; and where
-args make the name and it takes another value than a default. Silent it is where the name is made from an environment variable, also by way
+args make the name and it takes another value than a default. Files that lie in one other directory, and those of one kind of which a
+directory has none, are told of together. Silent it is where the name is made from an environment variable, also by way
 of args. What LL401 or LL502 tells is not told again.
 
 In ROS 2 it looks at the `args` of nodes, and is silent about what the build installs, or may install, to that place.
@@ -68,14 +69,16 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from launchlint.finding import Finding, Severity
 from launchlint.late import late
 from launchlint.model import Command, UnknownText
 from launchlint.rules.judging.elsewhere import elsewhere
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.made_file import cause_of, made
+from launchlint.rules.judging.moved import lacking, moved, told_as_moved
 from launchlint.rules.judging.other_file import is_inside, root_of, shown
 from launchlint.rules.judging.python_text import reads_environment
 from launchlint.rules.of_environment import hangs_on_environment
@@ -209,8 +212,16 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         notes=tuple(notes),
         help=advice if maker is None else maker.help,
         topic=path,
-        shared_cause=cause_of(path, maker),
+        shared_cause=(moved(path, near) if severity is None and near is not None else "")
+        or (lacking(path, use.origin.place.source.path, view) if severity is None and near is None else "")
+        or cause_of(path, maker),
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """What is missing for one reason, by the names of the files."""
+    files = [each.message.removeprefix("the file ").removesuffix(" does not exist") for each in findings if each.rule == RULE.id]
+    return told_as_moved(joined(findings), files, "files")
 
 
 def _hangs_on_environment(origin: Origin, view: LaunchView) -> bool:

@@ -19,6 +19,7 @@ from launchlint.library.shipped import is_in_library
 from launchlint.rules.judging.name_places import owners
 from launchlint.rules.judging.near_names import NAMESPACE, RELATIONS, SIBLING, SLIP, TWIN, WORDS, relation
 from launchlint.rules.judging.part_of_launch import comes_from_around
+from launchlint.rules.judging.said_elsewhere import says
 from launchlint.rules.judging.same_definition import STANDARD, is_known, stands_for
 from launchlint.rules.judging.signs import Signs
 from launchlint.rules.view import GraphView
@@ -154,6 +155,8 @@ class LooseEnds:
             level = level if loose or level is not Severity.INFO else None
         if level is Severity.WARNING and how != SLIP and comes_from_around(self._view, taker, end if offers else other):
             level = Severity.INFO
+        if level is Severity.WARNING and shown is None and how in ("", WORDS) and says(last_part(end), self._view.packages, offers=not offers):
+            level = Severity.INFO  # a program that is not started here may be at the other end
         if level is None or (level is Severity.INFO and end.declaration.when == "subscriber"):
             return None
         partner = self.owners[id(other)]

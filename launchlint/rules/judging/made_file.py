@@ -8,7 +8,7 @@ from typing import NamedTuple
 from launchlint.rules.judging.other_file import shown
 from launchlint.rules.judging.package_contents import contents
 from launchlint.rules.view import LaunchView
-from launchlint.workspace.looking import exists, names, note, watched
+from launchlint.workspace.looking import content, exists, is_file, names, note, watched
 from launchlint.workspace.packages import Packages
 
 
@@ -35,7 +35,9 @@ def cause_of(path: str, maker: Made | None) -> str:
 
 
 def malformed(file: str) -> str:
-    """What LL101 tells of together with the includes that lead there: that the file at ``file`` cannot be read."""
+    """What LL101 tells of together with the includes that lead there: that ``file`` cannot be read. All empty files are alike."""
+    if is_file(file) and not (content(file) or b"0").strip():
+        return "malformed, since it is empty"
     return f"malformed {posixpath.abspath(file)}"
 
 

@@ -8,11 +8,12 @@ from collections.abc import Sequence
 from launchlint.evaluate.problems import IncludeNotFound, ParamFileMissing
 from launchlint.finding import Finding
 from launchlint.rules.view import LaunchView
-from launchlint.workspace.looking import exists
+from launchlint.workspace.looking import exists, names
 
 _MOVED = "moved "
 _LACKING = "lacking "
 _MOST_NAMED = 3
+_LAUNCH_ENDS = (".launch", ".xml", ".test")
 _OF_MANY = {
     "correct the path, or add the file": "correct the paths, or add the files",
     "correct the name, or create the file": "correct the names, or create the files",
@@ -38,11 +39,16 @@ def moved(path: str, meant: str) -> str:
 def lacking(path: str, source: str, view: LaunchView) -> str:
     """The cause of all that the directory of ``path`` lacks, where the launch file ``source`` names more of it; else empty.
 
+    Where the directory has no file of that kind at all, it is the cause of whatever files name there of that kind, but for launch files.
     One that is not here itself is told of by :func:`launchlint.rules.judging.made_file.cause_of`.
     """
-    directory = posixpath.dirname(posixpath.normpath(path))
-    several = len(view.once(_named).get((source, directory), ())) > 1
-    return f"{_LACKING}{directory}" if several and exists(directory) else ""
+    directory, name = posixpath.split(posixpath.normpath(path))
+    if not exists(directory):
+        return ""
+    ending = posixpath.splitext(name)[1]
+    if ending and ending not in _LAUNCH_ENDS and not any(each.endswith(ending) for each in names(directory)):
+        return f"{_LACKING}{directory} *{ending}"
+    return f"{_LACKING}{directory}" if len(view.once(_named).get((source, directory), ())) > 1 else ""
 
 
 def _named(view: LaunchView) -> dict[tuple[str, str], set[str]]:
@@ -59,11 +65,11 @@ def _named(view: LaunchView) -> dict[tuple[str, str], set[str]]:
 
 def told_as_moved(told: Finding, files: Sequence[str], what: str) -> Finding:
     """``told``, which speaks for all findings of one cause, with the ``files`` that these are about; ``what`` they are, in words."""
-    names = list(dict.fromkeys(files))
-    if not told.cause.startswith((_MOVED, _LACKING)) or len(names) < 2:
+    named = list(dict.fromkeys(files))
+    if not told.cause.startswith((_MOVED, _LACKING)) or len(named) < 2:
         return told
-    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+    more = f" and {len(named) - _MOST_NAMED} more" if len(named) > _MOST_NAMED else ""
     return told._replace(
-        message=f"{len(names)} {what} do not exist: {', '.join(names[:_MOST_NAMED])}{more}",
+        message=f"{len(named)} {what} do not exist: {', '.join(named[:_MOST_NAMED])}{more}",
         help=f"{told.help.removesuffix('?')}, and so for the others?" if told.help.endswith("?") else _OF_MANY.get(told.help, told.help),
     )

@@ -2,19 +2,35 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 
 from launchlint.rules.judging.other_file import is_inside
+from launchlint.workspace.looking import exists
 from launchlint.workspace.packages import Packages
 
 _SYSTEM = re.compile(r"/(?:etc|opt(?!/ros/)|var|usr/local|media|mnt|dev|home|root)/")
+_FEWEST_STEPS = 2
+_MOST_STEPS = 12
 
 
 def is_robots(path: str, packages: Packages, root: str) -> bool:
-    """Whether the file at ``path`` (absolute) is one of the machine that the launch file is for: no workspace or package can hold it."""
-    if _SYSTEM.match(path) is None or is_inside(path, (*packages.workspaces, root or "/nowhere")):
+    """Whether the file at ``path`` (absolute) is one of the machine that the launch file is for: no workspace or package can hold it.
+
+    One whose directory is, but for where it begins, one of what is checked belongs to the machine or image in which that lies there.
+    """
+    if is_inside(path, (*packages.workspaces, root or "/nowhere")):
+        return False
+    if _SYSTEM.match(path) is None and not _is_elsewhere_here(path, root):
         return False
     return packages.package_of(path) is None
+
+
+def _is_elsewhere_here(path: str, root: str) -> bool:
+    """Whether ``path`` leads to a directory of ``root`` where it is looked up from there, and that from another place than ``root``."""
+    steps = posixpath.dirname(path).split("/")[1:]
+    tails = (steps[start:] for start in range(1, min(len(steps) - _FEWEST_STEPS, _MOST_STEPS) + 1))
+    return bool(root) and any(exists(posixpath.join(root, *tail)) for tail in tails)
 
 
 def advice(path: str) -> str:

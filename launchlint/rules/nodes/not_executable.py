@@ -5,8 +5,8 @@ Programs that CMake builds are passed over, and those that `catkin_install_pytho
 the devel space, which runs the script whatever it lacks. It is an info where the first line is missing, since nothing makes up for that
 elsewhere. It is an info where `install()` gives the script
 the executable bit: it runs from an install space, as whoever wrote that knows, and not from a devel space. So it is where another command
-of `CMakeLists.txt` names the script, as with `execute_process(COMMAND chmod +x …)`. The scripts of a package that lack the same are told
-of together.
+of `CMakeLists.txt` names the script, as with `execute_process(COMMAND chmod +x …)`. All scripts that lack the same are told of
+together, over all packages: the executable bit mostly gets lost for many at once.
 
 ## Why it matters
 
@@ -128,12 +128,12 @@ def check(view: LaunchView) -> Iterator[Finding]:
             notes=tuple(notes),
             help=help,
             topic=path,
-            cause=f"{package.directory} {flaw.lacks_bit} {flaw.lacks_shebang} {made is None} {installed} {wrapped} {doubtful}",
+            cause=f"{flaw.lacks_bit} {flaw.lacks_shebang} {made is None} {installed} {wrapped} {doubtful}",
         )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
-    """The scripts of one package that lack the same."""
+    """The scripts that lack the same, of one package or of several."""
     whole = joined(findings)
     scripts = sorted({finding.topic for finding in findings})
     if len(scripts) < 2:

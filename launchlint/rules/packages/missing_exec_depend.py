@@ -6,7 +6,8 @@ dependencies count for tests. What a declared package or metapackage itself decl
 what roslaunch itself needs. Names that nobody knows are LL210 and LL303, and a file with placeholders such as `$(find [PACKAGE])` is a
 template that is never launched. A dependency that stands in a comment of the `package.xml` was left out on purpose. Where only files are
 asked of another package of the same kind (`arm_moveit_config`), and the own package has all of them at the same paths, its own name was
-meant. Everything that one `package.xml` lacks is told at once, with the first use of each package.
+meant. Everything that one `package.xml` lacks is told at once, with the first use of each package;
+where three or more lack the same two packages or more, as those that were made one after the other do, all that these lack.
 
 It is an info where all that is missing lies in the same workspace, and the package is none that was released: whoever has the one has the
 other; where it is part of every `ros_base`, the smallest installation, and the package is none that was released; where only launch files
@@ -89,6 +90,7 @@ from launchlint.late import late
 from launchlint.plural import listed
 from launchlint.rules.judging.copies import first_of_name
 from launchlint.rules.judging.idle_test import naming, why_idle
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.left_out import SETUP_ASSISTANT, is_trial, why_left_out
 from launchlint.rules.judging.metapackages import members
 from launchlint.rules.judging.missing_package import is_placeholder
@@ -116,6 +118,9 @@ if TYPE_CHECKING:
 ELSEWHERE = "it works only where something else brings {} along"
 LEFT_OUT = "it may do without: "
 MOST_NAMED = 12
+_COPIES = 3
+"""Packages that lack the same of which nobody wants to read one by one."""
+_THAT_ITS = "that its"
 TRIED = "only launch files that seem to be there to try something out need {}"
 SETTING_UP = "only files need it that MoveIt's Setup Assistant writes beside those that drive the robot"
 _LATER = "once {} {} what {} own launch files use, to declare {} here would close a ring"
@@ -304,12 +309,12 @@ def together(findings: Sequence[Finding]) -> Finding:
     edits = [edit for fix in fixes for edit in fix.edits]
     fix = None
     if len({edit[:3] for edit in edits}) == 1:  # all at one place: they are one insertion
-        joined = edits[0]._replace(text="".join(edit.text for edit in edits))
+        whole = edits[0]._replace(text="".join(edit.text for edit in edits))
         added = [finding.topic for finding in findings if finding.fix in fixes]
         message = f"add {len(fixes)} dependencies" if len(fixes) == len(findings) else f"add {listed(added, MOST_NAMED)}, not the others"
-        fix = Fix(message, fixes[0].safe, (joined,))
+        fix = Fix(message, fixes[0].safe, (whole,))
     return first._replace(
-        message=f"{first.location.path} does not declare {len(names)} packages that its launch files use: {listed(names, MOST_NAMED)}",
+        message=f"{first.location.path} does not declare {len(names)} packages {_THAT_ITS} launch files use: {listed(names, MOST_NAMED)}",
         label="not declared here",
         related=tuple(related._replace(label=f"{finding.topic} is used here") for finding in findings for related in finding.related),
         notes=(
@@ -323,6 +328,19 @@ def together(findings: Sequence[Finding]) -> Finding:
         fix=fix,
         topic="",
     )
+
+
+def of_copies(findings: Sequence[Finding]) -> Iterator[Finding]:
+    """One for several packages that lack the same two or more packages: one was made after the other. Each finding is of one package."""
+    alike: dict[tuple[Severity, str], list[Finding]] = {}
+    for finding in findings:
+        lacking = finding.message.removeprefix(f"{finding.location.path} does not declare ")
+        alike.setdefault((finding.severity, lacking), []).append(finding)
+    for (_, lacking), several in alike.items():
+        if len(several) < _COPIES or f" {_THAT_ITS}" not in lacking:
+            yield from several
+            continue
+        yield joined(several)._replace(message=f"{len(several)} packages do not declare {lacking.replace(_THAT_ITS, 'that their', 1)}")
 
 
 def _is_beside(name: str, packages: Packages, near: str) -> bool:

@@ -46,18 +46,20 @@ from collections.abc import Iterator
 from launchlint.evaluate.problems import YamlDuplicateKey
 from launchlint.finding import Finding, Severity
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launchlint.syntax.ros2.problems import KeyTwice
 
 RULE = Rule("LL513", "duplicate-yaml-key", Severity.WARNING)
+_MOST_ALIKE = 20
+"""Keys by which a copy is recognised."""
 
 
 def tell(problem: YamlDuplicateKey | KeyTwice, view: object) -> Iterator[Finding]:
     """Show both keys."""
     key, same = problem.key, problem.same
-    places = (problem.place, *(place for place, _ in problem.related))  # in a copy of the file the same
     yield RULE.at(
         problem.origin,
         f"the key {key} stands twice with the same value" if same else f"the key {key} stands twice: the first value is lost",
@@ -65,6 +67,22 @@ def tell(problem: YamlDuplicateKey | KeyTwice, view: object) -> Iterator[Finding
         label="the last one counts",
         related=problem.related,
         topic=key,
-        cause=f"{problem.place.source.path} same" if same else f"{key} {[place.source.position(place.span.start) for place in places]}",
+        cause=f"{problem.place.source.path} same" if same else _twice(problem, view),
         help="remove one of the two" if same else "remove one of the two, or merge what is below them",
     )
+
+
+def _twice(problem: YamlDuplicateKey | KeyTwice, view: object) -> str:
+    """One for all keys of a file that stand twice, and for copies of the file."""
+    if not isinstance(view, LaunchView):
+        return f"{problem.place.source.path} {problem.key}"
+    return view.once(_causes).get(id(problem.place.source), "")
+
+
+def _causes(view: LaunchView) -> dict[int, str]:
+    """For each file, by the identity of its source, its first keys that stand twice, and where."""
+    found: dict[int, set[tuple[str, int, int]]] = {}
+    for each in view.launch.noticed(YamlDuplicateKey):
+        if not each.same:
+            found.setdefault(id(each.place.source), set()).add((each.key, *each.place.source.position(each.place.span.start)))
+    return {source: f"{sorted(keys)[:_MOST_ALIKE]}" for source, keys in found.items()}

@@ -38,11 +38,15 @@ from collections.abc import Iterator
 from launchlint.evaluate.problems import ParamYamlInvalid
 from launchlint.evaluate.ros2.parameter_problems import ComponentFileRefused, ContentNoYaml
 from launchlint.finding import Finding, Severity
+from launchlint.rules.edits import spot
+from launchlint.rules.of_environment import hangs_on_environment
 from launchlint.rules.rule import Rule
+from launchlint.rules.view import LaunchView
 from launchlint.source import Place
 from launchlint.syntax.ros1.substitutions import parse
 
 RULE = Rule("LL503", "param-yaml-invalid", Severity.ERROR, roslaunch="refuses")
+_ASKED = "it is made from an environment variable, which may have another value where this is started"
 
 
 def tell(problem: ParamYamlInvalid | ComponentFileRefused | ContentNoYaml, view: object) -> Iterator[Finding]:
@@ -65,7 +69,22 @@ def tell(problem: ParamYamlInvalid | ComponentFileRefused | ContentNoYaml, view:
         label, help_ = "", "name the parameter with param=, or write NAME: VALUE"
     else:
         message, label, help_ = f"{what} cannot be loaded: {reason}", "here", _advice(place, name)
-    yield RULE.at(problem.origin, message, label=label, related=problem.related, notes=(note,), help=help_)
+    asked = not name and isinstance(view, LaunchView) and hangs_on_environment(_content(problem, view), problem.origin, view)
+    yield RULE.at(
+        problem.origin,
+        message,
+        severity=Severity.INFO if asked else None,
+        label=label,
+        related=problem.related,
+        notes=(note, *([_ASKED] if asked else [])),
+        help=help_,
+    )
+
+
+def _content(problem: ParamYamlInvalid, view: LaunchView) -> str:
+    """The ``<rosparam>`` as it is written, with the YAML inside."""
+    at = spot(view, problem.place)
+    return problem.place.text if at is None else problem.place.source.text[at.element.span.start : at.element.span.end]
 
 
 def _ros2(problem: ComponentFileRefused | ContentNoYaml) -> Finding:

@@ -52,13 +52,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Fix, Severity
-from launchlint.rules.edits import LOADS, fix, remove_attribute, spot
+from launchlint.rules.edits import LOADS, MOST_ATTRIBUTES, fix, remove_attribute, spot
 from launchlint.rules.rule import Rule
+from launchlint.spelling import closest
 from launchlint.syntax.problems import ConflictingAttributes
+from launchlint.syntax.ros1.dialect import TAGS
 from launchlint.syntax.ros1.substitutions import parse
 from launchlint.syntax.ros2.problems import ParameterForm
+from launchlint.syntax.tree import Element
 
 RULE = Rule("LL110", "conflicting-attributes", Severity.ERROR, roslaunch="refuses", fixable="unsafe")
+
+_VALUES = frozenset(("value", "textfile", "binfile", "command"))
+"""What gives a `<param>` its value."""
 
 # Reason → message, what roslaunch prints, help.
 WORDS = {
@@ -115,8 +121,10 @@ def tell(problem: ConflictingAttributes | ParameterForm, view: object) -> Iterat
     else:
         message, stops, advice = (words.format(tag=tag) for words in WORDS[reason])
     at = spot(view, problem.place)
-    if reason == "param-sources" and not attributes and at is not None and "default" in at.element.attributes:
-        advice = 'write value="…" instead of default="…", which only <arg> has'
+    instead = None if at is None or reason != "param-sources" or attributes else instead_of_value(at.element)
+    if instead is not None:
+        owner = ", which only <arg> has" if instead == "default" else ": <param> has no such attribute"
+        advice = f'write value="…" instead of {instead}="…"{owner}'
     args = list(parse(problem.place.text).names("arg")) if reason == "empty-ns" else []
     if args:
         names = args[0] if len(args) == 1 else f"{', '.join(args[:-1])} or {args[-1]}"
@@ -137,6 +145,15 @@ def tell(problem: ConflictingAttributes | ParameterForm, view: object) -> Iterat
         cause=f"{problem.place.source.path} {advice}" if reason == "param-sources" and not attributes else "",
         fix=_fix(problem, view),
     )
+
+
+def instead_of_value(element: Element) -> str | None:
+    """The attribute that a ``<param>`` without a value has in its place; ``None`` where it has none that only stands for that."""
+    if element.tag != "param" or not _VALUES.isdisjoint(element.attributes) or len(element.attributes) > MOST_ATTRIBUTES:
+        return None
+    known = TAGS["param"].known
+    strange = [each for each in element.attributes if each not in known]
+    return strange[0] if len(strange) == 1 and closest(strange[0], known) is None else None
 
 
 def _fix(problem: ConflictingAttributes, view: object) -> Fix | None:

@@ -103,8 +103,10 @@ def _cause(problem: MisplacedTag, view: object) -> str:
     around = view.document.element_from(problem.within) if isinstance(view, FileView) and problem.within >= 0 else None
     if around is None or around.span.start != problem.within or len(around.children) > _MOST_ALIKE:
         return f"{place.source.path}:{problem.within} {problem.refused}"
-    inside = (f"{each.tag} {each.get('name') or ''} {each.get('value') or each.get('to') or ''}" for each in around.children)
-    return f"{problem.parent} {problem.refused} {'; '.join(inside)}"
+    rule = TAGS.get(around.tag)
+    inside = (f"{each.tag} {each.get('name') or each.get('from') or ''}" for each in around.children)
+    wrong = [each for each in inside if rule is None or each.partition(" ")[0] not in rule.children]
+    return f"{problem.parent} {problem.refused} {'; '.join(wrong)}"
 
 
 def together(findings: Sequence[Finding]) -> Finding:

@@ -37,6 +37,7 @@ Nothing of the file is started.
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
@@ -80,6 +81,7 @@ def tell(problem: RootNotLaunch | WrongRoot, view: object) -> Iterator[Finding]:
     yield RULE.at(
         problem.origin,
         f"the root element is <{tag}>, not <launch>",
+        cause=f"{posixpath.dirname(problem.place.source.path)} {tag}",
         notes=(STOPS,),
         help="did you mean <launch>?" if near else "if this is a launch file, put everything into one <launch> element; if not, exclude it",
     )

@@ -55,6 +55,7 @@ from collections.abc import Iterator
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS2, Spot, fix, rename_attribute, spot, write_over
 from launchlint.rules.rule import Rule
+from launchlint.rules.xml.conflicting_attributes import instead_of_value
 from launchlint.rules.xml.missing_attribute import name_instead
 from launchlint.spelling import closest, surely, switched_off
 from launchlint.syntax.problems import UnknownAttribute
@@ -66,8 +67,6 @@ RULE = Rule("LL104", "unknown-attribute", Severity.WARNING, roslaunch="reports",
 _ROSMON = "rosmon-"
 _OF_ROSMON = ("enable-coredumps",)
 """What rosmon reads beside the attributes that begin with its name (rosmon_core, LaunchConfig::parseNode)."""
-_VALUES = frozenset(("value", "textfile", "binfile", "command"))
-"""What gives a `<param>` its value."""
 
 
 def tell(problem: UnknownAttribute | UnreadAttribute, view: object) -> Iterator[Finding]:
@@ -90,7 +89,7 @@ def tell(problem: UnknownAttribute | UnreadAttribute, view: object) -> Iterator[
     at = spot(view, problem.place)
     if at is not None and name_instead(at.element) == name:
         return  # LL105 tells what is meant
-    if at is not None and (tag, name) == ("param", "default") and _VALUES.isdisjoint(at.element.attributes):
+    if at is not None and instead_of_value(at.element) == name:
         return  # LL110 does
     off = None if owners else _switched_off(tag, name, problem.known)
     if off is not None:
