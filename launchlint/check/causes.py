@@ -10,21 +10,25 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from launchlint.check.fragments import FRAGMENT, told_together
-from launchlint.finding import Finding
+from launchlint.finding import Finding, Severity
 from launchlint.order import most_severe_first, ordered
 from launchlint.rules.judging.joined import joined, spokesman
 from launchlint.rules.registry import find
 
 
 def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """``findings`` in report order; one for all of one :attr:`Finding.cause`, with the places of the others."""
+    """``findings`` in report order; one for all of one :attr:`Finding.cause`, with the places of the others.
+
+    Mistakes of which a rule says the very same in one file are one, too: people make them in one go.
+    """
     result: list[Finding] = []
-    alike: dict[str, list[Finding]] = {}
+    alike: dict[str | tuple[str, ...], list[Finding]] = {}
     for finding in ordered(findings):
-        if not finding.cause:
+        if not finding.cause and finding.severity is not Severity.ERROR:
             result.append(finding)
             continue
-        alike.setdefault(finding.cause, []).append(finding)
+        cause = finding.cause or (finding.rule, finding.location.path, finding.message, finding.help)
+        alike.setdefault(cause, []).append(finding)
     if not alike:
         return tuple(result)
     joint = [_told(group) for group in alike.values() if len(group) > 1]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import posixpath
 import re
 from collections.abc import Sequence
 from fnmatch import fnmatchcase
@@ -102,6 +103,8 @@ def _written(scope: Scope, command: Command) -> list[str]:
         return words[words.index("RENAME") + 1 :][:1] if "RENAME" in words else []
     if command.name == "catkin_add_env_hooks":
         return [f"{first}.{shell}" for shell in words[1:]]
+    if command.name.startswith("catkin_download") and "FILENAME" not in words:  # the file has the name that it has there
+        return [posixpath.basename(word) for word in words[1:2]]
     kept = _not_needed(words)
     if command.name.startswith("xacro_"):
         kept += [each.removesuffix(".xacro") for each in kept if each.endswith(".xacro")]

@@ -31,6 +31,10 @@ _BUILT_NAME_MARKERS = (
     "local_setup.sh",
 )
 
+# What catkin_make and catkin tools leave where they are called, and the directories that they write beside it.
+_WORKSPACE_MARKERS = (".catkin_workspace", ".catkin_tools")
+_BUILT_SPACES = ("build", "devel", "install")
+
 _SNIFFED = 8 << 10
 _MOST_DIRECTORIES = 100_000
 
@@ -154,6 +158,8 @@ def _walk(start: str, exclude: Sequence[str], base: str, seen: set[tuple[int, in
             continue
         for entry in entries:
             path = entry.name if directory == os.curdir else os.path.join(directory, entry.name)
+            if entry.name in _BUILT_SPACES and not names.isdisjoint(_WORKSPACE_MARKERS):
+                continue
             if exclude and matches_any(exclude, _relative(path, base)):
                 continue
             try:

@@ -50,13 +50,15 @@ roslaunch refuses the file with `Value error`, and does not say which line.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import ConditionNotBoolean
 from launchlint.evaluate.ros2.problems import NotABoolean
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.model import ROS2
 from launchlint.rules.edits import LOADS, LOADS2, fix, is_literal, set_value, spot, write_over
+from launchlint.rules.judging.joined import led_by
+from launchlint.rules.judging.left_over import left_over_in
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.rules.wording import words_at
@@ -97,7 +99,14 @@ def tell(problem: ConditionNotBoolean | InvalidValue | NotABoolean, view: object
         notes=(note,),
         help=_advice(name, value, text),
         fix=_fix(problem, view, value),
+        cause=f"{problem.place.source.path} {text} {value}",
+        shared_cause=left_over_in(value, view) if isinstance(view, LaunchView) else "",
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """Conditions that ask for one value; a substitution in it that is none is told before them."""
+    return led_by(findings, "LL215")
 
 
 def _fix(problem: ConditionNotBoolean | InvalidValue, view: object, value: str) -> Fix | None:

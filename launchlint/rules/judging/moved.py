@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from launchlint.evaluate.problems import IncludeNotFound, ParamFileMissing
 from launchlint.finding import Finding
 from launchlint.rules.view import LaunchView
-from launchlint.workspace.looking import exists, names
+from launchlint.workspace.looking import exists
 
 _MOVED = "moved "
 _LACKING = "lacking "
@@ -37,16 +37,16 @@ def moved(path: str, meant: str) -> str:
 
 
 def lacking(path: str, source: str, view: LaunchView) -> str:
-    """The cause of all that the directory of ``path`` lacks, where the launch file ``source`` names more of it; else empty.
+    """The cause of all files of one kind that the directory of ``path`` lacks; else empty.
 
-    Where the directory has no file of that kind at all, it is the cause of whatever files name there of that kind, but for launch files.
-    One that is not here itself is told of by :func:`launchlint.rules.judging.made_file.cause_of`.
+    Of launch files only those count that the launch file ``source`` names. A directory that is not here itself is told of by
+    :func:`launchlint.rules.judging.made_file.cause_of`.
     """
     directory, name = posixpath.split(posixpath.normpath(path))
     if not exists(directory):
         return ""
     ending = posixpath.splitext(name)[1]
-    if ending and ending not in _LAUNCH_ENDS and not any(each.endswith(ending) for each in names(directory)):
+    if ending and ending not in _LAUNCH_ENDS:
         return f"{_LACKING}{directory} *{ending}"
     return f"{_LACKING}{directory}" if len(view.once(_named).get((source, directory), ())) > 1 else ""
 

@@ -269,6 +269,8 @@ def _cause(
     path, default = setting.origin.place.source.path, " as default" * as_default
     if elsewhere is not None:
         return f"{path}: {owner.program} reads others{default}"
+    if near is not None and inner.startswith("_"):  # as on a command line, in the whole file
+        return f"{path}: {owner.program} _{default}"
     if near is not None:
         return f"{owner.program} {_NUMBER.sub('#', inner)} for {_NUMBER.sub('#', near)}{default}"  # of one that is written for each arm
     return f"{path}: {owner.program}" if several else f"{owner.program} {inner}"
