@@ -32,6 +32,7 @@ TEXTS: dict[str, tuple[list[str], list[str]]] = {
     "install(FILES a.yaml DESTINATION share/p RENAME b.yaml)": (["b.yaml"], ["a.yaml"]),
     "catkin_add_env_hooks(50.robot SHELLS sh bash DIRECTORY hooks)": (["50.robot.sh"], ["51.robot.sh"]),
     "catkin_download_test_data(t http://x/y.bag DESTINATION test FILENAME a.bag MD5 0)": (["test/a.bag"], ["test/y.bag"]),
+    "catkin_download_test_data(t http://x/y.bag DESTINATION test MD5 0)": (["test/y.bag"], ["test/t"]),
     "xacro_add_files(a.urdf.xacro INORDER INSTALL DESTINATION xml)": (["a.urdf"], ["b.urdf"]),
     "ExternalProject_Add(data URL http://x/d.zip SOURCE_DIR ${CMAKE_CURRENT_SOURCE_DIR}/data)": (
         ["data/x/a.yaml"],

@@ -37,6 +37,7 @@ Grow = Callable[[Mapping[str, str | None]], Path]
         ({"build/CMakeCache.txt": "", "build/a.launch": "", "install/setup.sh": "", "install/b.launch": ""}, ["install/b.launch"]),
         ({"devel/.catkin": "", "devel/share/a.launch": "", "build_isolated/COLCON_IGNORE": "", "build_isolated/b.launch": ""}, []),
         ({"x/.colcon_install_layout": "", "x/a.launch": "", "log/COLCON_IGNORE": "", "log/b.launch": ""}, []),
+        ({"ws/.catkin_workspace": "", "ws/install/share/a.launch": "", "ws/src/install/b.launch": ""}, ["ws/src/install/b.launch"]),
         ({"p/CMakeCache.txt": "", "p/a.launch": "", "q/CATKIN_IGNORE": "", "q/b.launch": ""}, ["p/a.launch", "q/b.launch"]),
         ({"a/x.launch": "", "link": "-> a", "up": "-> .", "dead": "-> nowhere", "dead.launch": "-> nowhere"}, ["a/x.launch"]),
         ({"a/x.launch": "", "y.launch": "-> a/x.launch"}, ["a/x.launch", "y.launch"]),

@@ -68,7 +68,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Location, Related, Severity
-from launchlint.rules.judging.broken_call import MOVE, broken_call
+from launchlint.rules.judging.broken_call import MOVE, broken_call, undeclared_call
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
@@ -111,7 +111,7 @@ def check(view: RunView) -> Iterator[Finding]:
             help=f"give {name} a default here, or pass it there" if missing else f"declare {name} here, or stop passing {it} there",
             element=f"{target} {name}",
             topic=f"{name} {'missing' if missing else 'undeclared'}",
-            cause=broken_call(target, name, () if missing else known[target]),
+            cause=broken_call(target, name) if missing else undeclared_call(target, name.split(", "), known[target]),
         )
 
 

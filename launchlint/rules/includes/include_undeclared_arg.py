@@ -61,7 +61,7 @@ from launchlint.evaluate.problems import IncludeUndeclaredArg, UndeclaredArg
 from launchlint.finding import Finding, Severity
 from launchlint.plural import listed
 from launchlint.rules.edits import LOADS, passed_under, spot
-from launchlint.rules.judging.broken_call import MOVE, broken_call
+from launchlint.rules.judging.broken_call import MOVE, undeclared_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.source import Place
@@ -98,7 +98,7 @@ def tell(problem: IncludeUndeclaredArg, view: LaunchView) -> Iterator[Finding]:
         problem.origin,
         f"{file} does not declare the {'args' if several else 'arg'} {names}",
         label=f"{name} is passed here" if several else "passed here",
-        shared_cause=broken_call(file, ", ".join(undeclared), known),
+        shared_cause=undeclared_call(file, undeclared, known),
         related=tuple((place, _DOES_NOT_COUNT) for place in islice(elsewhere.values(), _MOST_LISTED)),
         notes=tuple(notes),
         help=_help(undeclared, known, tuple(elsewhere)),

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from launchlint.spelling import closest
+
 _SOME, _MOST = 2, 30
 """Args by which copies of a launch file are recognised."""
 
@@ -16,6 +18,15 @@ def broken_call(target: str, name: str, known: Sequence[str] = ()) -> str:
     other as well, of which there is one for each robot.
     """
     return f"call {','.join(sorted(known)) if _SOME <= len(known) <= _MOST else target} {name}"
+
+
+def undeclared_call(target: str, names: Sequence[str], known: Sequence[str]) -> str:
+    """The cause of includes that pass ``names``, which ``target`` does not declare: it lost them, or never had them, whoever passes which.
+
+    A name that is a slip of one that it declares is a mistake of who passes it.
+    """
+    slips = any(closest(name, known) is not None for name in names)
+    return broken_call(target, ", ".join(names) if slips else "undeclared", known)
 
 
 MOVE = "move "

@@ -25,7 +25,11 @@ _TO_FILL_IN = late(
 )
 _LONGEST = 200
 _LETTERS = late(r"[a-z]+")
-_PATH_TO_FILL_IN = late(r"(?:^|/)(?:path[/_]to[/_]|your[_-]?\w+/|<[^<>/]+>(?:/|$))|/(?:home|Users)/user_?name/", re.IGNORECASE)
+_PATH_TO_FILL_IN = late(
+    r"""(?:^|/)(?:path[/_]to[/_] | your[_-]?\w+/ | <[^<>/]+>(?:/|$) | \{[A-Z][A-Z\d]*(?:_[A-Z\d]+)*\}(?:[./]|$))
+    | /(?:home|Users)/user_?name/""",
+    re.VERBOSE | re.IGNORECASE,
+)
 
 
 def has_placeholder(text: str) -> bool:
@@ -43,6 +47,11 @@ def is_called_template(path: str) -> bool:
 def is_among_templates(directory: str) -> bool:
     """Whether ``directory`` lies in a folder of templates: what stands there is copied before anybody launches it."""
     return not {"template", "templates"}.isdisjoint(directory.lower().split("/"))
+
+
+def is_template(path: str) -> bool:
+    """Whether a launch file is called a template, or lies among such."""
+    return is_called_template(path) or is_among_templates(posixpath.dirname(path))
 
 
 def is_to_fill_in(value: str) -> bool:

@@ -61,7 +61,7 @@ from launchlint.rules.judging.other_file import root_of, shown
 from launchlint.rules.judging.out_of_share import leads_out, where
 from launchlint.rules.judging.python_text import reads_environment
 from launchlint.rules.judging.robot_file import advice, is_robots
-from launchlint.rules.judging.template import is_path_to_fill_in
+from launchlint.rules.judging.template import is_path_to_fill_in, is_template
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView
 from launchlint.rules.wording import words_at
@@ -132,6 +132,9 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
     if placeholder:
         severity = Severity.INFO
         notes.append("the path is a placeholder, which each user fills in")
+    if missing and problem.origin.step is None and is_template(problem.place.source.path):
+        severity = Severity.INFO
+        notes.append("this file is called a template: people copy it, and start the copy")
     near = _near(problem, view) if installed is None else shown(installed, root_of(problem.place.source))
     if not path:
         message = "the name of the file is empty"
