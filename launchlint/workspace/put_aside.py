@@ -10,20 +10,22 @@ from launchlint.workspace.looking import names as names_in
 
 _ASIDE = late(
     r"(?:.*[_. -])?(?:deprecated|obsolete|outdated|unused|archives?|archived|backups?|bak|old|attic|trash|graveyard)"
-    r"|(?:deprecated|obsolete|outdated|unused|archived|old)[_. -].*",
+    r"|(?:deprecated|obsolete|outdated|unused|archived|old|not|do_not)[_. -].*",
     re.IGNORECASE,
 )
 """Names of directories for what is no longer used; `backup_camera` and `archive_tools` are none."""
-
+_FILE_ASIDE = late(r".*[_. (-](?:deprecated|obsolete|outdated|unused|backup|bak|old)\)?(?:\.launch)?(?:\.\w+)?", re.IGNORECASE)
+"""Names of launch files that are not used any longer: `arm_old.launch`, `arm(bak).launch`, `arm.bak.launch`."""
+_ENDS = (".launch", ".xml", ".test")
 
 _MANIFESTS = ("package.xml", "manifest.xml")
 
 
 def put_aside(path: str) -> str:
-    """The directory on the way to ``path`` (with ``/``) that says so; empty where none does."""
-    parts = path.split("/")[:-1]
+    """The directory on the way to ``path`` (with ``/``) that says so, or the launch file itself; empty where none does."""
+    *parts, name = path.split("/")
     number = next((number for number, part in enumerate(parts, 1) if _ASIDE.fullmatch(part)), 0)
-    return "/".join(parts[:number])
+    return path if not number and name.endswith(_ENDS) and _FILE_ASIDE.fullmatch(name) else "/".join(parts[:number])
 
 
 def renamed_manifest(directory: str) -> str:

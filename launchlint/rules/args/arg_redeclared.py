@@ -35,14 +35,17 @@ The second declaration does not replace the first: roslaunch refuses the file.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from launchlint.evaluate.problems import ArgRedeclared
 from launchlint.finding import Finding, Fix, Severity
+from launchlint.plural import listed
 from launchlint.rules.edits import LOADS, fix, remove_element, spot
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 
 RULE = Rule("LL203", "arg-redeclared", Severity.ERROR, roslaunch="refuses", fixable="safe")
+_MOST_NAMED = 6
 
 
 def tell(problem: ArgRedeclared, view: object) -> Iterator[Finding]:
@@ -58,8 +61,16 @@ def tell(problem: ArgRedeclared, view: object) -> Iterator[Finding]:
         related=problem.related,
         notes=(f"roslaunch stops with: arg '{name}' has already been declared",),
         help="remove one, or give them conditions that exclude each other",
+        topic=name,
+        cause=problem.place.source.path,
         fix=_fix(problem, view),
     )
+
+
+def together(findings: Sequence[Finding]) -> Finding:
+    """The args that one file declares twice, by their names."""
+    told, names = joined(findings), list(dict.fromkeys(each.topic for each in findings))
+    return told if len(names) < 2 else told._replace(message=f"{listed(names, _MOST_NAMED)} are declared twice")
 
 
 def _fix(problem: ArgRedeclared, view: object) -> Fix | None:

@@ -177,7 +177,7 @@ def _told(
         label=label,
         notes=notes,
         help=help or f"it reads {FORMS[node.package]}",
-        cause=cause,
+        cause=cause or f"{node.package} {message}",
     )
 
 

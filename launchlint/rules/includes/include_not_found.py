@@ -169,11 +169,7 @@ def tell(problem: IncludeNotFound | IncludeNotLoadable, view: LaunchView) -> Ite
         fix=repair,
         shared_cause=left_over_in(file, view)
         or (moved(file, meant) if severity is None and repair is not None else "")
-        or (
-            lacking(file, source.path, view)
-            if severity is None and advice.startswith(_CORRECT) and not relative and installed is None
-            else ""
-        )
+        or (lacking(file) if severity is None and advice.startswith(_CORRECT) and not relative and installed is None else "")
         or ("" if relative or environment or installed is not None else cause_of(file, maker)),
     )
 

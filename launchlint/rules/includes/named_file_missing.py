@@ -213,7 +213,7 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         help=advice if maker is None else maker.help,
         topic=path,
         shared_cause=(moved(path, near) if severity is None and near is not None else "")
-        or (lacking(path, use.origin.place.source.path, view) if severity is None and near is None else "")
+        or (lacking(path) if severity is None and near is None else "")
         or cause_of(path, maker),
     )
 

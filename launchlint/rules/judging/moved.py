@@ -5,15 +5,12 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Sequence
 
-from launchlint.evaluate.problems import IncludeNotFound, ParamFileMissing
 from launchlint.finding import Finding
-from launchlint.rules.view import LaunchView
 from launchlint.workspace.looking import exists
 
 _MOVED = "moved "
 _LACKING = "lacking "
 _MOST_NAMED = 3
-_LAUNCH_ENDS = (".launch", ".xml", ".test")
 _OF_MANY = {
     "correct the path, or add the file": "correct the paths, or add the files",
     "correct the name, or create the file": "correct the names, or create the files",
@@ -36,31 +33,13 @@ def moved(path: str, meant: str) -> str:
     return f"{_MOVED}{'/'.join(looked_for[: len(looked_for) - same])} {left_out}" if same and left_out else f"{_MOVED}{directory}"
 
 
-def lacking(path: str, source: str, view: LaunchView) -> str:
-    """The cause of all files of one kind that the directory of ``path`` lacks; else empty.
+def lacking(path: str) -> str:
+    """The cause of all files of one kind that the directory of ``path`` lacks; empty where that is not here itself.
 
-    Of launch files only those count that the launch file ``source`` names. A directory that is not here itself is told of by
-    :func:`launchlint.rules.judging.made_file.cause_of`.
+    Then it is told of by :func:`launchlint.rules.judging.made_file.cause_of`.
     """
     directory, name = posixpath.split(posixpath.normpath(path))
-    if not exists(directory):
-        return ""
-    ending = posixpath.splitext(name)[1]
-    if ending and ending not in _LAUNCH_ENDS:
-        return f"{_LACKING}{directory} *{ending}"
-    return f"{_LACKING}{directory}" if len(view.once(_named).get((source, directory), ())) > 1 else ""
-
-
-def _named(view: LaunchView) -> dict[tuple[str, str], set[str]]:
-    """The missing files that each launch file names in each directory."""
-    found: dict[tuple[str, str], set[str]] = {}
-    for problem in view.launch.problems:
-        if not isinstance(problem, (IncludeNotFound, ParamFileMissing)):
-            continue
-        if problem.file and posixpath.isabs(problem.file):
-            directory, name = posixpath.split(posixpath.normpath(problem.file))
-            found.setdefault((problem.place.source.path, directory), set()).add(name)
-    return found
+    return f"{_LACKING}{directory} *{posixpath.splitext(name)[1]}" if exists(directory) else ""
 
 
 def told_as_moved(told: Finding, files: Sequence[str], what: str) -> Finding:

@@ -160,7 +160,7 @@ def tell(problem: ParamFileMissing, view: LaunchView) -> Iterator[Finding]:
         else _advice(problem, near, view),
         shared_cause=left_over_in(problem.file, view)
         or (moved(problem.file, near) if severity is None and near is not None and missing else "")
-        or (lacking(problem.file, problem.place.source.path, view) if look and severity is None and near is None else "")
+        or (lacking(problem.file) if look and severity is None and near is None else "")
         or (cause_of(problem.file, maker) if look and path and not placeholder else ""),
     )
 
