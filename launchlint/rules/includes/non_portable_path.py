@@ -59,12 +59,13 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.late import late
 from launchlint.rules.edits import Spot, fix, set_value
+from launchlint.rules.judging.joined import joined
 from launchlint.rules.judging.made_file import cause_of
 from launchlint.rules.judging.template import is_path_to_fill_in
 from launchlint.rules.rule import Rule
@@ -150,6 +151,12 @@ def _finding(fault: _Fault, at: Spot, fix: Fix | None) -> Finding:
     )  # fmt: skip
 
 
+def together(findings: Sequence[Finding]) -> Finding:
+    """The paths of one machine, each with a name of its own to write."""
+    told = joined(findings)
+    return told if len({each.help for each in findings}) < 2 else told._replace(help=f"{told.help}; the others alike")
+
+
 def _missing(at: Spot) -> str:
     """What LL401 tells, too: that the file which an include names so is not there."""
     name = "" if at.attribute is None or at.element.tag != "include" or at.attribute.name != "file" else at.attribute.value
@@ -230,7 +237,11 @@ def _absolute(value: str, tag: str) -> _Fault | None:
         return None
     packaged = re.search(_PACKAGE, value)
     instead = f"$(find {packaged[1]})/{packaged[2]}" if packaged else ""
-    return _Fault(f"{value} is an absolute path", "it is there on this machine only", f"write {instead or _ANY_NAME}", instead=instead)
+    home = re.search(_HOME, value)
+    start = "/".join(value.split("/")[:3]) if home is None else home[0]
+    return _Fault(
+        f"{value} is an absolute path", "it is there on this machine only", f"write {instead or _ANY_NAME}", cause=start, instead=instead
+    )
 
 
 class _Path(NamedTuple):

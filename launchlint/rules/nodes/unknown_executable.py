@@ -141,6 +141,8 @@ def check(view: GraphView) -> Iterator[Finding]:
         if left_empty:
             notes.append(f"the arg {left_empty} has an empty default: whoever starts this file gives it")
         severity = Severity.INFO if left_empty else Severity.ERROR if certain else Severity.WARNING
+        others = contents(view.packages).having(name)
+        reason = name if near and known.names else f"in {' '.join(others)}" if others else _NONE
         yield RULE.at(
             Origin(node.places.get("executable", node.origin.place), node.origin.step),
             f"the package {node.package} has no executable {name}",
@@ -151,17 +153,17 @@ def check(view: GraphView) -> Iterator[Finding]:
                 node,
                 same or slip,
                 near,
-                contents(view.packages).having(name),
+                others,
                 f"correct the type, or add {name} to the CMakeLists.txt or scripts of {node.package}",
             ),
-            cause=f"{severity.word} {node.package}/{name if known.names else _NONE}",
+            cause=f"{severity.word} {node.package}/{reason}",
             topic=name,
             fix=None if slip is None or same not in (None, slip) else _fix(node, view, slip),
         )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
-    """All that is asked of a package without programs, by the names."""
+    """All that is asked of a package and that it does not have, by the names."""
     whole = joined(findings)
     names = list(dict.fromkeys(each.topic for each in findings))
     if len(names) < 2 or not whole.cause.endswith(_NONE):

@@ -203,7 +203,7 @@ def _finding(misses: list[_Miss], topic: str, view: GraphView) -> Finding:
 
 def _cause(instance: Instance, severity: Severity, written: str, advice: _Advice | None) -> str:
     """What holds for several remaps of one program, or for one of them in several files."""
-    reason = "other names" if advice is None else advice.habit or f"{written} {advice.text}"
+    reason = "other names" if advice is None else advice.habit or ("in vain" if advice.remove else f"{written} {advice.text}")
     return f"{instance.program} {severity.word} {reason}"
 
 
