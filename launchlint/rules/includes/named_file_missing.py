@@ -212,9 +212,7 @@ def _tell(use: _Use, named: _Named, view: LaunchView, root: str) -> Iterator[Fin
         notes=tuple(notes),
         help=advice if maker is None else maker.help,
         topic=path,
-        shared_cause=(moved(path, near) if severity is None and near is not None else "")
-        or (lacking(path) if severity is None and near is None else "")
-        or cause_of(path, maker),
+        shared_cause=("" if severity is Severity.INFO else lacking(path) if near is None else moved(path, near)) or cause_of(path, maker),
     )
 
 
