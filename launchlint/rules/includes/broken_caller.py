@@ -68,12 +68,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from launchlint.finding import Finding, Location, Related, Severity
-from launchlint.rules.judging.broken_call import MOVE, broken_call, undeclared_call
+from launchlint.rules.judging.broken_call import MOVE, lacking_call, undeclared_call
 from launchlint.rules.judging.joined import joined
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import RunView
 
 RULE = Rule("LL407", "broken-caller", Severity.ERROR, roslaunch="refuses")
+_MISSING = " missing"
 
 _MOST_SHOWN = 8
 
@@ -110,13 +111,22 @@ def check(view: RunView) -> Iterator[Finding]:
             notes=(*more, "roslaunch refuses each of the launch files that hold them"),
             help=f"give {name} a default here, or pass it there" if missing else f"declare {name} here, or stop passing {it} there",
             element=f"{target} {name}",
-            topic=f"{name} {'missing' if missing else 'undeclared'}",
-            cause=broken_call(target, name) if missing else undeclared_call(target, name.split(", "), known[target]),
+            topic=f"{name}{_MISSING if missing else ' undeclared'}",
+            cause=lacking_call(target) if missing else undeclared_call(target, name.split(", "), known[target]),
         )
 
 
 def together(findings: Sequence[Finding]) -> Finding:
     """With what the includes themselves say to do where the file holds the arg after all: a second declaration would be refused."""
     told = joined(findings)
+    if told.rule != RULE.id:
+        return told
     moved = next((each.help for each in findings if each.rule != RULE.id and each.help.startswith(MOVE)), "")
-    return told._replace(help=f"{moved}; or stop passing it there") if moved and told.rule == RULE.id else told
+    needed = [each.topic.removesuffix(_MISSING) for each in findings if each.rule == RULE.id and each.topic.endswith(_MISSING)]
+    if len(needed) > 1:
+        names = ", ".join(needed)
+        told = told._replace(
+            message=f"{len(told.related)} includes of this file do not pass all args that it needs: {names}",
+            help=f"give {names} defaults here, or pass them there",
+        )
+    return told._replace(help=f"{moved}; or stop passing it there") if moved else told

@@ -57,7 +57,7 @@ from collections.abc import Iterator
 from launchlint.evaluate.problems import IncludeMissingArg
 from launchlint.finding import Finding, Fix, Severity
 from launchlint.rules.edits import LOADS, append_child, fix, spot
-from launchlint.rules.judging.broken_call import broken_call
+from launchlint.rules.judging.broken_call import lacking_call
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import LaunchView, of_ros2
 from launchlint.source import Origin
@@ -99,7 +99,7 @@ def tell(problem: IncludeMissingArg, view: LaunchView) -> Iterator[Finding]:
         notes=tuple(notes),
         help=f"is {near}, which is passed, meant to be {name}? Else {help}" if near is not None else help,
         topic=name,
-        shared_cause=broken_call(file, name),
+        shared_cause=lacking_call(file),
         fix=_fix(problem, view, name) if near is None and not given else None,
     )
 
@@ -121,7 +121,7 @@ def _several(names: list[str], problems: list[IncludeMissingArg], view: LaunchVi
         notes=(f"roslaunch stops at one of them with: included file [{file}] requires the '…' arg to be set",),
         help=f"is {', and '.join(slips)} meant? Else {add}" if slips else add,
         topic=listed,
-        shared_cause=broken_call(file, listed),
+        shared_cause=lacking_call(file),
     )
 
 

@@ -20,6 +20,11 @@ def broken_call(target: str, name: str, known: Sequence[str] = ()) -> str:
     return f"call {','.join(sorted(known)) if _SOME <= len(known) <= _MOST else target} {name}"
 
 
+def lacking_call(target: str) -> str:
+    """The cause of includes that do not pass what ``target`` needs: it has no default for that, whoever leaves out which."""
+    return broken_call(target, "not passed")
+
+
 def undeclared_call(target: str, names: Sequence[str], known: Sequence[str]) -> str:
     """The cause of includes that pass ``names``, which ``target`` does not declare: it lost them, or never had them, whoever passes which.
 
