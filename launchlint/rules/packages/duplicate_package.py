@@ -52,6 +52,7 @@ another machine. catkin refuses to build such a workspace.
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
@@ -89,7 +90,14 @@ def _finding(name: str, built: list[Package], root: str) -> Finding:
         notes=(*more, f"whether $(find {name}) means the one or the other hangs on the order of the file system"),
         help=f"rename one, remove it, or put a CATKIN_IGNORE file into {shown(built[1].directory, root)}",
         topic=name,
+        cause=_copied(built),
     )
+
+
+def _copied(built: list[Package]) -> str:
+    """The directories that hold one each, where they do: with one of them all packages in it were copied."""
+    around = {posixpath.dirname(copy.directory) for copy in built}
+    return " ".join(sorted(around)) if len(around) == len(built) else ""
 
 
 def _place(package: Package, root: str) -> Place:

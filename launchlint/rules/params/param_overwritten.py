@@ -41,6 +41,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from launchlint.finding import Finding, Severity
+from launchlint.late import late
 from launchlint.rules.edits import spot
 from launchlint.rules.judging.param_values import is_same, shown
 from launchlint.rules.judging.set_again import SetAgain, set_again
@@ -49,6 +50,7 @@ from launchlint.rules.view import LaunchView
 from launchlint.source import Origin, Place
 
 RULE = Rule("LL504", "param-overwritten", Severity.WARNING)
+_NUMBER = late(r"\d+")
 
 
 def check(view: LaunchView) -> Iterator[Finding]:
@@ -111,5 +113,10 @@ def _finding(again: SetAgain, severity: Severity) -> Finding:
         if behind
         else "remove one of the two, or put a condition on the second",
         topic=last,
-        cause=f"{last} {shown(again.old)} {shown(again.new) if behind else ''}",
+        cause=f"{_NUMBER.sub('#', last)} {_unnumbered(again.old)} {_unnumbered(again.new) if behind else ''}",
     )
+
+
+def _unnumbered(value: object) -> str:
+    """The value for people, a text without its numbers: what is written for each of several robots is one."""
+    return _NUMBER.sub("#", shown(value)) if isinstance(value, str) else shown(value)
