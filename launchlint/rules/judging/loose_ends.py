@@ -155,8 +155,8 @@ class LooseEnds:
             level = level if loose or level is not Severity.INFO else None
         if level is Severity.WARNING and how != SLIP and comes_from_around(self._view, taker, end if offers else other):
             level = Severity.INFO
-        if level is Severity.WARNING and shown is None and how in ("", WORDS) and says(last_part(end), self._view.packages, offers=not offers):
-            level = Severity.INFO  # a program that is not started here may be at the other end
+        if level is Severity.WARNING and shown is None and how in ("", WORDS):  # a program that is not started here may be at the other end
+            level = Severity.INFO if says(last_part(end), self._view.packages, offers=not offers) else level
         if level is None or (level is Severity.INFO and end.declaration.when == "subscriber"):
             return None
         partner = self.owners[id(other)]
