@@ -3968,7 +3968,8 @@ ${counted(about.nodes, "node")}`;
   }
   function outside(entry, grouping, id) {
     const found2 = [];
-    for (let group3 = containerOf(entry, grouping, id); group3 == null ? void 0 : group3.parent; group3 = containerOf(entry, grouping, group3.parent)) found2.push(group3.parent);
+    const outermost = containersOf(entry, grouping).id;
+    for (let group3 = containerOf(entry, grouping, id); (group3 == null ? void 0 : group3.parent) && group3.parent !== outermost; group3 = containerOf(entry, grouping, group3.parent)) found2.push(group3.parent);
     return found2;
   }
 

@@ -117,6 +117,7 @@ export function around(entry, grouping, node) {
  */
 export function outside(entry, grouping, id) {
   const found = [];
-  for (let group = containerOf(entry, grouping, id); group?.parent; group = containerOf(entry, grouping, group.parent)) found.push(group.parent);
+  const outermost = containersOf(entry, grouping).id;
+  for (let group = containerOf(entry, grouping, id); group?.parent && group.parent !== outermost; group = containerOf(entry, grouping, group.parent)) found.push(group.parent);
   return found;
 }
