@@ -16,6 +16,8 @@ MOST_NAMES = 2_000
 LARGEST_FILE = 1 << 20
 """Bytes: as :data:`launchlint.workspace.reading.LARGEST_FILE`."""
 _ALL_BELOW = "**"
+_OF_NPM = "node_modules"
+_PYTHON_ENVIRONMENT = "pyvenv.cfg"
 PART = "//"
 """Between a file and the part of its text that matters (:func:`launchlint.workspace.texts.parts`): it stands in no absolute path."""
 
@@ -56,14 +58,19 @@ def names(directory: str) -> list[str]:
 
 
 def walk(directory: str, most: int) -> Iterator[tuple[str, list[str]]]:
-    """Each directory at and below ``directory`` with the names in it, in order; hidden ones and links are left out. Ends after ``most``."""
+    """Each directory at and below ``directory`` with the names in it, in order. Ends after ``most``.
+
+    Hidden ones and links are left out, and what npm or pip installed there: it is somebody else's, and there is much of it.
+    """
     waiting = [directory]
     while waiting and most > 0:
         most -= 1
         current = waiting.pop()
         found = names(current)
+        if _PYTHON_ENVIRONMENT in found:
+            continue
         yield current, found
-        below = [os.path.join(current, name) for name in found if not name.startswith(".")]
+        below = [os.path.join(current, name) for name in found if not name.startswith(".") and name != _OF_NPM]
         waiting += [each for each in reversed(below) if os.path.isdir(each) and not os.path.islink(each)]
 
 
