@@ -12,30 +12,8 @@ from hypothesis import strategies as st
 from launchlint.evaluate.ros1.launch import DEEPEST_STACK
 from launchlint.finding import Finding
 from launchlint.project.workspace import OpenWorkspace
+from tests.server.workspace import MAIN, PACKAGE, PART
 
-PACKAGE = """<package format="2"><name>demo</name><version>1.0.0</version><description>A demo.</description>
-<maintainer email="a@example.com">A</maintainer><license>MIT</license><exec_depend>turtlesim</exec_depend></package>
-"""
-MAIN = """<launch>
-  <arg name="sim" default="true"/>
-  <arg name="unused" default="1"/>
-  <include file="$(find demo)/launch/part.launch" if="$(arg sim)">
-    <arg name="rate" value="10"/>
-  </include>
-  <node name="turtle" pkg="turtlesim" type="turtlesim_node">
-    <rosparam command="load" file="$(find demo)/config/turtle.yaml"/>
-  </node>
-  <node name="turtle" pkg="turtlesim" type="turtlesim_node"/>
-</launch>
-"""
-PART = """<launch>
-  <arg name="rate"/>
-  <node name="teleop" pkg="turtlesim" type="turtle_teleop_key">
-    <param name="rate" value="$(arg rate)"/>
-    <remap from="turtle1/cmd_vel" to="cmd_vel"/>
-  </node>
-</launch>
-"""
 TURTLE = "background_r: 10\nbackground_r: 20\n"
 FILES = {"package.xml": PACKAGE, "launch/main.launch": MAIN, "launch/part.launch": PART, "config/turtle.yaml": TURTLE}
 PIECES = ("", "x", "<", ">", '"', "/>", "$(arg ", "$(arg sim)", " name=", "\n", "</node>", "<group>", "<!--", "rate", ":", "  - a", "é😀")
