@@ -166,6 +166,7 @@ CONSTRUCTS = (
         lambda count: launch('<include file="$(dirname)/b0.launch"/>'),
         lambda count: _levels(isqrt(count), 2),
         most=10_000,
+        product=True,
     ),
     _construct(
         "args handed on",

@@ -150,6 +150,7 @@ CONSTRUCTS = (
         lambda _: launch('<include file="$(dirname)/b0.launch.xml"/>'),
         lambda count: _levels(isqrt(count), 2),
         most=10_000,
+        product=True,
     ),
     _construct(
         "args handed on",

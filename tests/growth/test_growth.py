@@ -16,19 +16,21 @@ STEEPEST = 1.2
 """The greatest exponent: what a text twice as long costs more is at most 2 ** 1.2 times what it cost more for the doubling before."""
 STEEPEST_OF_DEPTH = 2.1
 """The same for what can only be nested, and not 1,000 deep: each level may look at those around it."""
-FEW = 1_500
+FEW = 3_000
 """So few calls more for 120 of a construct say nothing about growth."""
 LISTS = {
     "launchlint.check.listing.MOST_LISTED": 20,
     "launchlint.spelling.MOST_LOOKED_AT": 50,
     "launchlint.spelling.MOST_COMPARED": 20,
     "launchlint.rules.judging.loose_ends._MOST_COMPARISONS": 200,
+    "launchlint.evaluate.ros2.passing._MOST_WORK": 200,
+    "launchlint.evaluate.ros2.leaving._MOST_WORK": 200,
 }
-"""Findings of a rule that are listed, names that one is compared with, and loose ends of connections that are."""
+"""Findings of a rule that are listed; names that one is compared with, loose ends of connections, and files that an arg is passed to."""
 WORK = {
-    "launchlint.evaluate.assemble.LARGEST_LAUNCH": 300,
-    "launchlint.evaluate.ros1.file.LARGEST_EVALUATION": 300,
-    "launchlint.evaluate.ros2.walk.LARGEST_EVALUATION": 300,
+    "launchlint.evaluate.assemble.LARGEST_LAUNCH": 50,
+    "launchlint.evaluate.ros1.file.LARGEST_EVALUATION": 50,
+    "launchlint.evaluate.ros2.walk.LARGEST_EVALUATION": 50,
 }
 """What one configuration may amount to."""
 

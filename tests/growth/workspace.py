@@ -14,8 +14,8 @@ class Construct(NamedTuple):
     """``files(n)``: the files of a workspace with ``n`` of the construct; ``entry`` is the one that is checked.
 
     ``most`` is the greatest number that is tried: beyond it a format's own bound is reached (roslaunch nests 988 elements), or there are
-    more files than a test may write. ``product``: what is in force acts on everything behind it, or is named as what was meant, so that the
-    launch itself grows with the square of its text, until the bound on work is reached.
+    more files than a test may write. ``product``: what is in force acts on everything behind it, or is named as what was meant, or a file
+    is entered ever more often, so that the launch itself grows faster than its text, until the bound on work is reached.
     """
 
     name: str

@@ -34,12 +34,13 @@ def moved(path: str, meant: str) -> str:
 
 
 def lacking(path: str) -> str:
-    """The cause of all files of one kind that the directory of ``path`` lacks; empty where that is not here itself.
+    """The cause of all files of one kind that the directory of ``path`` lacks; empty where that is not here itself, or holds something
+    of that name that is no file.
 
     Then it is told of by :func:`launchlint.rules.judging.made_file.cause_of`.
     """
     directory, name = posixpath.split(posixpath.normpath(path))
-    return f"{_LACKING}{directory} *{posixpath.splitext(name)[1]}" if exists(directory) else ""
+    return f"{_LACKING}{directory} *{posixpath.splitext(name)[1]}" if exists(directory) and not exists(path) else ""
 
 
 def told_as_moved(told: Finding, files: Sequence[str], what: str) -> Finding:
