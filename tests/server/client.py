@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import sys
+import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -11,6 +12,10 @@ from pathlib import Path
 from lsprotocol import types
 from pygls.lsp.client import LanguageClient
 
+from launchlint.server.service import PATIENCE
+
+TRIES = 6
+"""How often a busy machine is asked again."""
 ROOT = Path(__file__).resolve().parent.parent.parent
 
 
@@ -61,10 +66,14 @@ class Client(LanguageClient):
         self.text_document_did_change(types.DidChangeTextDocumentParams(named, [change]))
 
     async def settled(self, uri: str) -> list[types.Diagnostic]:
-        """The diagnostics once the server has looked at the text as it is now: it answers then."""
-        await self.text_document_inlay_hint_async(
-            types.InlayHintParams(types.TextDocumentIdentifier(uri), types.Range(types.Position(0, 0), types.Position(0, 0)))
-        )
+        """The diagnostics once the server has looked at the text as it is now: it answers then, or when it has lost its patience."""
+        for _ in range(TRIES):
+            started = time.monotonic()
+            await self.text_document_inlay_hint_async(
+                types.InlayHintParams(types.TextDocumentIdentifier(uri), types.Range(types.Position(0, 0), types.Position(0, 0)))
+            )
+            if time.monotonic() - started < PATIENCE:
+                break
         await asyncio.sleep(0)
         return self.diagnostics.get(uri, [])
 

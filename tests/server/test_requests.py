@@ -212,7 +212,7 @@ def test_what_is_saved_elsewhere_counts(root: Path) -> None:
         client.workspace_did_change_watched_files(
             types.DidChangeWatchedFilesParams([types.FileEvent(part.as_uri(), types.FileChangeType.Changed)])
         )
-        for _ in range(100):
+        for _ in range(600):
             if "LL203" in [each.code for each in client.diagnostics[uri]] or len(client.diagnostics[uri]) > 2:
                 break
             await asyncio.sleep(0.1)
