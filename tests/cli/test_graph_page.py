@@ -47,6 +47,6 @@ def test_the_page_shows_what_is_printed(tmp_path: Path, update: bool) -> None:
 
 def test_every_option_the_page_names_exists(tmp_path: Path) -> None:
     named = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", PAGE.read_text(encoding="utf-8")))
-    helps = "".join(run(tmp_path, *words, "--help").output for words in (("graph",), ("graph", "diff"), ("check",)))
+    helps = "".join(run(tmp_path, *words, "--help").output for words in (("graph",), ("graph", "diff"), ("check",), ("report",)))
     foreign = {"--depth"}
     assert sorted(named - foreign - set(re.findall(r"--[a-z][a-z-]+", helps))) == []

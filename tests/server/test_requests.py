@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Awaitable, Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -17,13 +18,14 @@ Session = Callable[[Client, Path], Awaitable[None]]
 
 
 def converse(root: Path, session: Session, encodings: list[types.PositionEncodingKind] | None = None) -> None:
-    """Run one session with a server of its own."""
+    """Run one session with a server of its own, in a thread of its own: where a browser is driven, this one has a loop that runs."""
 
     async def run() -> None:
         async with connected(root, encodings) as client:
             await asyncio.wait_for(session(client, root), 120)
 
-    asyncio.run(run())
+    with ThreadPoolExecutor(1) as thread:
+        thread.submit(lambda: asyncio.run(run())).result()
 
 
 def place(text: str, word: str, inside: int = 1, number: int = 0) -> types.Position:
