@@ -39,17 +39,15 @@ def judged_by_conventions(findings: Iterable[Finding], known: Known) -> Iterator
 
 
 def _judged(finding: Finding, readers: Readers) -> Finding:
-    from launchlint.rules.args.env_unset import HANDED_ON, RULE, slip_of
+    from launchlint.rules.args.env_unset import RULE, slip_of
 
-    if (finding.severity is not RULE.severity and HANDED_ON not in finding.notes) or slip_of(finding.topic) is not None:
+    if finding.severity is not RULE.severity or slip_of(finding.topic) is not None:
         return finding
     reason, kind = _convention(finding.topic, readers)
     if not reason:
         others = [word for word in finding.cause.split(" ") if not _convention(word, readers)[0]]
         return finding._replace(cause=" ".join(others))
-    return finding._replace(
-        severity=Severity.INFO, notes=(*(note for note in finding.notes if note != HANDED_ON), reason), cause=f"{RULE.id} {kind}"
-    )
+    return finding._replace(severity=Severity.INFO, notes=(*finding.notes, reason), cause=f"{RULE.id} {kind}")
 
 
 def _convention(name: str, readers: Readers) -> tuple[str, str]:

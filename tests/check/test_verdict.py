@@ -100,7 +100,7 @@ def test_several_entry_files_are_counted(make: Make) -> None:
     texts = {"a": NODE.format("a"), "b": NODE.format("a") * 2, "c": '<param name="p" value="$(env SITE)"/>', "d": NODE.format("d")}
     directory = make({f"{name}.launch": f"<launch>{text}</launch>\n" for name, text in texts.items()})
     said = run(directory, "check").output.splitlines()[-1]
-    assert said.endswith("(1 info hidden, -v shows it); of 4 entry files 2 load, 1 is refused by roslaunch, 1 cannot be told")
+    assert said.endswith("in 4 launch files; of 4 entry files 2 load, 1 is refused by roslaunch, 1 cannot be told")
     (directory / "d.launch").write_text(f"<launch>{SIM}{NODE.format('d')}{ONLY_SIM.format(NODE.format('d'))}</launch>\n", encoding="utf-8")
     said = run(directory, "check").output.splitlines()[-1]
     assert said.endswith("of 4 entry files 2 load, 1 is refused by roslaunch, 1 cannot be told, 1 of these is refused with other args")

@@ -8,8 +8,8 @@ file, a Dockerfile, a service, `os.environ` or `getenv`), where a document of it
 people are told to set it), where it is a secret by its name (`DB_PASSWORD`, `API_TOKEN`), where a public package sets it that nothing here
 names, where three or more launch files read it, or two and none of all has a default for it, and where the launch files read three or more
 variables of one first word (`SITE_MAP`, `SITE_DOCK` …), none with a default: it is the project's own. It is one, too, where the variable
-is the default of an arg, is handed on to a program in a param or an argument, or chooses one of several files of a directory (`$(find
-site)/maps/$(env SITE).yaml`): then it is an input of whoever starts the file.
+is the default of an arg, or chooses one of several files of a directory (`$(find site)/maps/$(env SITE).yaml`): then it is an input of
+whoever starts the file.
 
 ## Why it matters
 
@@ -19,7 +19,7 @@ Where the variable is not set roslaunch refuses the file. `$(optenv NAME default
 
 ```xml
 <launch>
-  <param name="robot_description" textfile="$(env SITE_HOME)/robot.urdf"/>
+  <node pkg="map_server" type="map_server" name="map_server" args="$(env SITE_MAP)"/>
 </launch>
 ```
 
@@ -27,7 +27,7 @@ Where the variable is not set roslaunch refuses the file. `$(optenv NAME default
 
 ```xml
 <launch>
-  <param name="robot_description" textfile="$(optenv SITE_HOME /opt/site)/robot.urdf"/>
+  <node pkg="map_server" type="map_server" name="map_server" args="$(optenv SITE_MAP /maps/office.yaml)"/>
 </launch>
 ```
 """
@@ -67,8 +67,6 @@ OPTIONAL = ("ROS_HOME", "ROS_HOSTNAME", "ROS_IP", "ROS_LOG_DIR", "ROS_NAMESPACE"
 
 _SET_BY = "the public package"
 _SEVERAL = 2
-HANDED_ON = "it is handed on to a program: an input of whoever starts this"
-_TO_PROGRAMS = frozenset((("param", "value"), ("node", "args"), ("test", "args"), ("arg", "value"), ("env", "value")))
 _IN_PACKAGE = re.compile(r"\$\(find ([\w-]+)\)/([\w./-]+)/[\w-]*$")
 """A path as far as a directory in a package, and perhaps the first letters of a name in it."""
 OF_A_SITE = "the launch files read"
@@ -87,7 +85,6 @@ def tell(problem: EnvUnset, view: LaunchView) -> Iterator[Finding]:
         return
     slip = slip_of(name)
     reason = "" if slip is not None else _reason(name, problem, view)
-    handed = HANDED_ON if slip is None and not reason and _is_for_program(problem, view) else ""
     if of_ros2(view):
         from launchlint.rules.judging import ros2_args as ros2_words
 
@@ -99,8 +96,8 @@ def tell(problem: EnvUnset, view: LaunchView) -> Iterator[Finding]:
     yield RULE.at(
         problem.origin,
         f"the environment variable {name} is not set here",
-        severity=Severity.INFO if reason or handed else None,
-        notes=(f"where it is not set roslaunch stops with: environment variable '{name}' is not set", *filter(None, (reason, handed))),
+        severity=Severity.INFO if reason else None,
+        notes=(f"where it is not set roslaunch stops with: environment variable '{name}' is not set", *([reason] if reason else [])),
         help=given if slip is None else f"did you mean {slip}?",
         topic=name,
         cause=reason if reason.startswith(_SET_BY) else name if reason or slip is not None else " ".join(_like(problem, view)),
@@ -172,12 +169,6 @@ def _as_input(problem: EnvUnset, view: LaunchView) -> str:
     if found is None or package is None or len(names(posixpath.join(package.directory, found[2]))) < _SEVERAL:
         return ""
     return f"it chooses one of what is in {found[2]} of {found[1]}: an input of whoever starts this"
-
-
-def _is_for_program(problem: EnvUnset, view: LaunchView) -> bool:
-    """Whether a program gets the value, or an arg: no package, file or name is chosen by it here."""
-    at = None if of_ros2(view) else spot(view, problem.place)
-    return at is not None and at.attribute is not None and (at.element.tag, at.attribute.name) in _TO_PROGRAMS
 
 
 def _elsewhere(name: str, problem: EnvUnset, view: LaunchView) -> str:
