@@ -36,7 +36,7 @@ class Assembled(NamedTuple):
     """The files of a program and which are templates, where their headers are, the plugins it can load, and why there may be more.
 
     ``packages`` are those that the packages of its files depend on, and that are not here; ``parameters`` the YAML files that
-    generate_parameter_library makes classes of, for these packages.
+    generate_parameter_library makes classes of, for these packages and those whose headers are included.
     """
 
     sources: tuple[str, ...]
@@ -171,7 +171,8 @@ class Workspace:
                 path = os.path.join(os.path.abspath(package.directory), below)
                 if os.path.isdir(path):
                     found[path] = None
-            for each in sorted(package.manifest.depends()) if package.manifest is not None else ():
+            depended = sorted(package.manifest.depends()) if package.manifest is not None else ()
+            for each in (*depended, *self.parts(package.name).cmake.found):  # CMake finds what is built beside it, declared or not
                 if each in self.packages and each not in seen:
                     seen.add(each)
                     pending.append(each)
@@ -249,6 +250,7 @@ class _Assembly:
         self.includes = dict.fromkeys(workspace.includes(name))
         self._directories = tuple(self.includes)
         self.packages = {name}
+        self._described: set[str] = set()
         self.plugins: dict[Plugin, None] = {}
         self.templates: dict[str, Template] = {}
         self.words: set[str] = set()
@@ -264,7 +266,11 @@ class _Assembly:
         if len(self.sources) >= MOST_SOURCES or len(self._scanned) >= _MOST_SCANNED:
             self.doubts["it has too many source files to read them all"] = None
         packages = tuple(sorted({each for name in self.packages for each in self.workspace.absent(name)}))
-        described = [path for name in self.packages for path in self.workspace.parts(name).cmake.parameter_libraries.values()]
+        described = [
+            path
+            for name in sorted(self.packages | self._described)
+            for path in self.workspace.parts(name).cmake.parameter_libraries.values()
+        ]
         return Assembled(
             tuple(self.sources),
             tuple(self.templates.values()),
@@ -321,11 +327,19 @@ class _Assembly:
             self.words.update(said.quoted)
             for quoted, spelled in said.includes:
                 header = self.workspace.files.header(path, quoted, spelled, self._directories)
-                if header is not None and header not in self._scanned:
+                if header is None:
+                    self._add_described(spelled)
+                elif header not in self._scanned:
                     self._pending.append(header)
                     owner = self.workspace.package_of(header)
                     if owner:
                         self._add_providers(owner, header)
+
+    def _add_described(self, header: str) -> None:
+        """A header that generate_parameter_library makes in another package: ``package/library.hpp``."""
+        name, _, rest = header.partition("/")
+        if name in self.workspace.packages and rest.rpartition(".")[0] in self.workspace.parts(name).cmake.parameter_libraries:
+            self._described.add(name)
 
     def _add_providers(self, name: str, header: str) -> None:
         if name not in self.packages:

@@ -225,7 +225,8 @@ class Exact(Definitions):
             self.evaluate(node.cause, scope)
         if not isinstance(value, (Failure, Instance)):
             raise Ended
-        raised = Raised(value, stated=True)
+        cause = self._handled[-1] if self._handled else None  # in its handler: the program says in its own words what is not there
+        raised = Raised(value, stated=True, asked=cause.asked if isinstance(cause, Raised) else None)
         raised.where.append((node, scope))
         raise raised
 

@@ -93,15 +93,15 @@ class CMakeFacts:
     ``target_installs`` are the targets that are installed, ``automatic`` those that ``ament_auto_package`` installs if it is called, and
     ``script_installs`` the programs in Python. ``components`` are what ``rclcpp_components_register_node(s)`` registers;
     ``parameter_libraries`` maps the name of each library of ``generate_parameter_library`` to the YAML file that it is made of (absolute),
-    and ``automatic_libraries`` are those of ``ament_auto_add_library``.
+    and ``automatic_libraries`` are those of ``ament_auto_add_library``. ``found`` are the packages that ``find_package`` asks for in ROS 2.
     ``gaps`` are those of ``installs_reasons`` that concern one destination (the second), if that is known.
     ``executables_reasons``, ``installs_reasons`` and ``targets_reasons`` say why the respective list may be incomplete; empty lists mean:
     it is complete.
     """
 
     __slots__ = (
-        "automatic", "automatic_libraries", "components", "executables", "executables_reasons", "gaps", "include_directories", "installs",
-        "installs_by_name", "installs_reasons", "installs_targets", "made", "parameter_libraries", "programs", "project",
+        "automatic", "automatic_libraries", "components", "executables", "executables_reasons", "found", "gaps", "include_directories",
+        "installs", "installs_by_name", "installs_reasons", "installs_targets", "made", "parameter_libraries", "programs", "project",
         "script_installs", "target_installs", "targets", "targets_reasons",
     )  # fmt: skip
 
@@ -116,6 +116,7 @@ class CMakeFacts:
         self.installs_by_name = False
         self.installs_targets = False
         self.installs_reasons: list[str] = []
+        self.found: dict[str, None] = {}
         self.gaps: list[tuple[str, Value]] = []
         self.automatic: list[str] = []
         self.automatic_libraries: list[str] = []

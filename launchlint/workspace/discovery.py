@@ -15,6 +15,9 @@ _YAML_ENDS = (".launch.yaml", ".launch.yml", "_launch.yaml", "_launch.yml")
 PYTHON_END = ".launch.py"
 _PYTHON_ENDS = (PYTHON_END, "_launch.py")
 _DESCRIBES = b"def generate_launch_description("
+_TEST_MODULE = "test_"
+_TESTS = (b"\ndef test_", b"\nclass Test")
+_LAUNCHES = (_DESCRIBES, b"generate_test_description")
 # Files that are never launch files, and so frequent that looking into each would be felt.
 _OTHER_XML = frozenset(("package.xml", "manifest.xml", "stack.xml", "plugin_description.xml"))
 
@@ -77,7 +80,7 @@ def discover(paths: Sequence[str], exclude: Sequence[str] = (), base: str | None
 
 def is_launch_file(path: str) -> bool:
     """Whether the file at ``path`` is a launch file by its name and, where the name leaves it open, by its content."""
-    if path.endswith((*_ENDS, *_PYTHON_ENDS)):
+    if path.endswith((*_ENDS, *_PYTHON_ENDS)) and not _may_be_test_module(path):
         return True
     if not may_be_launch_file(path):
         return False
@@ -92,6 +95,11 @@ def is_launch_file(path: str) -> bool:
     finally:
         os.close(descriptor)
     return is_launch_content(path, start)
+
+
+def _may_be_test_module(path: str) -> bool:
+    """Whether a file of this name may be one that pytest collects: tests of launch files are called like launch files."""
+    return path.endswith(_PYTHON_ENDS) and os.path.basename(path).startswith(_TEST_MODULE)
 
 
 def is_in_python(path: str) -> bool:
@@ -121,7 +129,7 @@ def may_be_launch_file(path: str) -> bool:
 def is_launch_content(path: str, content: bytes) -> bool:
     """Whether a file that may be a launch file by its name is one, with what it holds (its beginning is enough)."""
     if path.endswith((*_ENDS, *_PYTHON_ENDS)):
-        return True
+        return not _may_be_test_module(path) or not any(each in content for each in _TESTS) or any(each in content for each in _LAUNCHES)
     from launchlint.workspace.launch_root import has_launch_key, has_launch_root
 
     if path.endswith(_YAML_ENDS):

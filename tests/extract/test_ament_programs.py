@@ -90,3 +90,51 @@ def test_a_package_of_both_is_read_as_it_is_built(tmp_path: Path) -> None:
     assert "middleware" not in extract([str(tmp_path)]).document["packages"]["demo"]
     package = extract([str(tmp_path)], context={"ROS_VERSION": "2"}).document["packages"]["demo"]
     assert (package["middleware"], sorted(package["components"])) == ("ros2", ["demo::First", "demo::Second", "demo::Third"])
+
+
+MANIFEST = (
+    '<package format="3"><name>{name}</name><version>1.0.0</version><description>d</description><maintainer email="a@b.c">a</maintainer>'
+    "<license>MIT</license><depend>rclcpp</depend><export><build_type>ament_cmake</build_type></export></package>"
+)
+BASE = """#include "planner/ActionClient.hpp"
+namespace skills {
+class Skill : public planner::ActionClient {
+ public:
+  Skill() : planner::ActionClient("skill") { declare_parameter("robot", "r1"); }
+};
+}
+"""
+SKILL = """#include "skills/skill.hpp"
+#include "settings/limits.hpp"
+#include "std_msgs/msg/string.hpp"
+class Pick : public skills::Skill {
+ public:
+  Pick() {
+    auto robot = get_parameter("robot").as_string();
+    create_publisher<std_msgs::msg::String>("/" + robot + "/pose", 1);
+  }
+};
+int main() { rclcpp::Node node("limits"); limits::ParamListener listener(node.get_node_parameters_interface()); Pick pick; }
+"""
+
+
+def test_packages_beside_it_that_cmake_finds_and_package_xml_does_not_name(tmp_path: Path) -> None:
+    files = {
+        "skills/package.xml": MANIFEST.format(name="skills"),
+        "skills/CMakeLists.txt": "project(skills)\nament_package()\n",
+        "skills/include/skills/skill.hpp": BASE,
+        "settings/package.xml": MANIFEST.format(name="settings"),
+        "settings/CMakeLists.txt": "project(settings)\ngenerate_parameter_library(limits src/limits.yaml)\nament_package()\n",
+        "settings/src/limits.yaml": "limits:\n  speed: {type: double, default_value: 1.0}\n",
+        "demo/package.xml": MANIFEST.format(name="demo"),
+        "demo/CMakeLists.txt": "project(demo)\nfind_package(skills REQUIRED)\nfind_package(settings REQUIRED)\n"
+        "add_executable(pick pick.cpp)\ninstall(TARGETS pick DESTINATION lib/${PROJECT_NAME})\nament_package()\n",
+        "demo/pick.cpp": SKILL,
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    variant = extract([str(tmp_path)], ["demo"]).document["packages"]["demo"]["executables"]["pick"]["variants"]["default"]
+    assert [each["name"] for each in variant["publishers"]] == ["/{param:~robot|r1}/pose"]  # a base class that may be a node
+    assert {each["name"] for each in variant["params"]} == {"~robot", "~speed"}
+    assert "planner::ActionClient" in variant["open"]["publishers"]

@@ -31,6 +31,14 @@ Grow = Callable[[Mapping[str, str | None]], Path]
             ["a.launch.yaml", "b_launch.yml"],
         ),
         ({"a_launch.xml": "<launch/>", "b.launch.py": "", "c_launch.py": ""}, ["a_launch.xml", "b.launch.py", "c_launch.py"]),
+        (
+            {
+                "test/test_a_launch.py": "import pytest\n\ndef test_names():\n    pass\n",
+                "test/test_b_launch.py": "def generate_test_description():\n    pass\n\nclass TestIt:\n    pass\n",
+                "test/test_c_launch.py": "def generate_launch_description():\n    pass\n\ndef test_it():\n    pass\n",
+            },
+            ["test/test_b_launch.py", "test/test_c_launch.py"],
+        ),
         ({"broken.test": "<!-- x -- -->\n<launch>", "broken.xml": "words <launch>"}, ["broken.test"]),
         ({"a.launch": None, "a.launch/b.launch": ""}, ["a.launch/b.launch"]),
         ({".hidden/a.launch": "", ".a.launch": "", "b/.git/x.launch": ""}, [".a.launch"]),

@@ -111,17 +111,24 @@ def _of_other(rule: Rule, miss: Miss) -> Finding:
     last = written.rpartition("/")[2]
     same = [each for each in own if each.lstrip("~/") == written.lstrip("~/") or each.rpartition("/")[2].lstrip("~") == last]
     near = same[0] if len(same) == 1 else closest(written, own)
-    if not own:
+    anyhow = applied.target in miss.names
+    if anyhow:
+        near = None
+    elif not own:
         notes.append(f"{instance.name} has no names of its own")
     elif near is None:
         notes.append(f"the names of {instance.name} are {listed(own, _MOST_NAMES)}")
     return rule.at(
         miss.origin,
         f"the remap of {written} does nothing: {instance.name} ({instance.program}) has no such name",
-        severity=None if near is not None or own else Severity.INFO,
+        severity=None if own and not anyhow else Severity.INFO,
         label="no such name",
         notes=tuple(notes),
-        help=f"did you mean {_spelled(near)}?" if near is not None else "remove it",
+        help=f"remove it: {applied.target} is what the node uses anyhow"
+        if anyhow
+        else f"did you mean {_spelled(near)}?"
+        if near is not None
+        else "remove it",
         cause=f"{instance.program} {written}",
     )
 

@@ -8,7 +8,8 @@ say that the param is not set. So is a value that says the same as the default t
 the default is 0.001, `pi / 2` where it is 1.5708, or `none` where it is false; and 0 for a bool of which no default is known.
 
 In ROS 2 a node takes no other type than the one it declares a param with: that is an error, and so is a value beyond the range that it
-declares, or none of those that it allows. An integer for a double is told by LL906.
+declares, or none of those that it allows. An integer for a double is told by LL906. A placeholder that a tool replaces, `__RATE__`, is an
+info, once for its file.
 
 ## Why it matters
 
@@ -48,6 +49,7 @@ from launchlint.late import late
 from launchlint.model import ROS2, Launch, ParameterSetting
 from launchlint.rules.judging.param_values import is_certain, is_known, shown
 from launchlint.rules.judging.ros2_params import WORDS, beyond, fate, given, is_integer_for_double, is_refused
+from launchlint.rules.judging.template import has_placeholder
 from launchlint.rules.rule import Rule
 from launchlint.rules.view import GraphView
 from launchlint.syntax.ros1.substitutions import opens
@@ -62,6 +64,7 @@ _TAKES = {"bool": ("bool",), "int": ("int", "double"), "double": ("double", "int
 """The types of values that ros::param::get takes for the type asked for."""
 _WORDS = {"bool": "a bool", "int": "an int", "double": "a double", "str": "a string", "list": "a list", "dict": "a mapping"}
 _CONTAINERS = ("list", "dict")
+_FILLED = "it looks like what a tool replaces before anybody launches the file"
 _SWITCHES = ("true", "false")
 _NOTHING = ("", "~", "none", "null", "nil", "off", "no", "n", "disabled", "false", "0")
 _ON = ("on", "yes", "y", "enabled", "true", "1")
@@ -108,15 +111,16 @@ def _refused(view: GraphView) -> Iterator[Finding]:
             advice = f"give it {wanted}"
         else:
             continue
+        template = isinstance(each.value, str) and has_placeholder(each.value)
         yield RULE.at(
             each.origin,
             said,
-            severity=Severity.ERROR,
+            severity=Severity.INFO if template else Severity.ERROR,
             label=label,
-            notes=(fate(each.instance),),
+            notes=(_FILLED if template else fate(each.instance),),
             help=advice,
             topic=f"{program} {each.name}",
-            cause=f"{program} {each.name} {shown(each.value)}",
+            cause=f"{each.origin.place.source.path} {_FILLED}" if template else f"{program} {each.name} {shown(each.value)}",
         )
 
 

@@ -42,6 +42,7 @@ _AUTO_PACKAGE = late(r"(?:\w+_)?ament_auto_package")
 _AUTO_WORDS = frozenset(("INSTALL_TO_SHARE", "INSTALL_TO_PATH", "USE_SCOPED_HEADER_INSTALL_DIR"))
 _AUTO_TARGET_WORDS = frozenset(("NO_TARGET_LINK_LIBRARIES",))
 _SOURCES = (".c", ".cc", ".cpp", ".cxx")
+_MOST_FOUND = 500
 _MOST_COMPONENTS = 1_000
 _REGISTER_WORDS = frozenset(("PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX", "NO_UNDEFINED_SYMBOLS"))
 _PYTHON_WORDS = frozenset(("VERSION", "PACKAGE_DIR", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION", "SKIP_COMPILE"))
@@ -62,7 +63,7 @@ def ament_command(facts: CMakeFacts, scope: Scope, name: str, arguments: Sequenc
         _auto_package(facts, scope, arguments)
         return True
     if name == "find_package":
-        _found(scope, arguments)
+        _found(facts, scope, arguments)
         return False
     does = _COMMANDS.get(name)
     if does is not None:
@@ -71,9 +72,11 @@ def ament_command(facts: CMakeFacts, scope: Scope, name: str, arguments: Sequenc
     return name in _HARMLESS or (name.startswith("ament_") and not _MAKES.search(name))
 
 
-def _found(scope: Scope, arguments: Sequence[Value]) -> None:
+def _found(facts: CMakeFacts, scope: Scope, arguments: Sequence[Value]) -> None:
     """``find_package(package)``: what is linked to use it, under one name."""
     package = arguments[0] if arguments else None
+    if package and len(facts.found) < _MOST_FOUND:
+        facts.found[package] = None
     for end in ("TARGETS", "LIBRARIES") if package else ():
         if f"{package}_{end}" not in scope.variables:
             scope.assign(f"{package}_{end}", [f"{package}::{package}"])

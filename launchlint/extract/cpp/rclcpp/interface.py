@@ -193,7 +193,7 @@ def of_object(this: Thing, asked: Call) -> Value | None:
     return None
 
 
-_MAKE = frozenset((*_OF_NODE, "declare_parameter", "declare_parameters"))
+_MAKE = frozenset((*_OF_NODE, "declare_parameter", "declare_parameters", "get_parameter", "get_parameter_or"))
 """Members that only nodes have."""
 
 OF_HANDLE: dict[str, Does[[Handle, Call], Value]] = {
