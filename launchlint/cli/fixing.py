@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.fixing import MOST_ATTEMPTS, Fixing, Refused
@@ -69,7 +69,7 @@ class Fixer:
             if not self._quiet:
                 shown = self._session.shown(file)
                 emit(unified(shown, decode(before).text, decode(after).text, color=color), sys.stdout)
-        self._sum_up("would fix")
+        self._sum_up("would fix", self._fixed.files)
         return 2 if self._fixed.outcome.crashed else int(bool(self._fixed.files))
 
     def print_text(self, shown: Request, notices: tuple[str, ...]) -> int:
@@ -79,14 +79,14 @@ class Fixer:
         texts = {os.path.abspath(name): after for name, (_, after) in self._fixed.files.items()}
         sys.stdout.buffer.write(texts.get(file, self._session.overlay[file]))
         sys.stdout.buffer.flush()
-        self._sum_up("fixed")
+        self._sum_up("fixed", self._fixed.files)
         return report(self._told(self._fixed.outcome), shown, notices, sys.stderr)
 
     def write(self) -> bool:
         """Put the changed files back. Returns whether any was changed."""
-        written = [self._write(file, *texts) for file, texts in self._fixed.files.items()]
-        self._sum_up("fixed")
-        return any(written)
+        written = [file for file, texts in self._fixed.files.items() if self._write(file, *texts)]
+        self._sum_up("fixed", written)
+        return bool(written)
 
     def _write(self, file: str, before: bytes, after: bytes) -> bool:
         from launchlint.fix.write import write_back
@@ -99,16 +99,18 @@ class Fixer:
             return False
         return True
 
-    def _sum_up(self, verb: str) -> None:
+    def _sum_up(self, verb: str, changed: Collection[str]) -> None:
+        """Say what could not be fixed, and how many findings are, in the files that were ``changed``."""
         if self._quiet:
             return
         for refused in self._fixed.refused:
             tell(_why_not(refused))
         if self._fixed.given_up:
             tell(f"gave up after {MOST_ATTEMPTS} attempts; run the command again to go on")
-        count, files = len(self._fixed.made), len(self._fixed.files)
+        shown = {self._session.shown(file) for file in changed}
+        count = sum(finding.fix is not None and shown.issuperset(edit.path for edit in finding.fix.edits) for finding in self._fixed.made)
         findings = counted(count, "finding", thousands=",")
-        tell(f"{verb} {findings} in {counted(files, 'file', thousands=',')}" if count else f"{verb} nothing")
+        tell(f"{verb} {findings} in {counted(len(changed), 'file', thousands=',')}" if count else f"{verb} nothing")
 
 
 def _why_not(refused: Refused) -> str:
