@@ -17,7 +17,8 @@ _OPPOSITES = (
     ("pan", "tilt"), ("linear", "angular"), ("source", "target"), ("master", "slave"), ("read", "write"), ("pre", "post"),
     ("with", "without"), ("static", "dynamic"), ("x", "y"), ("x", "z"), ("y", "z"), ("red", "green"), ("red", "blue"),
     ("pub", "sub"), ("publish", "subscribe"), ("client", "server"), ("request", "response"), ("parent", "child"), ("lat", "lon"),
-    ("tx", "rx"), ("row", "col"), ("even", "odd"),
+    ("tx", "rx"), ("row", "col"), ("even", "odd"), ("from", "to"), ("send", "receive"), ("sender", "receiver"), ("sent", "received"),
+    ("incoming", "outgoing"), ("request", "reply"),
 )  # fmt: skip
 """Words that take each other's place in two names for two different things."""
 _NEGATIONS = ("un", "non", "no", "not", "dis", "anti", "de")

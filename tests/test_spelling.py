@@ -29,6 +29,7 @@ ATTRIBUTES = ("pkg", "type", "name", "ns", "args", "if", "unless", "launch-prefi
         ("front_laser", "rear_laser"),
         ("known", "unknown"),
         ("inside", "outside"),
+        ("from_can_bus", "to_can_bus"),
     ],
 )
 def test_what_says_something_else_is_never_offered(name: str, other: str) -> None:

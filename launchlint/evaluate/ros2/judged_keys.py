@@ -100,6 +100,8 @@ def _of_file(table: Table, given: Passed, node: str, last_names: Iterable[str], 
     reached = any(reaches(key.name, node) for key in keys)
     elsewhere = [key for key in keys if key.name.rpartition("/")[2] == name and not reaches_any(key.name)]
     if elsewhere:
+        if any("*" not in key.name and reaches(key.name, node) for key in keys):
+            return  # it has a key of its own: the others are for the nodes of that name of other robots
         for key in elsewhere:
             yield _nobody(key, given, node, "namespace", reached, keys)
         return

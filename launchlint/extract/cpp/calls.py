@@ -268,7 +268,10 @@ def _deduce(machine: Machine, type_: Type, argument: Argument, template: tuple[s
         elif isinstance(argument.value, Thing):
             known[type_.name] = argument.value.type
     elif type_.arguments and argument.cell is not None:
-        for inner, outer in zip(type_.arguments, argument.cell.type.arguments, strict=False):
+        given = argument.cell.type
+        if given.last != type_.last:
+            given = machine.names.resolve(given, frame)  # the container behind a pointer, or another name of it
+        for inner, outer in zip(type_.arguments, given.arguments, strict=False):
             if inner.name in template and inner.name not in known:
                 known[inner.name] = machine.names.resolve(outer, frame)
 

@@ -121,6 +121,7 @@ class Declarations:
         self.functions: dict[str, list[Function]] = {}
         self.variables: dict[str, Field] = {}
         self.aliases: dict[str, tuple[Type, str]] = {}
+        self.alias_templates: dict[str, tuple[str, ...]] = {}
         self.namespaces: dict[str, str] = {}
         self.used: dict[str, None] = {}
         self.macros: dict[str, str] = {}
@@ -186,8 +187,10 @@ class Declarations:
                     self.aliases.setdefault(joined(scope, called), (parse_type(_type_text(named)), scope))
         elif kind == "alias_declaration":
             name, named = node.field("name"), node.field("type")
-            if name and named:
-                self.aliases.setdefault(joined(scope, name.text), (parse_type(named.text), scope))
+            if name and named and joined(scope, name.text) not in self.aliases:
+                self.aliases[joined(scope, name.text)] = (parse_type(named.text), scope)
+                if template:
+                    self.alias_templates[joined(scope, name.text)] = template
         elif kind == "using_declaration":
             self.using(node, scope, self.opened.get(scope))
         elif kind == "namespace_alias_definition":

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from launchlint.extract.cpp.declarations import Class, Declarations, joined
 from launchlint.extract.cpp.foreign import Foreign, is_of_messages
 from launchlint.extract.cpp.frame import Frame
-from launchlint.extract.cpp.spelled_type import POINTERS, Type
+from launchlint.extract.cpp.spelled_type import POINTERS, Type, substituted
 from launchlint.extract.cpp.values import Either, Number, Text, Value, choices, plain
 
 _MOST_STEPS = 24
@@ -185,6 +185,8 @@ class Names:
                 return None if full == name else (found, "")
             if full in aliases:
                 named, where = aliases[full]
+                if full in self.declarations.alias_templates:
+                    named = substituted(named, dict(zip(self.declarations.alias_templates[full], type_.arguments, strict=False)))
                 if named.name not in (name, full):
                     if type_.member:
                         named = named._replace(member=type_.member) if named.arguments else Type(joined(named.name, type_.member))

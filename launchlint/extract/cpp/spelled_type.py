@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -48,6 +49,15 @@ LISTS = frozenset(("std::vector", "vector", "std::list", "std::array", "std::set
 MAPPINGS = frozenset(("std::map", "map", "std::unordered_map"))
 ANYTHING = frozenset(("XmlRpc::XmlRpcValue", "XmlRpcValue"))
 """Types that hold a param of any type."""
+
+
+def substituted(type_: Type, given: Mapping[str, Type], depth: int = 0) -> Type:
+    """``type_`` with template parameters replaced by what they are given: ``std::list<T>`` of a template alias."""
+    if type_.name in given and not type_.arguments and not type_.member:
+        return given[type_.name]
+    if not type_.arguments or not given or depth > _DEEPEST:
+        return type_
+    return type_._replace(arguments=tuple(substituted(each, given, depth + 1) for each in type_.arguments))
 
 
 @lru_cache(maxsize=8192)

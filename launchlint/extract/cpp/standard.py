@@ -6,7 +6,7 @@ import re
 
 from launchlint.extract.cpp import classes
 from launchlint.extract.cpp.naming import is_whole, template, together
-from launchlint.extract.cpp.spelled_type import Type
+from launchlint.extract.cpp.spelled_type import POINTERS, UNTYPED, Type
 from launchlint.extract.cpp.values import (
     UNKNOWN,
     Callable,
@@ -19,6 +19,7 @@ from launchlint.extract.cpp.values import (
     Value,
     choices,
     either,
+    node_of,
     plain,
 )
 
@@ -202,11 +203,10 @@ def method(value: Value, asked: Call, cell: Cell | None) -> Value:
         if name == "empty":
             return Number(False)
         if name in ("push_back", "emplace_back", "insert", "emplace", "push_front") and cell is not None:
-            if name == "emplace_back" and cell.type.arguments and not isinstance(asked.value(0), Thing):
-                made = classes.construct(machine, cell.type.arguments[0], asked.arguments, asked.node, asked.frame)
-                if isinstance(made, Thing):
-                    machine.write(cell, Items((*value.items, made)) if len(value.items) < _MOST_ITEMS else UNKNOWN)
-                    return UNKNOWN
+            made = _emplaced(asked, cell) if name == "emplace_back" else None
+            if made is not None:
+                machine.write(cell, Items((*value.items, made)) if len(value.items) < _MOST_ITEMS else UNKNOWN)
+                return UNKNOWN
             if len(asked.arguments) == 1 and len(value.items) < _MOST_ITEMS:
                 machine.write(cell, Items((*value.items, asked.value(0))))
             else:
@@ -227,7 +227,31 @@ def method(value: Value, asked: Call, cell: Cell | None) -> Value:
         elif name in ("resize", "assign", "erase", "pop_back", "swap") and cell is not None:
             machine.write(cell, UNKNOWN)
         return UNKNOWN
+    if name == "emplace_back":
+        _emplaced(asked, cell)
     return UNKNOWN
+
+
+def _emplaced(asked: Call, cell: Cell | None) -> Thing | None:
+    """The element that ``emplace_back(…)`` makes of its arguments. One of which nothing is known may talk where it is given a node."""
+    machine, frame = asked.machine, asked.frame
+    type_ = cell.type if cell is not None else UNTYPED
+    spelled = type_.arguments and type_.name not in POINTERS
+    if not spelled:
+        type_ = machine.names.resolve(type_, frame)  # looks through pointers, which its elements may be, too
+    single = asked.value(0) if len(asked.arguments) == 1 else UNKNOWN
+    element = type_.arguments[0] if type_.arguments else UNTYPED
+    declared = machine.names.declared(machine.names.resolve(element, frame)) if element.name else None
+    if isinstance(single, Thing) and (declared is None or single.declared is None or classes.is_a(machine, single, declared.name)):
+        return None  # an element that is made elsewhere
+    certain = bool(spelled) or len(asked.arguments) > 1
+    if element.name and certain and (declared is not None or not isinstance(asked.value(0), Thing)):
+        made = classes.construct(machine, element, asked.arguments, asked.node, frame)
+        if isinstance(made, Thing):
+            return made
+    if declared is None and len(asked.arguments) > 1 and any(node_of(each.value) is not None for each in asked.arguments):
+        machine.doubt_all(f"{asked.name} makes what is not known of a node", frame.path, asked.node.line)
+    return None
 
 
 def _length(value: Value) -> int | None:

@@ -8,6 +8,10 @@ from launchlint.spelling import one_slip, same_digits
 SLIP, NAMESPACE, WORDS, SIBLING, TWIN = "slip", "namespace", "words", "sibling", "twin"
 RELATIONS = (SLIP, NAMESPACE, WORDS, SIBLING)
 """The relations that may be a mistake, the closest first."""
+_DIRECTIONS = frozenset(
+    frozenset(pair)
+    for pair in (("from", "to"), ("rx", "tx"), ("receive", "send"), ("received", "sent"), ("recv", "send"), ("incoming", "outgoing"))
+)
 _SHORTEST_SLIP = 4
 _SHORTEST_WORD = 3
 _NO_DIGITS = dict.fromkeys(map(ord, "0123456789"))
@@ -21,11 +25,11 @@ def relation(left: str, right: str) -> str:
     namespace of one is the other's without something, as in ``/ns/x`` and ``/x``, or ``/a/b/x`` and ``/a/x``. ``words``: namespaces so
     related or equal, and the last part of one begins or ends with that of the other, as in ``radius_cmd_vel``. ``sibling``: the
     same last part in other namespaces. ``twin``: they differ in numbers only or in a mark such as ``_l`` and ``_r``, as those of two
-    robots or cameras do. Empty: none of these.
+    robots or cameras do, or are the two directions of one line to the outside: ``from_can_bus`` and ``to_can_bus``. Empty: none of these.
     """
     if left == right:
         return ""
-    if _letters(left) == _letters(right) or _differ_in_a_mark(left, right):
+    if _letters(left) == _letters(right) or _differ_in_a_mark(left, right) or _are_two_directions(left, right):
         return TWIN
     *outer, last = left[1:].split("/")
     *other, end = right[1:].split("/")
@@ -54,6 +58,12 @@ def _differ_in_a_mark(left: str, right: str) -> bool:
     if len(words) != len(others):
         return False
     return all(word == other or max(len(word), len(other)) < _SHORTEST_WORD for word, other in zip(words, others, strict=True))
+
+
+def _are_two_directions(left: str, right: str) -> bool:
+    words, others = _SEPARATORS.split(left), _SEPARATORS.split(right)
+    apart = [(word, other) for word, other in zip(words, others, strict=False) if word != other]
+    return len(words) == len(others) and len(apart) == 1 and frozenset(apart[0]) in _DIRECTIONS
 
 
 def _is_slip(left: str, right: str) -> bool:

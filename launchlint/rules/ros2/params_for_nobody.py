@@ -4,6 +4,8 @@ A key is the full name of a node, or has wildcards: `/**` is all of them, `/**/n
 a node in a namespace has another full name. It is an info where the key is the name of the node with a namespace before it, which a
 launch file that includes this one may push.
 
+Nothing is said of keys for a node of that name in other namespaces where the node has a key of its own: such a file is for several robots.
+
 ## Why it matters
 
 The node starts without these params, with the defaults of its program, and nobody says so.

@@ -561,3 +561,46 @@ def test_generated_params(tmp_path: Path) -> None:
     described = {each.name: each.descriptor for each in facts if each.descriptor is not None}
     assert (described["~gains.p"].minimum, described["~gains.p"].maximum) == (0.0, 2.0)
     assert (described["~mode"].one_of, described["~mode"].read_only) == (("a", "b"), True)
+
+
+HANDLES = """
+#include <list>
+class Mux;
+class Handle {
+ public:
+  Handle(const std::string & topic, Mux * mux);
+ private:
+  rclcpp::Subscription<std_msgs::msg::String>::SharedPtr subscription_;
+};
+class Mux : public rclcpp::Node {
+ public:
+  template <typename T> using many = std::list<T>;
+  using handles = many<Handle>;
+  Mux() : Node("mux") {}
+  void init() {
+    handles_ = std::make_shared<handles>();
+    fill(*handles_);
+  }
+  template <typename T> void fill(many<T> & all);
+ private:
+  std::shared_ptr<handles> handles_;
+};
+Handle::Handle(const std::string & topic, Mux * mux) {
+  subscription_ = mux->create_subscription<std_msgs::msg::String>(topic, 1, [](std_msgs::msg::String) {});
+}
+template <typename T> void Mux::fill(std::list<T> & all) {
+  all.emplace_back("in", this);
+}
+int main() { auto mux = std::make_shared<Mux>(); mux->init(); }
+"""
+
+
+def test_elements_that_a_container_of_a_template_makes(tmp_path: Path) -> None:
+    facts, doubts, _ = follow(tmp_path, HEAD + HANDLES)
+    assert [spelled(each) for each in facts] == ["subscribers in std_msgs/msg/String reliable/volatile/keep_last/1"]
+    assert not doubts
+
+
+def test_elements_of_which_nothing_is_known_may_talk_where_they_are_given_a_node(tmp_path: Path) -> None:
+    _, doubts, _ = follow(tmp_path, node('    auto others = registry();\n    others.emplace_back("in", this);'))
+    assert "emplace_back makes what is not known of a node" in {each.reason for each in doubts}
