@@ -48,17 +48,20 @@ from launchlint.syntax.ros2.python.problems import StopsWithError
 
 RULE = Rule("LL949", "stops-with-error", Severity.ERROR, roslaunch="refuses")
 _LACKING = frozenset(("FileNotFoundError", "IsADirectoryError", "NotADirectoryError"))
-"""What a build may mend that puts files where there are none in the sources."""
+_LACKING_STATED = "ParameterBuilderFileNotFoundError"
+"""What a build may mend that puts files where there are none in the sources: as Python says it, and as launch_param_builder does."""
 
 
 def tell(problem: StopsWithError, view: LaunchView) -> Iterator[Finding]:
     """Say which exception it is. A build may make a file that is not here, a file that includes this one may set a configuration."""
     if problem.called and view.launch.given:
         return
-    said = problem.what.replace(f"{root_of(problem.place.source) or ' '}/", "")
+    root = root_of(problem.place.source)
+    said = problem.what.replace(f"{root}/", "") if root else problem.what
     what = f"{problem.error}: {shown(said)}" if said else problem.error
     when = "a function of this launch file ends" if problem.called else "this launch file ends"
-    severity = Severity.WARNING if problem.error in _LACKING and not problem.stated else level(problem)
+    lacks = problem.error == _LACKING_STATED if problem.stated else problem.error in _LACKING
+    severity = Severity.WARNING if lacks else level(problem)
     notes = ("ros2 launch stops there" if problem.called else "ros2 launch stops before anything is started",)
     if problem.lacking:
         severity = Severity.INFO

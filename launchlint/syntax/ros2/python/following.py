@@ -26,6 +26,7 @@ from launchlint.python.values import (
 )
 from launchlint.source import Place, Span
 from launchlint.source import Source as Written
+from launchlint.syntax.ros2.python.bundled import DIRECTORY
 from launchlint.syntax.ros2.python.command_line import SIGN, Word
 from launchlint.syntax.ros2.python.files import FILE
 from launchlint.syntax.ros2.python.noticing import Noticing
@@ -51,10 +52,15 @@ class Following(Noticing):
         self._written: dict[str, Written] = {self.shown(written.file): written}
         self._unknowns = 0
         self._unknown: Unknown | None = None
+        self._models = self.shown(DIRECTORY) + "/"
+        self._entered: tuple[ast.AST, Scope]
 
     def place(self, node: ast.AST, scope: Scope) -> Place:
-        """Where an expression stands."""
+        """Where an expression stands; of one in a model, where the launch file calls that."""
         path = scope.module.path
+        if path.startswith(self._models):
+            node, scope = self._entered
+            path = scope.module.path
         source = self._written.get(path)
         if source is None:
             text = looking.content(f"{self.root}/{path}") or b""
@@ -62,6 +68,18 @@ class Following(Noticing):
         line, end = getattr(node, "lineno", 1), getattr(node, "end_lineno", None)
         start = source.offset(line, getattr(node, "col_offset", 0))
         return Place(source, Span(start, start if end is None else source.offset(end, getattr(node, "end_col_offset", 0))))
+
+    def call(self, function: Value, positional: list[Value], keywords: dict[str, Value], node: ast.AST, scope: Scope) -> Value:
+        """Call ``function`` from a place in the module of ``scope``."""
+        if not scope.module.path.startswith(self._models):
+            self._entered = node, scope
+        return super().call(function, positional, keywords, node, scope)
+
+    def import_module(self, name: str, level: int, node: ast.stmt, scope: Scope) -> Value:
+        """A module by its name as an import statement says it."""
+        if not scope.module.path.startswith(self._models):
+            self._entered = node, scope
+        return super().import_module(name, level, node, scope)
 
     def name_place(self, function: Function) -> Place:
         """Where the name of a function stands in its definition."""

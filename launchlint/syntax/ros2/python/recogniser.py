@@ -30,7 +30,7 @@ from launchlint.python.values import (
 )
 from launchlint.python.values import Text as Open
 from launchlint.source import Place, Span
-from launchlint.syntax.ros2.python import calculated, libraries, machine, patterns
+from launchlint.syntax.ros2.python import bundled, calculated, libraries, machine, patterns
 from launchlint.syntax.ros2.python.arguments import wrong_action, wrong_values
 from launchlint.syntax.ros2.python.command_line import words
 from launchlint.syntax.ros2.python.conditions import is_condition
@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     from launchlint.syntax.ros2.python.following import Following
     from launchlint.workspace.ros2_distributions import Meant
 
-_OUTSIDE = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
+_OUTSIDE = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python", bundled.SAID)
 _SHARE = ("ament_index_python.packages.get_package_share_directory", "ament_index_python.get_package_share_directory")
 _SHARE_PATH = ("ament_index_python.packages.get_package_share_path", "ament_index_python.get_package_share_path")
 _PREFIX = ("ament_index_python.packages.get_package_prefix", "ament_index_python.get_package_prefix")
@@ -146,7 +146,9 @@ class LaunchRecogniser:
         made = self._of_python(name, positional, keywords, place)
         if made is not MISSING:
             return made
-        made, fails = machine.call(name, positional, place)
+        made, fails = bundled.call(name, positional, place, self._outside.distro)
+        if made is MISSING:
+            made, fails = machine.call(name, positional, place)
         if made is not MISSING:
             self._run.risks += fails
             return made

@@ -1,4 +1,7 @@
-"""Which file an ``import`` of a launch file reads: modules of Python packages that packages of the workspace have under their own name."""
+"""Which file an ``import`` of a launch file reads: modules of Python packages that packages of the workspace have under their own name.
+
+Of some libraries that are not in the workspace there are models (:mod:`.bundled`).
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from collections.abc import Callable
 
 from launchlint.python.modules import ModuleFinder
 from launchlint.python.values import Value
+from launchlint.syntax.ros2.python.bundled import model_of
 
 _MOST = 20
 
@@ -40,6 +44,6 @@ class WorkspaceModules(ModuleFinder):
             if found is not None:
                 return found
         directory = self._share(parts[0])
-        if directory is None:
-            return None
+        if directory is None or self._look(directory, parts[0]) is None:
+            return model_of(name)
         return self._look(directory, name.replace(".", os.sep))
