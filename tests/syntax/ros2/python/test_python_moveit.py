@@ -42,13 +42,13 @@ def asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Captur
             f"def generate_launch_description():\n    {body}\n"
         )
         for name, content in {"package.xml": PACKAGE, **CONFIG, "launch/a.launch.py": launch_file, **more}.items():
-            path = tmp_path / name
+            path = tmp_path / name[3:] if name.startswith("../") else tmp_path / "arm" / name
             path.parent.mkdir(parents=True, exist_ok=True)
             if name != without:
                 path.write_text(content, encoding="utf-8")
         monkeypatch.setenv("ROS_DISTRO", distro)
         monkeypatch.setenv("DISPLAY", ":0")
-        main(["model", "--format", "jsonl", "--workspace", str(tmp_path), str(tmp_path / "launch/a.launch.py")], standalone_mode=False)
+        main(["model", "--format", "jsonl", "--workspace", str(tmp_path), str(tmp_path / "arm/launch/a.launch.py")], standalone_mode=False)
         found: dict[str, Any] = json.loads(capsys.readouterr().out.splitlines()[0])
         return found
 
@@ -65,8 +65,8 @@ def test_all_params_of_a_moveit_configuration(asked: Asked, tmp_path: Path) -> N
     found = asked(ALL.format(BUILT))
     assert (found["verdict"], found["error"]) == ("ok", None)
     assert params(found) == {
-        "robot_description": f"$(xacro {tmp_path}/config/arm.urdf.xacro)",
-        "robot_description_semantic": f"$(xacro {tmp_path}/config/arm.srdf)",
+        "robot_description": f"$(xacro {tmp_path}/arm/config/arm.urdf.xacro)",
+        "robot_description_semantic": f"$(xacro {tmp_path}/arm/config/arm.srdf)",
         "robot_description_kinematics.arm.kinematics_solver": "kdl",
         "planning_pipelines": ["ompl"],
         "default_planning_pipeline": "ompl",
@@ -95,10 +95,10 @@ def test_what_setup_assistant_says(asked: Asked, tmp_path: Path) -> None:
         more={".setup_assistant": said, "my.urdf": "<robot/>", "my.srdf": "<robot/>"},
     )
     assert params(found) == {
-        "robot_description": f"$(xacro {tmp_path}/my.urdf)",
-        "robot_description_semantic": f"$(xacro {tmp_path}/my.srdf)",
+        "robot_description": f"$(xacro {tmp_path}/arm/my.urdf)",
+        "robot_description_semantic": f"$(xacro {tmp_path}/arm/my.srdf)",
     }
-    assert found["nodes"][0]["arguments"] == [str(tmp_path)]
+    assert found["nodes"][0]["arguments"] == [str(tmp_path / "arm")]
 
 
 @pytest.mark.parametrize(
@@ -184,7 +184,7 @@ def test_params_that_are_collected_one_after_the_other(asked: Asked, tmp_path: P
     assert params(asked(body)) == {
         "deep.arm.kinematics_solver": "kdl",
         "rate": 5,
-        "file": f"{tmp_path}/config/arm.srdf",
+        "file": f"{tmp_path}/arm/config/arm.srdf",
         "text": "<robot/>",
     }
 
@@ -195,9 +195,9 @@ def test_the_source_in_the_workspace_comes_first(asked: Asked) -> None:
         "    def to_dict(self):\n        return {'own': 1}\n"
     )
     body = ALL.format("MoveItConfigsBuilder('arm')")
-    more = {"moveit/package.xml": PACKAGE.replace("arm_moveit_config", "moveit_configs_utils")}
+    more = {"../moveit/package.xml": PACKAGE.replace("arm_moveit_config", "moveit_configs_utils")}
     assert "'own'" not in str(asked(body, more=more)["nodes"])  # a package without its source: the model
-    assert params(asked(body, more={**more, "moveit/moveit_configs_utils/__init__.py": own})) == {"own": 1}
+    assert params(asked(body, more={**more, "../moveit/moveit_configs_utils/__init__.py": own})) == {"own": 1}
 
 
 def test_every_model_is_read() -> None:
