@@ -376,8 +376,8 @@ HANDLERS: Mapping[str, tuple[str, ...]] = {
 }
 """Event handlers, and which of their arguments say what they do."""
 _PROCESSES = frozenset(("ExecuteProcess", "Node", "LifecycleNode", "ComposableNodeContainer"))
-NOTHING = frozenset(("EmitEvent", "UnregisterEventHandler", "LifecycleTransition"))
-"""Actions that start nothing and set nothing."""
+NOTHING = frozenset(("EmitEvent", "LifecycleTransition", "OpaqueCoroutine", "ReadyToTest", "UnregisterEventHandler"))
+"""Actions that start no node and set nothing."""
 
 
 def _of(kind: Any, *roles: str) -> Callable[[Maker, Given, Place], Action]:
@@ -395,6 +395,14 @@ def _of(kind: Any, *roles: str) -> Callable[[Maker, Given, Place], Action]:
 def _set_parameter(maker: Maker, given: Given, place: Place) -> Action:
     value = set_value(given["value"], place, maker.texts)
     return described.SetParameter(maker.texts.text(given["name"], at(given, "name")), value, place, condition(given, maker.texts))
+
+
+def _reset(maker: Maker, given: Given, place: Place) -> Action:
+    kept = given.get("launch_configurations")
+    made = described.Reset(maker.pairs(kept, at(given, "launch_configurations")), place, condition(given, maker.texts))
+    if kept is None or pairs(kept)[1]:
+        return made
+    return described.Group((made, described.Open("which launch configurations are kept is not known", place)), False, True, (), place)
 
 
 def _log(maker: Maker, given: Given, place: Place) -> Action:
@@ -421,6 +429,8 @@ _MAKE: Mapping[str, Callable[[Maker, Given, Place], Action]] = {
     "UnsetEnvironmentVariable": _of(described.UnsetEnvironment, "name"),
     "AppendEnvironmentVariable": _append,
     "ResetEnvironment": _of(described.ResetEnvironment),
+    "ResetLaunchConfigurations": _reset,
+    "SetROSLogDir": _of(described.SetLogDirectory, "new_log_dir"),
     "LogInfo": _log,
     "Shutdown": _of(described.Shutdown, "reason"),
     "TimerAction": _timer,

@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     from launchlint.syntax.ros2.python.following import Following
     from launchlint.workspace.ros2_distributions import Meant
 
-_OUTSIDE = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python", bundled.SAID)
+_OUTSIDE = ("launch", "launch_ros", "launch_testing", "launch_xml", "launch_yaml", "ament_index_python", bundled.SAID)
 _SHARE = ("ament_index_python.packages.get_package_share_directory", "ament_index_python.get_package_share_directory")
 _SHARE_PATH = ("ament_index_python.packages.get_package_share_path", "ament_index_python.get_package_share_path")
 _PREFIX = ("ament_index_python.packages.get_package_prefix", "ament_index_python.get_package_prefix")
@@ -126,6 +126,7 @@ class LaunchRecogniser:
         known = signature(name, self._outside.distro)
         place = self._place(node, scope)
         if known is not None:
+            positional = [Seq(list(positional), is_tuple=True)] if known.gathers else positional
             return self._object(known, Given(known, positional, keywords, node, lambda each: self._place(each, scope)))
         if libraries.is_of_library(name):
             made = libraries.made(name, [snapshot(each) for each in positional], keywords, place)

@@ -1,7 +1,8 @@
 """The classes of launch and launch_ros that launch files in Python make, with what their constructors take.
 
 A line is a class: its full name with its arguments in order; ``x=`` need not be given, ``*`` stands before those that have to be named,
-``+process`` is everything that a process takes, ``+node`` that and what a node takes, and ``+`` what every action takes.
+``*x`` for any number of values without a name, ``+process`` for everything that a process takes, ``+node`` for that and what a node takes,
+and ``+`` for what every action takes.
 Source: the constructors in ``launch`` and ``launch_ros``.
 """
 
@@ -23,6 +24,8 @@ launch.actions.OpaqueFunction * function args= kwargs= +
 launch.actions.RegisterEventHandler event_handler +
 launch.actions.UnregisterEventHandler event_handler +
 launch.actions.EmitEvent * event +
+launch.actions.OpaqueCoroutine * coroutine args= kwargs= ignore_context= +
+launch.actions.ResetLaunchConfigurations launch_configurations= +
 launch.event_handlers.OnProcessExit * target_action= on_exit handle_once=
 launch.event_handlers.OnProcessStart * target_action= on_start handle_once=
 launch.event_handlers.OnProcessIO * target_action= on_stdin= on_stdout= on_stderr= handle_once=
@@ -50,6 +53,9 @@ launch_ros.actions.SetRemap src dst +
 launch_ros.actions.SetParameter name value +
 launch_ros.actions.SetParametersFromFile filename * node_name= +
 launch_ros.actions.SetUseSimTime value +
+launch_ros.actions.SetROSLogDir new_log_dir +
+launch_ros.actions.LifecycleTransition * lifecycle_node_names transition_ids +
+launch_testing.actions.ReadyToTest
 launch_ros.actions.RosTimer * period actions cancel_on_shutdown= +
 launch_ros.descriptions.ComposableNode * package plugin name= namespace= parameters= remappings= extra_arguments= condition=
 launch_ros.parameter_descriptions.ParameterValue value * value_type=
@@ -76,6 +82,8 @@ launch.substitutions.AnonName name
 launch.substitutions.NotSubstitution value
 launch.substitutions.AndSubstitution left right
 launch.substitutions.OrSubstitution left right
+launch.substitutions.AnySubstitution *values
+launch.substitutions.AllSubstitution *values
 launch.substitutions.EqualsSubstitution left right
 launch.substitutions.NotEqualsSubstitution left right
 launch.substitutions.IfElseSubstitution condition if_value= else_value=
@@ -99,8 +107,16 @@ _NEW_SINCE_HUMBLE = {
     "launch.substitutions.PythonExpression": ("python_modules",),
     **{
         f"launch.substitutions.{name}": None
-        for name in ("EqualsSubstitution", "NotEqualsSubstitution", "IfElseSubstitution", "FileContent")
+        for name in (
+            "AllSubstitution",
+            "AnySubstitution",
+            "EqualsSubstitution",
+            "NotEqualsSubstitution",
+            "IfElseSubstitution",
+            "FileContent",
+        )
     },
+    **{f"launch_ros.actions.{name}": None for name in ("LifecycleTransition", "SetROSLogDir")},
 }
 """What humble does not know: of a class these arguments, or (None) the class itself."""
 _LATER = {"launch_ros.actions.LifecycleNode": ("autostart",)}
@@ -113,16 +129,20 @@ _RENAMED = {
     "launch.substitutions.LaunchLogDirectory": "launch.substitutions.LaunchLogDir",
 }
 LATER = "later"
-_PACKAGES = ("launch", "launch_ros", "launch_xml", "launch_yaml")
+_PACKAGES = ("launch", "launch_ros", "launch_testing", "launch_xml", "launch_yaml")
 
 
 class Signature(NamedTuple):
-    """What the constructor of a class takes: names in order, how many of them by position, and which have to be given."""
+    """What the constructor of a class takes: names in order, how many of them by position, and which have to be given.
+
+    ``gathers``: it takes any number of values without a name, which are one argument here.
+    """
 
     name: str
     arguments: tuple[str, ...]
     positional: int
     required: frozenset[str]
+    gathers: bool = False
 
 
 def signature(name: str, distro: str) -> Signature | None:
@@ -165,13 +185,15 @@ def _signatures(distro: str) -> dict[str, Signature]:
         new: tuple[str, ...] | None = _NEW_SINCE_HUMBLE.get(name, ()) if distro == "humble" else ()
         if new is None:
             continue
+        gathers = any(word.startswith("*") and word != "*" for word in words)
+        words = [word if word == "*" else word.removeprefix("*") for word in words]
         plain = [each for word in words for each in _GROUPS.get(word, word).split()]
         starts = next((at for at, word in enumerate(words) if word == "*" or word in _GROUPS), len(words))
         unknown = (*new, *_LATER.get(name, ()))
         named = [word for word in plain if word != "*" and word.removesuffix("=") not in unknown]
         arguments = tuple(word.removesuffix("=") for word in named)
         required = frozenset(word for word in named if not word.endswith("="))
-        found[name] = Signature(name, arguments, starts, required)
+        found[name] = Signature(name, arguments, starts, required, gathers)
     return found
 
 

@@ -40,9 +40,11 @@ _PLAIN = {
 }
 """Class → the name of its substitution, and which of its arguments are the words."""
 _BASES = ("launch.Substitution", "launch.substitution.Substitution")
+_FOLDED = {"AnySubstitution": ("or", "false"), "AllSubstitution": ("and", "true")}
+"""What is the same as a substitution of two values, one after the other, and what it is without any."""
 LIBRARY = frozenset(("LaunchConfigAsBool", "RewrittenYaml", "ReplaceString", "HasNodeParams"))
 """Those of nav2_common."""
-SUBSTITUTIONS = frozenset((*_PLAIN, *LIBRARY, "TextSubstitution", "PathJoinSubstitution", "PythonExpression"))
+SUBSTITUTIONS = frozenset((*_PLAIN, *_FOLDED, *LIBRARY, "TextSubstitution", "PathJoinSubstitution", "PythonExpression"))
 TO_LAUNCH = "\0to launch"
 """Among the attributes of an object of a class of the program: what it is to launch, as an object of the class of launch it is made of."""
 PATH_JOIN = "path-join"
@@ -183,6 +185,12 @@ class Texts:
             return Substitution("eval", (*words, Text((",".join(names),), place)), place)
         if value.kind in LIBRARY:
             return self._of_library(value.kind, given, place)
+        if value.kind in _FOLDED:
+            name, none = _FOLDED[value.kind]
+            made = Text((none,), place)
+            for each in self.texts(given["values"], place):
+                made = Text((Substitution(name, (made, each), place),), place)
+            return Substitution(name, (made, Text((none,), place)), place)
         name, *roles = _PLAIN[value.kind]
         arguments = [self.text(_default(given[role], role), places.get(role, place)) for role in roles if given.get(role) is not None]
         return Substitution(name, tuple(arguments), place)

@@ -120,3 +120,47 @@ def test_modules_of_packages_are_followed(tmp_path: Path, asked: Asked) -> None:
     body = "from robot.making import twice\nreturn LaunchDescription(twice('spin'))"
     found = model(tmp_path, body, asked, robot____init__="", robot__making=module)["nodes"]
     assert [each["executable"] for each in found] == ["spin", "spin"]
+
+
+@pytest.mark.parametrize(
+    ("substitution", "said"),
+    [
+        ("AnySubstitution('false', 'on')", "true"),
+        ("AnySubstitution('false', LaunchConfiguration('off'))", "false"),
+        ("AnySubstitution()", "false"),
+        ("AllSubstitution()", "true"),
+        ("AllSubstitution('1', 'True', LaunchConfiguration('off'))", "false"),
+        ("AllSubstitution('true', 'yes')", "true"),
+    ],
+)
+def test_any_and_all(substitution: str, said: str, tmp_path: Path, asked: Asked) -> None:
+    body = (
+        "from launch.substitutions import AllSubstitution, AnySubstitution\n"
+        f"return LaunchDescription([DeclareLaunchArgument('off', default_value='false'), node(arguments=[{substitution}])])"
+    )
+    found = model(tmp_path, body, asked)
+    assert (found["verdict"], found["nodes"][0]["arguments"]) == ("ok", [said])
+
+
+def test_all_configurations_are_forgotten_but_those_that_are_kept(tmp_path: Path, asked: Asked) -> None:
+    body = (
+        "from launch.actions import ResetLaunchConfigurations\n"
+        "a, b = LaunchConfiguration('a', default='-'), LaunchConfiguration('b', default='-')\n"
+        "return LaunchDescription([DeclareLaunchArgument('a', default_value='1'), DeclareLaunchArgument('b', default_value='2'),\n"
+        "    ResetLaunchConfigurations({'b': [b, 'x']}), node(arguments=[a, b]), ResetLaunchConfigurations(), node(arguments=[a, b])])"
+    )
+    found = model(tmp_path, body, asked)
+    assert found["verdict"] == "ok"
+    assert [each["arguments"] for each in found["nodes"]] == [["-", "2x"], ["-", "-"]]
+
+
+def test_actions_that_start_nothing_leave_a_file_wholly_known(tmp_path: Path, asked: Asked) -> None:
+    body = (
+        "from launch.actions import OpaqueCoroutine\nfrom launch_ros.actions import LifecycleTransition, SetROSLogDir\n"
+        "from launch_testing.actions import ReadyToTest\n"
+        "async def wait(context):\n    pass\n"
+        "return LaunchDescription([node(), LifecycleTransition(lifecycle_node_names=['drive'], transition_ids=[1]),\n"
+        "    SetROSLogDir('logs'), OpaqueCoroutine(coroutine=wait), ReadyToTest()])"
+    )
+    found = model(tmp_path, body, asked)
+    assert (found["verdict"], found["complete"], [each["state"] for each in found["python"]]) == ("ok", True, ["resolved"])

@@ -19,7 +19,7 @@ from launch import LaunchDescription
 from launch.actions import *
 from launch.conditions import IfCondition, UnlessCondition
 from launch.launch_description_sources import PythonLaunchDescriptionSource
-from launch.substitutions import LaunchConfiguration, PathJoinSubstitution, PythonExpression
+from launch.substitutions import AllSubstitution, AnySubstitution, LaunchConfiguration, PathJoinSubstitution, PythonExpression
 from launch_ros.actions import Node, PushRosNamespace, SetParameter
 from launch_ros.parameter_descriptions import ParameterValue
 from launch_ros.substitutions import FindPackageShare
@@ -100,6 +100,8 @@ def test_exact_places(tmp_path: Path) -> None:
         ("PathJoinSubstitution(['x', ['y', LaunchConfiguration('z')]])", "$(path-join x y$(var z))"),
         ("PathJoinSubstitution([FindPackageShare('arm')])", "$(path-join $(find-pkg-share arm))"),
         ("PythonExpression(['1 + ', LaunchConfiguration('z')])", "$(eval 1 + $(var z))"),
+        ("AnySubstitution('true', LaunchConfiguration('z'))", "$(or $(or $(or false true) $(var z)) false)"),
+        ("AllSubstitution(LaunchConfiguration('z'))", "$(and $(and true $(var z)) true)"),
         ("os.environ['HOME'] + os.environ.get('NOT', 'there')", "/home/adathere"),
         ("os.getenv('HOME')", "/home/ada"),
         ("f'{1:02d}' + '%s' % 'a'", "01a"),
