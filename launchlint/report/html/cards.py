@@ -95,6 +95,8 @@ def _card(data: Mapping[str, Any], entry: Mapping[str, Any], material: EntryMate
     if entry["verdict"] == "loads" and entry["withArgs"]:
         verdict = "refused with other args"
     known, nodes = entry["sight"]
+    seen = [f"{known} of {nodes} known" if known != nodes else "all known"] if nodes else []
+    seen += [] if entry["complete"] else ["not all could be followed"]
     path = data["files"][entry["file"]]
     directory, title = path[: path.rfind("/") + 1], entry_title(data, entry)[path.rfind("/") + 1 :]
     return Card(
@@ -106,8 +108,8 @@ def _card(data: Mapping[str, Any], entry: Mapping[str, Any], material: EntryMate
         "gone" if gone else verdict,
         entry["why"] or entry["withArgs"],
         counted(nodes or sum(each.get("mark") != "removed" for each in entry["nodes"]), "node"),
-        f"{known} of {nodes} known" if nodes and known != nodes else "all known" if nodes else "",
-        known != nodes,
+        ", ".join(seen),
+        known != nodes or not entry["complete"],
         [Count(each, counted(severities.count(each), each)) for each in SEVERITIES if each in severities],
         [("added", "new launch file")] if entry.get("mark") == "added" else entry["changes"],
         _picture(material),

@@ -5254,7 +5254,7 @@ ${end.mark}`;
           list(each.reasons.map(([line4, why2]) => `line ${line4}: ${why2}`))
         )
       ),
-      ...entry.nodes.length > 0 ? connectedBlocks(page, model, configuration) : [nothingBlock()]
+      ...entry.nodes.length > 0 ? connectedBlocks(page, model, configuration) : [nothingBlock(entry.complete)]
     ];
   }
   function connectedBlocks(page, model, configuration) {
@@ -5328,10 +5328,11 @@ ${end.mark}`;
       entry.mend.advice && element2("p", {}, `${entry.mend.advice}.`)
     );
   }
-  function nothingBlock() {
+  function nothingBlock(complete) {
+    const said2 = complete ? "This launch file starts no nodes: it may only set params, or declare what other launch files include." : "Which nodes this launch file starts is not known.";
     return block(
       "Nothing to draw",
-      element2("p", {}, "This launch file starts no nodes: it may only set params, or declare what other launch files include."),
+      element2("p", {}, said2),
       element2("p", {}, "Choose another entry file above; params and findings are in the tables below.")
     );
   }
@@ -5542,6 +5543,8 @@ ${end.mark}`;
     return words2.join(" · ");
   }
   function whyEmpty({ entry }, state) {
+    if (entry.nodes.length === 0 && !entry.complete)
+      return "Which nodes this launch file starts is not known. Its params and findings are in the tables below.";
     if (entry.nodes.length === 0)
       return "This launch file starts no nodes, so there is nothing to draw. Its params and findings are in the tables below.";
     if (state.danglingOnly) return "Nothing is left unconnected here, as far as it is known.";
@@ -6078,7 +6081,10 @@ ${end.mark}`;
       const root = containersOf(entryNow(), state.grouping);
       grow(root, tree, 1);
       if (root.count <= OPEN_AT_ONCE) for (const item2 of items.values()) turn(item2, true);
-      if (root.count === 0) tree.append(element2("li", { role: "treeitem", class: "empty" }, "This launch file starts no nodes."));
+      if (root.count === 0) {
+        const said2 = entryNow().complete ? "This launch file starts no nodes." : "Which nodes this launch file starts is not known.";
+        tree.append(element2("li", { role: "treeitem", class: "empty" }, said2));
+      }
       (_a = tree.querySelector('[role="treeitem"]')) == null ? void 0 : _a.setAttribute("tabindex", "0");
     }
     function markSelected(state) {
@@ -6219,7 +6225,7 @@ ${end.mark}`;
         count2(unknown.length, "not known", "unknown", "not known"),
         count2(partly.length, "known in part", "partly", "known in part"),
         count2(topics.length, "topic"),
-        !entry.complete && element2("li", { class: "unknown" }, "not all includes followed")
+        !entry.complete && element2("li", { class: "unknown" }, "not all could be followed")
       );
     });
   }

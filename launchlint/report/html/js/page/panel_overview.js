@@ -43,7 +43,7 @@ export function overviewPanel(page, model) {
         list(each.reasons.map(([line, why]) => `line ${line}: ${why}`)),
       ),
     ),
-    ...(entry.nodes.length > 0 ? connectedBlocks(page, model, configuration) : [nothingBlock()]),
+    ...(entry.nodes.length > 0 ? connectedBlocks(page, model, configuration) : [nothingBlock(entry.complete)]),
   ];
 }
 
@@ -134,10 +134,14 @@ function unknownBlock(page, model, unknown) {
   );
 }
 
-function nothingBlock() {
+/** @param {boolean} complete whether all that the launch file starts could be followed */
+function nothingBlock(complete) {
+  const said = complete
+    ? "This launch file starts no nodes: it may only set params, or declare what other launch files include."
+    : "Which nodes this launch file starts is not known.";
   return block(
     "Nothing to draw",
-    element("p", {}, "This launch file starts no nodes: it may only set params, or declare what other launch files include."),
+    element("p", {}, said),
     element("p", {}, "Choose another entry file above; params and findings are in the tables below."),
   );
 }

@@ -149,6 +149,8 @@ function leftOut({ folded, boxes, outside }, untouched) {
 
 /** @param {EntryModel} model @param {PageState} state */
 function whyEmpty({ entry }, state) {
+  if (entry.nodes.length === 0 && !entry.complete)
+    return "Which nodes this launch file starts is not known. Its params and findings are in the tables below.";
   if (entry.nodes.length === 0)
     return "This launch file starts no nodes, so there is nothing to draw. Its params and findings are in the tables below.";
   if (state.danglingOnly) return "Nothing is left unconnected here, as far as it is known.";

@@ -91,7 +91,10 @@ export function createTree(page) {
     grow(root, tree, 1);
     // Items are added while this runs: a Map goes on with them.
     if (root.count <= OPEN_AT_ONCE) for (const item of items.values()) turn(item, true);
-    if (root.count === 0) tree.append(element("li", { role: "treeitem", class: "empty" }, "This launch file starts no nodes."));
+    if (root.count === 0) {
+      const said = entryNow().complete ? "This launch file starts no nodes." : "Which nodes this launch file starts is not known.";
+      tree.append(element("li", { role: "treeitem", class: "empty" }, said));
+    }
     tree.querySelector('[role="treeitem"]')?.setAttribute("tabindex", "0");
   }
 

@@ -34,7 +34,7 @@ export function createVerdict(page) {
       count(unknown.length, "not known", "unknown", "not known"),
       count(partly.length, "known in part", "partly", "known in part"),
       count(topics.length, "topic"),
-      !entry.complete && element("li", { class: "unknown" }, "not all includes followed"),
+      !entry.complete && element("li", { class: "unknown" }, "not all could be followed"),
     );
   });
 }
