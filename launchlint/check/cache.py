@@ -18,7 +18,7 @@ from launchlint.check.entry import EntryChecker, EntryResult
 from launchlint.check.file import INTERNAL_ERROR, FileResult
 from launchlint.check.options import EntryRequest
 from launchlint.check.surroundings import digest
-from launchlint.workspace.looking import state
+from launchlint.workspace.looking import PART, content_state, state
 
 if TYPE_CHECKING:
     import sqlite3
@@ -40,6 +40,7 @@ class Cache:
         self._variables = checker.options.variables
         self._own = checker.own
         self._states: dict[str, str] = {}
+        self._parts: dict[str, str] = {}
         self._files: dict[str, FileResult | None] = {}
         self._database: sqlite3.Connection | None = None
         name = digest(checker.options, checker.packages)
@@ -60,6 +61,7 @@ class Cache:
         try:
             database.execute("CREATE TABLE IF NOT EXISTS entries (key TEXT PRIMARY KEY, value TEXT)")
             database.execute("CREATE TABLE IF NOT EXISTS files (path TEXT PRIMARY KEY, value TEXT)")
+            database.execute("CREATE TABLE IF NOT EXISTS parts (path TEXT PRIMARY KEY, value TEXT)")
         except sqlite3.DatabaseError as error:
             database.close()
             if isinstance(error, sqlite3.OperationalError):
@@ -118,10 +120,21 @@ class Cache:
     def _holds(self, looks: Iterable[tuple[str, str]]) -> bool:
         for path, known in looks:
             if path not in self._states:
-                self._states[path] = state(path)
+                self._states[path] = self._part(path) if PART in path else state(path)
             if self._states[path] != known:
                 return False
         return True
+
+    def _part(self, path: str) -> str:
+        """The state of a part of a text, which takes time to find: kept with the content of the whole text, and found anew with another."""
+        content = content_state(path.partition(PART)[0])
+        kept = self._row("SELECT value FROM parts WHERE path = ?", path)
+        if content and kept is not None and kept[0] == content:
+            return str(kept[1])
+        found = state(path)
+        if content:
+            self._parts[path] = _sealed(path, [content, found])
+        return found
 
     def store(self, results: Iterable[EntryResult]) -> None:
         """Keep the results of this run."""
@@ -148,8 +161,16 @@ class Cache:
             return
 
     def close(self) -> None:
-        """Close the database."""
-        if self._database is not None:
+        """Keep what was found of parts of texts, and close the database."""
+        if self._database is None:
+            return
+        try:
+            if self._parts:
+                with self._database:
+                    self._database.executemany("INSERT OR REPLACE INTO parts VALUES (?, ?)", self._parts.items())
+        except self._error:
+            return
+        finally:
             self._database.close()
 
 

@@ -107,11 +107,17 @@ def _of_nodes(nodes: Sequence[Made]) -> dict[str, Any]:
 
 
 def _without_action_topics(groups: dict[str, dict[tuple[str, ...], list[Fact]]], middleware: _Middleware) -> None:
-    """The topics of an action follow from it and are not listed."""
-    for name, role, *_ in groups["actions"]:
+    """The topics of an action follow from it and are not listed; others that are called so, such as the feedback of markers, are."""
+    for name, role, _, action in groups["actions"]:
         for category, endings in middleware.action_topics.get(role, {}).items():
-            for key in [each for each in groups[category] if each[0] in [f"{name}/{ending}" for ending in endings]]:
+            names = [f"{name}/{ending}" for ending in endings]
+            for key in [each for each in groups[category] if each[0] in names and _is_of_action(each[3], action)]:
                 del groups[category][key]
+
+
+def _is_of_action(type_: str, action: str) -> bool:
+    """Whether messages of ``type_`` (empty: not known) may be those of an action of the type ``action``."""
+    return not (type_ and action) or type_.startswith((action, "actionlib_msgs/", "action_msgs/"))
 
 
 def _is_name(fact: Fact, middleware: _Middleware) -> bool:

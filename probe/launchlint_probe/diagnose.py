@@ -103,6 +103,7 @@ def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
     """``ok``, ``failed`` or ``not-a-node``, and the problems: each with a code and what was printed.
 
     A node that registered names of its own is ok, however it went on: what is known is known. Its problems say why there may be more.
+    One that was stopped before anything was seen of it is never said to be no node: it may just be slow to begin.
     """
     known = outcome.known
     if known.overflow or (outcome.timed_out and known.count > MOST_NAMES):
@@ -118,9 +119,7 @@ def diagnose(outcome: Outcome) -> Tuple[str, List[Problem]]:
     if outcome.code is None:
         if known.registered:
             return "ok", problems + _doubts(outcome, _signs(outcome.before, outcome.said))
-        problems += _not_registered(outcome, signs)
-        is_one = known.contacted or not known.misses_nothing or (problems and problems[0]["code"] != "silent")
-        return ("failed" if is_one else "not-a-node"), problems
+        return "failed", problems + _not_registered(outcome, signs)
     if outcome.sent:
         problems.append(_problem("ended", _ended(outcome.code, True)))
         return "ok", problems

@@ -6,12 +6,14 @@ misspelt (a letter of ``from`` or ``to``), deleted, or misplaced (it stands in a
 mistake of each kind, where that can be made; which remap and how is drawn with a fixed seed. Told is what brings a warning or error of
 a rule about remaps and connections that the untouched file has not.
 
-What counts, in one column each, and all of them together in the last:
+What counts, in one column each; the first holds those of the next two together, the last all:
 
-- *both ends known*: two nodes of the launch, each with its name known, talked to each other by a name and do so no more, and one of
-  these two ends at least is left with nobody, and with nobody who could be there.
-- *others in doubt*: the same, but wherever an end is left there is another node of which not all names are known, and which could have
-  this one: it speaks the type, or has a name that is known only in part. That nobody is there is not known then.
+- *two loose ends*: two nodes of the launch, each with its name known, talked to each other by a name and do so no more, and both ends are
+  left with nobody, and one of them at least with nobody who could be there.
+- *one loose end*: the same, but one of the two still has somebody else: another node hears the same source, or says the same. That one
+  end alone is what a file looks like, too, whose other half is started elsewhere: a camera's second reader that waits for ``image``.
+- *others in doubt*: the same as one of these, but wherever an end is left there is another node of which not all names are known, and
+  which could have this one: it speaks the type, or has a name that is known only in part. That nobody is there is not known then.
 - *all still meet somebody*: two nodes are parted, but every end that was has another partner: it hears another source of the same type.
   Nothing in the launch file tells that from what was meant.
 - *other end not here*: nobody in the launch is parted. The name that changes had its partner outside of the launch, in a node that is
@@ -49,7 +51,9 @@ ABOUT = ("LL60", "LL61")
 WAYS = ("misspelt from", "misspelt to", "deleted", "wrong node", "wrong namespace")
 TRIES = 20
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
-EFFECTS = ("both ends known", "others in doubt", "all still meet somebody", "other end not here")
+EFFECTS = ("two loose ends", "one loose end", "others in doubt", "all still meet somebody", "other end not here")
+BOTH_KNOWN = EFFECTS[:2]
+"""What the first column is: both ends known, whoever else is there."""
 End = tuple[str, str, str]
 """A node, its role and the name in its code."""
 Talk = dict[End, frozenset[End]]
@@ -115,12 +119,13 @@ def table(outcomes: list[Outcome]) -> str:
     files = {each.seed.file for each in outcomes}
     lines = [
         f"{len(outcomes)} mistakes in {len(files)} launch files; {known} where all nodes are known",
-        f"{'':16}" + "".join(f"{title:>25}" for title in (*EFFECTS, "over all")),
+        f"{'':16}" + "".join(f"{title:>25}" for title in ("both ends known", *EFFECTS, "over all")),
     ]
     for way in (*WAYS, "all nodes known", "all"):
         rows = [each for each in outcomes if way in (each.seed.way, "all") or (way == "all nodes known" and each.all_known)]
         cells = []
-        for part in (*([each for each in rows if each.effect == effect] for effect in EFFECTS), rows):
+        columns = (BOTH_KNOWN, *((effect,) for effect in EFFECTS), EFFECTS)
+        for part in ([each for each in rows if each.effect in effects] for effects in columns):
             told = sum(bool(each.told) for each in part)
             cells.append(f"{told:5} of {len(part):4} {100 * told / max(len(part), 1):5.1f} %")
         lines.append(f"{way:16}" + "".join(f"{cell:>25}" for cell in cells))
@@ -224,8 +229,10 @@ def effect(before: Talk, after: Talk, doubts: dict[End, bool]) -> str:
     parted = [(end, other) for end, others in before.items() for other in others - after.get(end, frozenset())]
     left = {end for pair in parted for end in pair if end in after and not after[end]}
     if left:
-        return EFFECTS[1] if all(doubts.get(end, False) for end in left) else EFFECTS[0]
-    return EFFECTS[2] if parted else EFFECTS[3]
+        if all(doubts.get(end, False) for end in left):
+            return EFFECTS[2]
+        return EFFECTS[0] if any(end in left and other in left for end, other in parted) else EFFECTS[1]
+    return EFFECTS[3] if parted else EFFECTS[4]
 
 
 def _graph(checker: EntryChecker, request: EntryRequest) -> tuple[ConnectionGraph, Document] | None:

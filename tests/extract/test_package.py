@@ -223,6 +223,19 @@ def test_several_places_of_one_name(tmp_path: Path) -> None:
     }
 
 
+def test_topics_of_an_action_are_not_listed_and_what_is_called_like_them_is(tmp_path: Path) -> None:
+    source = (
+        "#!/usr/bin/env python\nimport rospy, actionlib\nfrom demo.msg import GoAction, GoActionGoal\nfrom std_msgs.msg import String\n"
+        "name = input()\nactionlib.SimpleActionClient('go', GoAction)\nrospy.Publisher('go/goal', GoActionGoal)\n"
+        "actionlib.SimpleActionClient(name, GoAction)\nrospy.Subscriber(name + '/feedback', String)\n"
+    )
+    root = grow(tmp_path / "ws", {"demo/package.xml": MANIFEST.format(name="demo", more=""), "demo/n": source})
+    variant = program(root, "demo", "n")["variants"]["default"]
+    assert [entry["name"] for entry in variant["actions"]] == ["go", "{any}"]
+    assert "publishers" not in variant
+    assert variant["subscribers"] == [{"name": "{any}/feedback", "type": "std_msgs/String", "evidence": at("demo/n:9")}]
+
+
 def test_an_rqt_plugin(tmp_path: Path) -> None:
     root = grow(
         tmp_path / "ws",

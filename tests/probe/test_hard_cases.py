@@ -78,6 +78,7 @@ EXPECTED: Mapping[str, tuple[str, list[str], list[str]]] = {
     "refuses_arguments.py": ("ok", ["publishers stubborn_name"], []),
     "retries_for_ever.py": ("ok", ["publishers state"], ["waits: retrying in 1 s"]),
     "slow_import.py": ("ok", ["publishers slow"], []),
+    "very_slow_import.py": ("failed", [], ["silent: it never contacted the master"]),
     "waits_for_action.py": ("ok", ["actions move", "publishers arrived"], []),
     "waits_for_clock.py": ("ok", ["publishers timed"], []),
     "waits_for_device.py": ("failed", [], ["device-missing: could not open port /dev/ttyUSB_robot: No such file or directory", "silent"]),
@@ -118,6 +119,17 @@ def test_diagnosis(name: str, records: dict[str, dict[str, Any]]) -> None:
     assert len(said) == len(problems), said
     assert all(whole.startswith(begin) for whole, begin in zip(said, problems, strict=True)), said
     assert record["seconds"] < (LIMIT + STOPPING) * 2  # each is run twice
+
+
+def test_a_long_import_is_no_sign_that_there_is_nothing(tmp_path: Path) -> None:
+    prefix = install(tmp_path / "prefix", ["very_slow_import.py"])
+    record = next(
+        record
+        for record in run({"prefixes": [str(prefix)], "packages": [PACKAGE], "limits": {"quiet": 0.5, "limit": 60}})
+        if record["kind"] == "node"
+    )
+    assert (record["status"], record["problems"]) == ("ok", [])
+    assert record["interface"] == {"publishers": [{"name": "at_last", "type": "std_msgs/String"}]}
 
 
 def test_types_of_services_are_known_from_their_clients(records: dict[str, dict[str, Any]]) -> None:

@@ -141,6 +141,8 @@ class LooseEnds:
         channels = (loose or ranked[how]) if shown is None else [shown[:2]]
         if len(channels) > 1 or (shown is None and not how and len(ranked[how]) > 1):
             return None  # it could be any of them
+        if any(each.node == end.node for each in (channels[0][0].offers if offers else channels[0][0].uses)):
+            return None  # the node has that name already, by another one in its code
         channel, ends = channels[0]
         loose = [each for each in loose if each[0] is channel]
         other = min(ends, key=lambda each: self._apart(instance, self.owners[id(each)]))
@@ -189,8 +191,6 @@ class LooseEnds:
             found = [(*loose[0], sign) for sign in [each for each in signs_of if each][:1]]
         if len(found) != 1 or (not found[0][0].uses and self._beside(found[0][0], offers=True) is None):
             return None
-        if any(each.node == end.node for each in (found[0][0].offers if offers else found[0][0].uses)):
-            return None  # the node has that name already, by another one in its code
         return None if self._are_one_chain(end, found[0][0]) else found[0]
 
     def _are_one_chain(self, end: Endpoint, other: Channel) -> bool:

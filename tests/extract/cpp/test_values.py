@@ -238,6 +238,21 @@ def test_a_name_from_a_param_may_be_absolute(tmp_path: Path) -> None:
     ]
 
 
+def test_a_name_from_a_param_need_not_be_as_absolute_as_its_default(tmp_path: Path) -> None:
+    body = """
+    ros::NodeHandle nh("~"), other;
+    std::string topic;
+    nh.param<std::string>("topic", topic, "/wheels/cmd_vel");
+    nh.advertise<std_msgs::Bool>(topic, 1);
+    other.advertise<std_msgs::Byte>(topic, 1);
+    """
+    facts, _ = program(tmp_path, in_main(body))
+    assert [spelled(fact) for fact in facts if fact.category == "publishers"] == [
+        "publishers {param:~topic|/wheels/cmd_vel} std_msgs/Byte 6 queue=1",
+        "publishers ~{param:~topic|/wheels/cmd_vel} std_msgs/Bool 5 queue=1",
+    ]
+
+
 def test_a_member_that_a_callback_changes_decides_nothing(tmp_path: Path) -> None:
     source = """
     class Node {

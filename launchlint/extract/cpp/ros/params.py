@@ -26,6 +26,9 @@ def named(handle: Handle, name: Value) -> Value:
         text = each.template if isinstance(each, Text) and each.template else ANY
         below = in_namespace(handle.namespace, text)
         slot = _SLOT.match(text)
+        if slot is not None and below == text and handle.namespace == "~":  # absolute by default: another value need not be
+            found.append((condition, Text(f"~{text}")))
+            continue
         if slot is None or below == text:
             found.append((condition, Text(below)))
             continue
