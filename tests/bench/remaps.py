@@ -4,7 +4,7 @@
 ``CORPUS`` holds one directory per repository. In each of so many launch files that load, a ``<remap>`` that acts on known nodes is
 misspelt (a letter of ``from`` or ``to``), deleted, or misplaced (it stands in another node, or ``to`` lies in another namespace): one
 mistake of each kind, where that can be made; which remap and how is drawn with a fixed seed. Told is what brings a warning or error of
-a rule about remaps and connections that the untouched file has not.
+a rule about remaps and connections that the untouched file has not; in the last line an info counts, too.
 
 What counts, in one column each; the first holds those of the next two together, the last all:
 
@@ -49,6 +49,8 @@ from launchlint.workspace.discovery import discover
 
 ABOUT = ("LL60", "LL61")
 WAYS = ("misspelt from", "misspelt to", "deleted", "wrong node", "wrong namespace")
+HINTED = "all, with infos"
+"""The line in which what an info says counts, too."""
 TRIES = 20
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 EFFECTS = ("two loose ends", "one loose end", "others in doubt", "all still meet somebody", "other end not here")
@@ -121,12 +123,12 @@ def table(outcomes: list[Outcome]) -> str:
         f"{len(outcomes)} mistakes in {len(files)} launch files; {known} where all nodes are known",
         f"{'':16}" + "".join(f"{title:>25}" for title in ("both ends known", *EFFECTS, "over all")),
     ]
-    for way in (*WAYS, "all nodes known", "all"):
-        rows = [each for each in outcomes if way in (each.seed.way, "all") or (way == "all nodes known" and each.all_known)]
+    for way in (*WAYS, "all nodes known", "all", HINTED):
+        rows = [each for each in outcomes if way in (each.seed.way, "all", HINTED) or (way == "all nodes known" and each.all_known)]
         cells = []
         columns = (BOTH_KNOWN, *((effect,) for effect in EFFECTS), EFFECTS)
         for part in ([each for each in rows if each.effect in effects] for effects in columns):
-            told = sum(bool(each.told) for each in part)
+            told = sum(bool(each.told or (way == HINTED and each.hinted)) for each in part)
             cells.append(f"{told:5} of {len(part):4} {100 * told / max(len(part), 1):5.1f} %")
         lines.append(f"{way:16}" + "".join(f"{cell:>25}" for cell in cells))
     return "\n".join(lines)
