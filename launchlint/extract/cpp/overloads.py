@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from launchlint.extract.cpp.machine import Argument, Machine
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
+_ANY_TYPE = 2
+"""How well a parameter fits whose type is one of the function's own template: better than what has to be converted."""
 
 
 def chosen(machine: Machine, functions: Sequence[Function], given: Sequence[Argument] | None, this: Thing | None) -> Function | None:
@@ -39,7 +41,7 @@ def _fit(machine: Machine, function: Function, given: Sequence[Argument]) -> int
     if not needed <= len(given) <= len(parameters):
         score -= 100
     for parameter, argument in zip(parameters, given, strict=False):
-        score += _fits(parameter.type, argument.value)
+        score += _ANY_TYPE if parameter.type.name in function.template else _fits(parameter.type, argument.value)
     return score
 
 

@@ -253,6 +253,29 @@ def test_a_name_from_a_param_need_not_be_as_absolute_as_its_default(tmp_path: Pa
     ]
 
 
+def test_a_template_fits_better_than_a_specialisation_for_another_type(tmp_path: Path) -> None:
+    source = """
+    template <typename T> bool get(ros::NodeHandle& nh, const std::string& key, T& found) { return nh.getParam(key, found); }
+    template <> bool get(ros::NodeHandle& nh, const std::string& key, uint32_t& found) {
+      int32_t value = found;
+      bool good = get(nh, key, value);
+      found = value;
+      return good;
+    }
+    int main() {
+      ros::NodeHandle nh;
+      bool chosen = false;
+      get(nh, "chosen", chosen);
+      if (chosen) nh.advertise<std_msgs::Bool>("yes", 1); else nh.advertise<std_msgs::Bool>("no", 1);
+    }
+    """
+    facts, _ = program(tmp_path, source)
+    assert [spelled(fact) for fact in facts if fact.category == "publishers"] == [
+        "publishers no std_msgs/Bool 13 queue=1 if !(chosen)",
+        "publishers yes std_msgs/Bool 13 queue=1 if chosen",
+    ]
+
+
 def test_a_member_that_a_callback_changes_decides_nothing(tmp_path: Path) -> None:
     source = """
     class Node {
